@@ -132,8 +132,11 @@ $B/steps/%: chapters/steps/%.c
 	@echo "compile $<"
 	@$(CC) -std=c11 -O2 -ffp-contract=off $(WARN) -o $@ $< -lm
 
-validate: $B/winnow ## long runs against measurements and papers (hours)
+validate: $B/winnow ## long runs against measurements and papers (hours, then a night; goes on where it was interrupted)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
+	$(MAKE) validate-bed
+validate-bed: $B/winnow ## of them the bed of resolved grains, 1.7 million cells (a night)
+	WIDTH=8 CELLS=12 END=100 sh tests/validate/resolved-bed.sh $B/winnow 4 6 8 11
 
 fuzz: ## broken input for FUZZ_SECONDS (60) from FUZZ_SEED (1), under sanitizers
 	$(MAKE) $(CORES) $B/san/tests/fuzz B=$B/san OPT="$(SANITIZE)" WERROR=
@@ -236,6 +239,6 @@ $B/tests/fuzz: $B/tests/winnow_main.o
 .PHONY: distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
-        validate bench figures fuzz replay weave book help clean tests always
+        validate validate-bed bench figures fuzz replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pressure drop of a pipe of tetrahedra over the exact one; or the errors
  * and orders of the flow of (19.3) on tetrahedra, up to 6 MOST^3 of them, as it
- * is or with the fluid at rest.
+ * is, on tetrahedra that are not shaken, or with the fluid at rest.
  *
  *   sh figures/run.sh figures/19-tetrahedra.c -- pipe SLOPES|made SCHEME
- * MOST|rest
+ * MOST|even MOST|rest
  */
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -109,9 +109,119 @@ static void made(const char *scheme, int most, double shake, double K,
     }
 }
 
+/* Errors of the flow, root mean squares: of u in the cells at walls and in
+ * those of the inner eighth of the box; of p there, and of the mean of p over
+ * the six cells of each of its blocks. */
+struct parts {
+    double u_wall, u_inner, p_inner, p_blocks;
+};
+
+static int is_inner(const double x[3])
+{
+    return fabs(x[0] - 0.5) < 0.25 && fabs(x[1] - 0.5) < 0.25 &&
+           fabs(x[2] - 0.5) < 0.25;
+}
+
+static int is_at_wall(const struct mesh *m, int c)
+{
+    return m->cell_face[m->cell_start[c + 1] - 1] >= m->n_internal;
+}
+
+/* The mean of what p has too much [Pa]. */
+static double level_of(const struct manufactured *a, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    double sum = 0.0, V = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        V += m->V[c];
+        sum +=
+            m->V[c] * (fl->p[c] - manufactured_p(a, &m->centre[3 * c], fl->t));
+    }
+    return sum / V;
+}
+
+static struct parts parts_of(const struct manufactured *a,
+                             const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const int n = a->n;
+    const double level = level_of(a, fl);
+    double *const block = calloc((size_t)(n * n * n), sizeof *block);
+    struct parts e = {0.0, 0.0, 0.0, 0.0};
+    int at_wall = 0, inner = 0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        const double *const x = &m->centre[3 * c];
+        const double p = fl->p[c] - level - manufactured_p(a, x, fl->t);
+        double u[3], square = 0.0;
+        manufactured_u(a, x, fl->t, u);
+        for (int k = 0; k < 3; k++)
+            square += pow(fl->u[3 * c + k] - u[k], 2.0);
+        if (is_at_wall(m, c)) at_wall++, e.u_wall += square;
+        if (!is_inner(x)) continue;
+        inner++, e.u_inner += square, e.p_inner += p * p;
+        block[(int)(n * x[0]) + n * ((int)(n * x[1]) + n * (int)(n * x[2]))] +=
+            p / 6.0;
+    }
+    for (int i = 0; i < n * n * n; i++)
+        e.p_blocks += 6.0 * block[i] * block[i];
+    free(block);
+    e.u_wall = sqrt(e.u_wall / at_wall), e.u_inner = sqrt(e.u_inner / inner);
+    e.p_inner = sqrt(e.p_inner / inner), e.p_blocks = sqrt(e.p_blocks / inner);
+    return e;
+}
+
+static void print_order(double error, double last, double ratio)
+{
+    printf("  %.2e", error);
+    if (last > 0.0) printf(" %.2f", log(last / error) / log(ratio));
+}
+
+/* The cells of a mesh are all of one size, and so are those of a block. */
+static void even(int most)
+{
+    struct parts last = {0.0, 0.0, 0.0, 0.0};
+
+    for (int n = 4; n <= most; n += 4) {
+        const struct manufactured a = {.kind = MANUFACTURED_BOX,
+                                       .n = n,
+                                       .shake = 1e-12,
+                                       .convection = "second-upwind",
+                                       .time = "bdf2",
+                                       .steady = 1,
+                                       .dt = 0.32 / n,
+                                       .end = 0.32};
+        struct manufactured_boundaries b;
+        struct fluid *const fl = manufactured_create(&a, &b);
+        for (int i = 0; i < n; i++) {
+            manufactured_set(&a, fl, fl->t + a.dt);
+            if (fluid_step(fl) != 0) exit(3);
+        }
+        const struct parts e = parts_of(&a, fl);
+        const double ratio = n / (n - 4.0);
+        printf("%d", 6 * n * n * n);
+        print_order(e.u_wall, last.u_wall, ratio);
+        print_order(e.u_inner, last.u_inner, ratio);
+        print_order(e.p_inner, last.p_inner, ratio);
+        print_order(e.p_blocks, last.p_blocks, ratio);
+        putchar('\n');
+        fflush(stdout);
+        last = e;
+        struct mesh *const m = (struct mesh *)fl->mesh;
+        fluid_free(fl);
+        mesh_free(m);
+    }
+}
+
 int main(int argc, char **argv)
 {
     if (argc < 2) return 2;
+    if (strcmp(argv[1], "even") == 0) {
+        puts("# cells; u at walls, order; u inside; p inside; p of six cells");
+        even(argc > 2 ? atoi(argv[2]) : 16);
+        return 0;
+    }
     if (strcmp(argv[1], "rest") == 0) {
         puts("# cells; error of u, order; of p, order");
         made("linear", 8, 0.1, 0.0, 1);

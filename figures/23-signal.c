@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "base/random.h"
+#include "base/random/random.h"
 #include "base/statistics/correlation.h"
 #include "coupling/effects/stochastic_drag.h"
 

@@ -1,10 +1,12 @@
 # The drag on the grains of EW18's bed in a liquid, with resolved flow: what EW18
-# figs. 6 to 12 show, from figures/24-liquid-8.txt.
+# figs. 6 to 12 show, from figures/24-liquid-8.txt, and fig. 13. Of another bed than the
+# small one: gnuplot -e "bed = '-8-12'" figures/24-liquid.gp
 load "figures/style.gp"
-set terminal svg size 900,900 dynamic font "sans,13" background "#ffffff"
-set output "figures/24-liquid.svg"
-table = "figures/24-liquid-8.txt"
-set multiplot layout 3,2 margins 0.10,0.97,0.07,0.98 spacing 0.12,0.09
+if (!exists("bed")) bed = ""
+set terminal svg size 900,1160 dynamic font "sans,13" background "#ffffff"
+set output "figures/24-liquid".bed.".svg"
+table = "figures/24-liquid-8".bed.".txt"
+set multiplot layout 4,2 margins 0.10,0.97,0.055,0.985 spacing 0.12,0.07
 set xlabel "{/:Italic C}_d near one Re_p and ε"
 set ylabel "probability density"
 plot table index "[EW18 fig. 6] C_d, share" using 1:2 with boxes linetype 1 notitle
@@ -33,4 +35,9 @@ set yrange [-0.4:1]
 set xlabel "τ [{/:Italic d}/{/:Italic u}_{in}]"
 set ylabel "autocorrelation of the force"
 plot table index "[EW18 figs. 12, 13] tau, autocorrelation of the force along the flow, its integral" using 1:2 with lines linetype 1 notitle, 0 linecolor "#555555" notitle
+set xrange [0:12]
+set yrange [0:*]
+set xlabel "Re_{in}"
+set ylabel "integral time [{/:Italic d}/{/:Italic u}_{in}]"
+plot "figures/24-liquid-times".bed.".txt" using 1:2 with points linetype 1 pointtype 7 title "to the first zero"
 unset multiplot

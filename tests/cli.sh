@@ -222,8 +222,16 @@ fact check_knows_the_courant_number_of_a_moving_wall 0 \
 # 3 0.05 (1/0.25^2 + 16^2) / 2 = 20.4, and a thousandth of it are 2 %: in a cavity
 # at 17 the force on the lid takes turns by 1.5 %.
 fact check_says_what_long_viscous_steps_do_to_the_forces_on_walls 0 \
-    "20.4 -    HIGH: forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
+    "20.4 -    HIGH: pressure, forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
     "$winnow" check channel.cfg -s fluid.viscosity=3.0
+# 3 / 960 0.004 / 0.002^2 = 3.1.
+fact check_says_what_long_viscous_steps_do_to_free_bodies 0 \
+    "3.125 -    HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
+    "$winnow" check "$top/cases/falling-sphere.cfg" -s fluid.viscosity=3.0
+# 4 / 16 m over 1 / 16 m.
+fact check_says_which_cells_are_so_long_that_the_pressure_may_alternate 0 \
+    "longest cell over its width                     4 -    LONG: 2.6 at most" \
+    "$winnow" check channel.cfg
 fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
@@ -408,6 +416,13 @@ written() {
     done | uniq | wc -l
 }
 fact what_is_written_does_not_change_the_motion 0 1 written
+pictures() { # soft.cfg has a row each millisecond
+    rm -rf written
+    "$winnow" run soft.cfg -o written --quiet "$@" >/dev/null 2>&1
+    find written/particles -name '*.vtp' | wc -l
+}
+fact pictures_may_be_more_frequent_than_rows 0 21 \
+    pictures -s output.every=2e-4 -s output.end=4e-3 -s particles.expected_overlap=0.5
 sed 's/velocity = .0.1, /velocity = [7.0, /; s/^output/effects = { gravity = [-9.81, 0.0, 0.0]; };\n&/' soft.cfg >thrown.cfg
 soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
 # Of statistics: one axial and two transverse temperatures make that of history,
@@ -488,6 +503,25 @@ come_written() {
 fact what_is_written_does_not_change_when_spheres_come 0 1 come_written
 fact spheres_that_found_no_room_are_told_at_the_end 0 "of the 100 spheres that were due" come
 fact they_are_in_the_summary_too 0 "particles_waiting" cat come/summary.json
+fact check_says_which_pictures_are_too_frequent 0 "output.every is 0.0001 s" \
+    "$winnow" check come.cfg -s output.every=1e-4
+cat >oblique.cfg <<'END'
+title = "a grain in a sheared box, beyond the length of its floor";
+mesh = { size = [0.02, 0.02, 0.02]; cells = [4, 4, 4]; shear = [0.5, 0.0, 0.0];
+         periodic = [true, false, false]; };
+particles = { contact = "linear"; step = 2e-5;
+    grains = { density = 1000; stiffness = 100.0; restitution = 0.9; friction = 0.3; };
+    place = ( { position = [0.025, 0.016, 0.01]; velocity = [1.0, 0.0, 0.0]; diameter = 3e-3; } ); };
+output = { end = 2e-3; every = 1e-3; };
+END
+oblique() {
+    for x in 0.025 0.005; do
+        "$winnow" run oblique.cfg -o oblique$x --quiet \
+            -s particles.place.0.position=[$x,0.016,0.01] || return
+    done
+    cmp oblique0.025/history.csv oblique0.005/history.csv && echo same
+}
+fact a_grain_is_brought_back_by_the_period_of_a_sheared_box 0 same oblique
 fact spheres_to_come_must_fit_into_the_period 2 "periodic direction x" \
     come -s particles.insert.0.diameter=9.5e-3 -s particles.insert.0.to=[0.02,0.01,0.02] \
     -s particles.insert.0.count=1
@@ -590,6 +624,27 @@ fact free_body_asks_for_its_density 2 "sphere 0 is free and asks for its density
     body -s 'bodies.spheres.0.motion="free"'
 fact body_asks_for_three_cells 2 "has a diameter of 1.2 cells; expected at least 3" \
     body -s bodies.spheres.1.diameter=0.01
+fact body_of_three_cells_but_for_rounding 0 "LOW: good to look at" \
+    body -s mesh.size=[6.0,6.0,6.0] -s mesh.cells=[30,30,30] \
+    -s 'bodies={spheres=({position=[3.0,3.0,3.0]; diameter=0.6; density=1200.0;})}'
+# Two pyramids on a square in the plane x = y, 2.8 mm high together.
+awk 'function corner(k) { split(k == 0 ? "21 19 25" : k == 1 ? "19 21 25" : k == 2 ? "0 0 0" : \
+             k == 3 ? "40 40 0" : k == 4 ? "40 40 50" : "0 0 50", x, " ")
+         print "vertex", x[1], x[2], x[3] }
+     BEGIN {
+         print "solid plate"
+         for (e = 0; e < 8; e++) {
+             a = 2 + e % 4; b = 2 + (e + 1) % 4
+             print "facet normal 0 0 0\nouter loop"
+             corner(e < 4 ? 0 : 1); corner(e < 4 ? a : b); corner(e < 4 ? b : a)
+             print "endloop\nendfacet"
+         }
+         print "endsolid plate" }' >plate.stl
+fact body_that_is_thin_across_its_file 2 "bodies.surfaces: number 0 is only 0.114 cells thick" \
+    body -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02];})}'
+fact body_that_is_free_may_be_thinner_than_three_cells 0 "LOW: good to look at" \
+    body -s mesh.cells=[120,120,120] \
+    -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02]; motion="free"; density=2000.0;})}'
 fact body_is_in_the_box 2 "with diameter 0.03 m is not inside the box" \
     body -s bodies.spheres.1.position=[0.09,0.05,0.05]
 fact body_does_not_meet_itself 2 "meets itself across the period" \
@@ -607,7 +662,13 @@ fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grad
 fact cylinder_is_along_an_axis_but_for_rounding 0 "" body -s mesh.cells=[12,12,4] \
     -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.01; length=0.03; axis=[0.0,0.0,49.0];})}'
 fact rebound_is_that_by_the_mass_that_viscosity_asks_for 0 \
-    "rebound, times                              30.74" \
+    "rebound, times                               2620" \
+    body -s fluid.viscosity=50.0
+fact virtual_mass_is_what_viscosity_and_shape_ask_for 0 \
+    "largest virtual mass                        9.507" \
+    body -s fluid.viscosity=50.0
+fact free_bodies_jitter_in_a_thick_fluid 0 \
+    "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
     body -s fluid.viscosity=50.0
 gone_on() {
     "$winnow" run "$1.cfg" -o whole --quiet >/dev/null &&

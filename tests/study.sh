@@ -76,7 +76,7 @@ fact bdf2_is_reported_with_order_2 order time bdf2 1.9 2.15
 # meet it to second order.
 "$winnow" study channel.cfg -s output.end=8 \
     -s mesh.cells:fluid.step='[1,8,1]:2.0,[1,16,1]:1.0,[1,32,1]:0.5' --times 3 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' \
-    --measure profile.1 --truth '50*x*(0.01 - x)' -o cells --quiet
+    --measure profile.1@0.001..0.009 --truth '50*x*(0.01 - x)' -o cells --quiet
 cells_are_second_order() { # column of study.md
     awk -F' [|] ' -v c="$1" '/^\| cells/ { n++; if (n > 1 && ($c + 0 < 1.9 || $c + 0 > 2.15)) wrong = 1 }
                    END { exit n != 3 || wrong }' cells/study.md
@@ -149,6 +149,12 @@ sums_agree() {
     [ $n -eq 90 ]
 }
 fact seconds_in_study_csv_are_those_of_the_summaries sums_agree
+# A line across a bed is the same in a mirror, one along gravity is not.
+"$winnow" run grains.cfg -o lines --quiet >said 2>&1 -s output.end=1e-3 \
+    -s 'output.profiles=({field="eps_f";height=0.003;},{field="eps_f";along="y";x=0.003;})'
+mirror_of() { sed -n "/\"$1\"/,/}/p" lines/summary.json | grep -c mirror_error; }
+mirrors_agree() { [ "$(mirror_of eps_f_y3mm)" = 1 ] && [ "$(mirror_of eps_f_along_y_x3mm)" = 0 ]; }
+fact a_profile_along_gravity_has_no_mirror_error mirrors_agree
 # The cheapest row within the limit, found again from study.csv.
 advice_agrees() {
     best=$(awk -F, '

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/cell_of_particle.h"
 #include "coupling/coupling.h"
 
 #include <omp.h>
@@ -402,7 +403,7 @@ START_TEST(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell)
     s.averaging = "pcm";
     struct simulation *const sim = build(&s);
     const struct particles *const ps = sim->particles;
-    const int *const host = averaging_cell_of_particle(sim->averaging);
+    const int *const host = averaging_cells(sim->averaging)->cell;
     for (int c = 0; c < sim->mesh->n_cells; c++) {
         double K = 0.0, F = 0.0;
         for (int i = 0; i < ps->n; i++)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces besides drag: virtual mass, pressure, and their reactions on the
  * fluid. */
+#include "averaging/cell_of_particle.h"
 #include "coupling/coupling.h"
 
 #include <omp.h>
@@ -236,7 +237,7 @@ START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
         sim->fluid->phi[f] = 0.0;
     for (int c = 0; c < m->n_cells; c++)
         sim->fluid->u[3 * c] = sin(2.0 * M_PI * m->centre[3 * c + 1] / s.size);
-    const int host = averaging_cell_of_particle(sim->averaging)[0];
+    const int host = averaging_cells(sim->averaging)->cell[0];
     const double before = sim->fluid->u[3 * host];
     run(sim, 1);
     const double decay = (sim->fluid->u[3 * host] - before) / s.dt;

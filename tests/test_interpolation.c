@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* It names the bell: needs src/averaging/kernel */
 #include "averaging/interpolation.h"
 
 #include <gsl/gsl_math.h>
@@ -80,7 +81,7 @@ START_TEST(linear_is_exact_for_linear_fields_in_the_interior)
     interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
     for (int i = 0; i < N; i++) {
         const double x[3] = {s.ps->x[i], s.ps->y[i], s.ps->z[i]};
-        if (touches_the_boundary(s.mesh, averaging_cell_of_particle(s.a)[i]))
+        if (touches_the_boundary(s.mesh, averaging_cells(s.a)->cell[i]))
             continue;
         inside++;
         for (int k = 0; k < M; k++)
@@ -147,7 +148,7 @@ START_TEST(linear_without_boundary_values_is_exact_at_walls_too)
     interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
     for (int i = 0; i < N; i++) {
         const double *const centre =
-            &s.mesh->centre[3 * averaging_cell_of_particle(s.a)[i]];
+            &s.mesh->centre[3 * averaging_cells(s.a)->cell[i]];
         const double x[3] = {n[0] > 1 ? s.ps->x[i] : centre[0],
                              n[1] > 1 ? s.ps->y[i] : centre[1],
                              n[2] > 1 ? s.ps->z[i] : centre[2]};
@@ -197,7 +198,7 @@ START_TEST(nearest_is_the_value_of_the_particles_cell)
     for (int i = 0; i < N; i++)
         for (int k = 0; k < M; k++)
             ck_assert(s.q[M * i + k] ==
-                      s.field[M * averaging_cell_of_particle(s.a)[i] + k]);
+                      s.field[M * averaging_cells(s.a)->cell[i] + k]);
     scene_free(&s);
 }
 END_TEST
@@ -245,8 +246,8 @@ START_TEST(the_cap_of_pcm_does_not_reduce_the_fluid_velocity_at_particles)
     for (int i = 0; i < N; i++)
         for (int k = 0; k < M; k++)
             ck_assert_double_eq_tol(
-                s.q[M * i + k],
-                s.field[M * averaging_cell_of_particle(s.a)[i] + k], 1e-15);
+                s.q[M * i + k], s.field[M * averaging_cells(s.a)->cell[i] + k],
+                1e-15);
     scene_free(&s);
 }
 END_TEST

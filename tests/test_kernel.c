@@ -99,7 +99,7 @@ static int weights_of(const struct scene *s, int i, double *w)
         sum += w[c] = kernel_of(s, i, c);
     for (int c = 0; c < s->mesh->n_cells && sum > 0.0; c++)
         w[c] /= sum;
-    if (sum == 0.0) w[averaging_cell_of_particle(s->a)[i]] = 1.0;
+    if (sum == 0.0) w[averaging_cells(s->a)->cell[i]] = 1.0;
     return sum > 0.0;
 }
 

@@ -285,6 +285,31 @@ START_TEST(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes)
 }
 END_TEST
 
+/* 0.5 x 0.25 x 2: the single cell in z has no neighbours, so that its size does
+ * not count. Of the graded mesh the widest column in x crosses the narrowest
+ * row in y. */
+START_TEST(the_longest_cell_is_as_long_as_its_links)
+{
+    const struct box_spec even = {
+        {2.0, 1.0, 2.0}, {4, 4, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    const struct box_spec graded = {
+        {7.0, 3.0, 1.0}, {3, 2, 1}, {4.0, 2.0, 1.0}, {0, 0, 0}};
+    struct mesh *const outline = mesh_outline_box(&even);
+    struct mesh *const box = mesh_create_box(&graded);
+    struct mesh *const poly = mesh_create_sheared(&even, (double[3]){0.0});
+    int c;
+
+    ck_assert_double_eq_tol(mesh_longest_cell(outline, &c), 2.0, 1e-12);
+    ck_assert_int_eq(c, -1);
+    ck_assert_double_eq_tol(mesh_longest_cell(box, &c), 4.0, 1e-12);
+    ck_assert_double_eq_tol(mesh_longest_cell(poly, &c), 2.0, 1e-12);
+    ck_assert_int_ge(c, 0);
+    mesh_free(outline);
+    mesh_free(box);
+    mesh_free(poly);
+}
+END_TEST
+
 /* With y / 2 added to x, links between rows lean by atan(1/2); the faces across
  * x lean by as much. The link of the rows crosses their face in its middle. */
 START_TEST(a_sheared_box_is_as_crooked_as_its_shear)
@@ -334,6 +359,7 @@ FACTS("mesh")
     FACT(a_periodic_direction_wraps_points);
     FACT(patches_stand_where_their_names_say);
     FACT(the_measures_of_a_graded_row_are_those_of_its_widths);
+    FACT(the_longest_cell_is_as_long_as_its_links);
     FACT(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes);
     FACT(a_sheared_box_is_as_crooked_as_its_shear);
     FACT(skewness_is_the_way_from_the_link_to_the_middle_of_the_face);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The limits of the coupled step: the formulas compared with the program. */
-#include "coupling/stability.h"
+#include "coupling/stability/stability.h"
 
+#include "coupling/reaction.h"
 #include "facts.h"
 #include "suspension.h"
 
@@ -52,7 +53,7 @@ START_TEST(no_other_share_in_advance_has_a_smaller_factor)
     for (double C = 0.1; C < 1.05; C += 0.3)
         for (double eps_s = 0.1; eps_s < 0.75; eps_s += 0.1) {
             const double q = eps_s / (1.0 - eps_s);
-            const double s = stability_share_in_advance(C, r, eps_s);
+            const double s = reaction_share_in_advance(C, r, eps_s);
             const double least = larger_root(C, r, q, s);
             ck_assert_double_ge(s, 0.0);
             ck_assert_double_le(s, 1.0);
@@ -130,7 +131,7 @@ static double sink(const struct scene *like, double ratio, double D[SINKING])
  * Friction that is not quite 0 changes D by 2e-10 m/s a step, so that the terms
  * must be larger than 1e-7. */
 static double left_of_20_10(const double D[SINKING], double C, double r,
-                           double q, double s)
+                            double q, double s)
 {
     double most = 0.0;
     int compared = 0;
@@ -163,7 +164,7 @@ START_TEST(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10)
             s.dt = 1e-5;
             const double eps_s = sink(&s, r, D);
             const double share =
-                implicit ? stability_share_in_advance(C[k], r, eps_s) : 0.0;
+                implicit ? reaction_share_in_advance(C[k], r, eps_s) : 0.0;
             ck_assert_double_lt(
                 left_of_20_10(D, C[k], r, eps_s / (1.0 - eps_s), share), 5e-3);
         }

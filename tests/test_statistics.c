@@ -7,7 +7,7 @@
 #include "base/statistics/temperature.h"
 
 #include "base/alloc.h"
-#include "base/random.h"
+#include "base/random/random.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>

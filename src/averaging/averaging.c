@@ -182,11 +182,6 @@ void averaging_apply_cap(const struct averaging *a, int m, double *q)
             q[m * i + k] *= averaging_capped_fraction(a, i);
 }
 
-const int *averaging_cell_of_particle(const struct averaging *a)
-{
-    return a->cells->cell;
-}
-
 const struct cell_of_particle *averaging_cells(const struct averaging *a)
 {
     return a->cells;

@@ -98,9 +98,8 @@ const double *averaging_extended(struct averaging *a, int m,
 double averaging_capped_fraction(const struct averaging *a, int i);
 void averaging_apply_cap(const struct averaging *a, int m, double *q);
 
-/* Borrowed: the cell of each particle, the sorted lists of particles of each
- * cell, the report. */
-const int *averaging_cell_of_particle(const struct averaging *a);
+/* Borrowed: the cell of each particle and the particles of each cell, the
+ * report. */
 const struct cell_of_particle *averaging_cells(const struct averaging *a);
 const struct averaging_report *averaging_report(const struct averaging *a);
 

@@ -2,12 +2,10 @@
 #include "base/alloc.h"
 
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 void *alloc_zeroed(size_t n, size_t size)
 {
@@ -48,39 +46,6 @@ void *alloc_grown(void *old, int used, int n, size_t size)
     if (used > 0) memcpy(grown, old, (size_t)used * size);
     free(old);
     return grown;
-}
-
-/* The lower of two limits; the second may be absent. */
-static double lower(double most, double limit)
-{
-    return limit > 0.0 && limit < most ? limit : most;
-}
-
-/* The first number in a file, or 0. A group of processes may have less memory
- * than the machine. */
-static double limit_in(const char *file)
-{
-    FILE *const in = fopen(file, "r");
-    double limit = 0.0;
-
-    if (in == NULL) return 0.0;
-    if (fscanf(in, "%lf", &limit) != 1) limit = 0.0;
-    fclose(in);
-    return limit;
-}
-
-double alloc_most(void)
-{
-    struct rlimit own;
-    double most = HUGE_VAL;
-
-    most = lower(most, (double)sysconf(_SC_PHYS_PAGES) *
-                           (double)sysconf(_SC_PAGESIZE));
-    most = lower(most, limit_in("/sys/fs/cgroup/memory.max"));
-    most = lower(most, limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
-    if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
-        most = lower(most, (double)own.rlim_cur);
-    return most;
 }
 
 double alloc_peak(void)

@@ -20,10 +20,6 @@ int *alloc_ints(int n);
  * `used` ones of `old`, which is freed; the others are zero. */
 void *alloc_grown(void *old, int used, int n, size_t size);
 
-/* The most memory that this program can have: that of the machine, or the limit
- * of the process [byte]. */
-double alloc_most(void);
-
 /* The most memory that this program has had so far [byte]. */
 double alloc_peak(void);
 

@@ -8,6 +8,7 @@
 
 #include "base/alloc.h"
 #include "case/build_free.h"
+#include "dem/box_domain.h"
 #include "case/case_steps.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
@@ -133,6 +134,7 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
                        const struct dem_options *o)
 {
     static const char *const list = "particles.place";
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const int n = settings_length(s, list);
     int code = 0;
 
@@ -142,6 +144,9 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
         const int material = material_of(s, list, k);
         double x[3], v[3], w[3];
         settings_item_vector(s, list, k, "position", x);
+        for (int a = 0; a < 3; a++)
+            if (x[a] < o->lo[a] || x[a] > o->hi[a])
+                x[a] = box_domain_inside(&box, a, x[a]);
         settings_item_vector(s, list, k, "velocity", v);
         settings_item_vector(s, list, k, "spin", w);
         const int i = particles_add(sim->particles, x,

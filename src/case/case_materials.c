@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "case/nearest.h"
 #include "case/schema.h"
 
 static const char first[] = "grains", list[] = "particles.materials",
@@ -117,33 +116,4 @@ struct materials *case_materials_create(const struct settings *s)
     if (settings_has(s, wall))
         all->wall = case_materials_number(s, settings_text(s, wall));
     return all;
-}
-
-int case_materials_have_rolling(const struct settings *s)
-{
-    if (!settings_has(s, "particles")) return 0;
-    const struct material zero = case_materials_one(s, 0);
-    struct materials *const all = case_materials_create(s);
-    const int rolls = materials_have_rolling(&zero, all);
-    free(all);
-    return rolls;
-}
-
-int case_materials_check_name(const struct settings *s, const char *path,
-                              const char *name)
-{
-    struct nearest n;
-
-    if (case_materials_number(s, name) >= 0) return 0;
-    nearest_init(&n, name);
-    nearest_offer(&n, first);
-    for (int k = 0; k < settings_length(s, list); k++)
-        nearest_offer(&n, settings_item_text(s, list, k, "name"));
-    if (nearest_best(&n) == NULL)
-        return settings_wrong(s, path,
-                              "no material %s: there are %s and the names in "
-                              "%s",
-                              name, first, list);
-    return settings_wrong(s, path, "no material %s; did you mean %s?", name,
-                          nearest_best(&n));
 }

@@ -17,18 +17,10 @@ int case_materials_number(const struct settings *s, const char *name);
 struct material case_materials_one(const struct settings *s, int number);
 double case_materials_density(const struct settings *s, int number);
 
-/* 1 if any two of them, or one with itself, resist rolling. */
-int case_materials_have_rolling(const struct settings *s);
-
 /* All but number 0, to be released with free(); NULL if there is no other. */
 struct materials *case_materials_create(const struct settings *s);
 
 /* What is measured for the k-th pair of them. */
 struct materials_measured case_materials_pair(const struct settings *s, int k);
-
-/* A name that the case gives at `path` must be one of the materials': 0, or 2
- * after one message. */
-int case_materials_check_name(const struct settings *s, const char *path,
-                              const char *name);
 
 #endif

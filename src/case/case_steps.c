@@ -18,35 +18,48 @@ static int has_population(const struct settings *s)
            settings_has(s, "particles.sinks");
 }
 
-/* The key that says how long a step of the loop is. */
+/* [s] of a step of the loop, before it is made whole particle steps, and the
+ * key that decides it. */
+static double interval(const struct settings *s, const char **key)
+{
+    static const char *const written[] = {"output.history", "output.every"};
+    double shortest = HUGE_VAL;
+
+    *key = "fluid.step";
+    if (settings_has(s, *key)) return settings_real(s, *key);
+    *key = "particles.step";
+    if (has_population(s)) return POPULATION_STEPS * settings_real(s, *key);
+    for (int i = 0; i < 2; i++)
+        if (settings_has(s, written[i]) &&
+            settings_real(s, written[i]) < shortest) {
+            *key = written[i];
+            shortest = settings_real(s, *key);
+        }
+    return shortest;
+}
+
 static const char *length_key(const struct settings *s)
 {
-    if (settings_has(s, "fluid")) return "fluid.step";
-    if (has_population(s)) return "particles.step";
-    return settings_has(s, "output.history") ? "output.history"
-                                             : "output.every";
+    const char *key;
+
+    interval(s, &key);
+    return key;
 }
 
 /* Without a fluid a step is the whole number of particle steps that is nearest
- * to the time between two rows, or to the end if that comes first. So what is
- * written does not change how the particles move. */
-static double nearest_whole(const struct settings *s, double interval)
+ * to the shortest time between two rows or pictures, or to the end if that
+ * comes first. So what is written does not change how the particles move. */
+double case_steps_length(const struct settings *s)
 {
-    const double dt = fmin(interval, settings_real(s, end_key));
+    const char *key;
+    const double given = interval(s, &key);
 
+    if (settings_has(s, "fluid")) return given;
+    const double dt = fmin(given, settings_real(s, end_key));
     if (!settings_has(s, "particles")) return dt;
     const double step = settings_real(s, "particles.step");
     const double whole = step * fmax(1.0, round(dt / step));
     return fabs(whole - dt) > 1e-9 * dt ? whole : dt; /* but for rounding */
-}
-
-double case_steps_length(const struct settings *s)
-{
-    const double dt = settings_real(s, length_key(s));
-
-    if (!settings_has(s, "fluid") && has_population(s))
-        return nearest_whole(s, POPULATION_STEPS * dt);
-    return settings_has(s, "fluid") ? dt : nearest_whole(s, dt);
 }
 
 static double within(const struct settings *s)

@@ -101,6 +101,25 @@ static int type_fits(const struct key *key, enum key_type type)
                                                      key->type == KEY_FILE);
 }
 
+/* The row of a path; the groups of a list have the rows of its name. */
+static const struct key *row_of(const struct settings *s, const char *path)
+{
+    char row[SCHEMA_TEXT];
+    const char *const at = strstr(path, ".[");
+
+    if (at == NULL) return schema_find(s->tables, path);
+    snprintf(row, sizeof row, "%.*s%s", (int)(at - path), path,
+             at + strcspn(at, "]") + 1);
+    return schema_find(s->tables, row);
+}
+
+const char *settings_item(char room[SETTINGS_ITEM_ROOM], const char *list,
+                          int i, const char *key)
+{
+    snprintf(room, SETTINGS_ITEM_ROOM, "%s.[%d].%s", list, i, key);
+    return room;
+}
+
 /* The setting of a path whose row must have the type. A setting that is not
  * there is an error of the caller, which has to call settings_has first. */
 static const config_setting_t *find(const struct settings *s, const char *path,
@@ -108,30 +127,7 @@ static const config_setting_t *find(const struct settings *s, const char *path,
 {
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(type_fits(schema_find(s->tables, path), type) && found != NULL);
-    (void)type;
-    return found;
-}
-
-/* A key of the i-th group of a list, or NULL. */
-static const config_setting_t *member(const struct settings *s,
-                                      const char *list, int i, const char *key)
-{
-    const config_setting_t *const groups = find(s, list, KEY_LIST);
-    return config_setting_get_member(
-        config_setting_get_elem(groups, (unsigned)i), key);
-}
-
-/* The same where its row has the type and it is there. */
-static const config_setting_t *find_in(const struct settings *s,
-                                       const char *list, int i,
-                                       const char *name, enum key_type type)
-{
-    const config_setting_t *const found = member(s, list, i, name);
-    char path[SCHEMA_TEXT];
-
-    snprintf(path, sizeof path, "%s.%s", list, name);
-    assert(type_fits(schema_find(s->tables, path), type) && found != NULL);
+    assert(type_fits(row_of(s, path), type) && found != NULL);
     (void)type;
     return found;
 }
@@ -153,8 +149,13 @@ int settings_has(const struct settings *s, const char *path)
 {
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(schema_knows(s->tables, path));
+    assert(row_of(s, path) != NULL || schema_knows(s->tables, path));
     return found != NULL && !source_is_default(found);
+}
+
+int settings_is_set(const struct settings *s, const char *path)
+{
+    return config_lookup(&s->tree, path) != NULL;
 }
 
 double settings_real(const struct settings *s, const char *path)
@@ -174,7 +175,7 @@ int settings_bool(const struct settings *s, const char *path)
 
 const char *settings_text(const struct settings *s, const char *path)
 {
-    const struct key *const key = schema_find(s->tables, path);
+    const struct key *const key = row_of(s, path);
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
     assert(type_fits(key, KEY_NAME) || key->type == KEY_PATCH);
@@ -247,55 +248,6 @@ int settings_length(const struct settings *s, const char *list)
 
     assert(schema_knows(s->tables, list));
     return found != NULL ? config_setting_length(found) : 0;
-}
-
-int settings_item_has(const struct settings *s, const char *list, int i,
-                      const char *key)
-{
-    const config_setting_t *const found = member(s, list, i, key);
-    return found != NULL && !source_is_default(found);
-}
-
-int settings_item_is_set(const struct settings *s, const char *list, int i,
-                         const char *key)
-{
-    return member(s, list, i, key) != NULL;
-}
-
-double settings_item_real(const struct settings *s, const char *list, int i,
-                          const char *key)
-{
-    return source_number(find_in(s, list, i, key, KEY_REAL));
-}
-
-int settings_item_int(const struct settings *s, const char *list, int i,
-                      const char *key)
-{
-    return whole(find_in(s, list, i, key, KEY_INT));
-}
-
-const char *settings_item_text(const struct settings *s, const char *list,
-                               int i, const char *key)
-{
-    return config_setting_get_string(find_in(s, list, i, key, KEY_NAME));
-}
-
-int settings_item_points(const struct settings *s, const char *list, int i,
-                         const char *key)
-{
-    return series_length(find_in(s, list, i, key, KEY_CURVE));
-}
-
-void settings_item_point(const struct settings *s, const char *list, int i,
-                         const char *key, int k, double *x, double *value)
-{
-    series_point(find_in(s, list, i, key, KEY_CURVE), k, x, value);
-}
-
-void settings_item_vector(const struct settings *s, const char *list, int i,
-                          const char *key, double v[3])
-{
-    vector(find_in(s, list, i, key, KEY_VECTOR), v);
 }
 
 /* The path of the i-th patch of the mesh from files, or NULL. */

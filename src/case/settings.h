@@ -7,8 +7,8 @@
  * a group that the case does not name is a bug and asserted.
  *
  * A path is the row's ("fluid.density"), with the side in place of <patch>
- * ("fluid.bottom.inlet"). The item functions read the groups of a list
- * ("output.profiles", 0, "height").
+ * ("fluid.bottom.inlet"), and in a list with the number of the group
+ * ("output.profiles.[0].height"), which the item functions write.
  */
 #ifndef CASE_SETTINGS_H
 #define CASE_SETTINGS_H
@@ -43,6 +43,9 @@ int settings_quiet(const struct settings *s);
 /* 1 if the case itself names the key or group, 0 if it is left out or has its
  * default, and if this build leaves the key's folder out. */
 int settings_has(const struct settings *s, const char *path);
+/* 1 if it has a value, its own or a default; 0 too where there is no such key.
+ */
+int settings_is_set(const struct settings *s, const char *path);
 
 double settings_real(const struct settings *s, const char *path);
 int settings_int(const struct settings *s, const char *path); /* word: 0 */
@@ -62,25 +65,26 @@ void settings_point(const struct settings *s, const char *path, int i,
  * out. */
 int settings_is_list(const struct settings *s, const char *path);
 int settings_length(const struct settings *s, const char *list);
-int settings_item_has(const struct settings *s, const char *list, int i,
-                      const char *key);
-/* 1 if it has a value, its own or a default; 0 too where there is no such key.
- */
-int settings_item_is_set(const struct settings *s, const char *list, int i,
-                         const char *key);
-double settings_item_real(const struct settings *s, const char *list, int i,
-                          const char *key);
-int settings_item_int(const struct settings *s, const char *list, int i,
-                      const char *key);
-const char *settings_item_text(const struct settings *s, const char *list,
-                               int i, const char *key);
-/* A curve: its number of points, and one of them. */
-int settings_item_points(const struct settings *s, const char *list, int i,
-                         const char *key);
-void settings_item_point(const struct settings *s, const char *list, int i,
-                         const char *key, int k, double *x, double *value);
-void settings_item_vector(const struct settings *s, const char *list, int i,
-                          const char *key, double v[3]);
+
+/* The path of a key of the i-th group of a list, for the functions above, and
+ * these with such a path. */
+enum { SETTINGS_ITEM_ROOM = 128 };
+const char *settings_item(char room[SETTINGS_ITEM_ROOM], const char *list,
+                          int i, const char *key);
+#define SETTINGS_ITEM(list, i, key)                                            \
+    settings_item((char[SETTINGS_ITEM_ROOM]){0}, list, i, key)
+#define settings_item_has(s, l, i, k) settings_has(s, SETTINGS_ITEM(l, i, k))
+#define settings_item_is_set(s, l, i, k)                                       \
+    settings_is_set(s, SETTINGS_ITEM(l, i, k))
+#define settings_item_real(s, l, i, k) settings_real(s, SETTINGS_ITEM(l, i, k))
+#define settings_item_int(s, l, i, k) settings_int(s, SETTINGS_ITEM(l, i, k))
+#define settings_item_text(s, l, i, k) settings_text(s, SETTINGS_ITEM(l, i, k))
+#define settings_item_points(s, l, i, k)                                       \
+    settings_points(s, SETTINGS_ITEM(l, i, k))
+#define settings_item_point(s, l, i, k, ...)                                   \
+    settings_point(s, SETTINGS_ITEM(l, i, k), __VA_ARGS__)
+#define settings_item_vector(s, l, i, k, v)                                    \
+    settings_vector(s, SETTINGS_ITEM(l, i, k), v)
 
 /* The key under which the case describes a side of the box or a patch of its
  * mesh: "fluid.left" or "fluid.sides" for "left"; NULL if it does not. */

@@ -109,54 +109,6 @@ void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
     s->value[s->n_more++] = alloc_doubles(field->components * s->capacity);
 }
 
-void snapshot_sort(struct snapshot *s)
-{
-    s->order = alloc_ints(2 * s->capacity);
-}
-
-static int compare_ids(const void *a, const void *b)
-{
-    const int *const i = a, *const j = b;
-
-    return (*i > *j) - (*i < *j);
-}
-
-/* Numbers, so many a particle, in the order of the ids; `to` is as long. */
-static void put_in_order(const struct snapshot *s, int width, double *values,
-                         double *to)
-{
-    memcpy(to, values, (size_t)(width * s->n) * sizeof *to);
-    for (int i = 0; i < s->n; i++)
-        for (int k = 0; k < width; k++)
-            values[width * i + k] = to[width * s->order[2 * i + 1] + k];
-}
-
-/* order: pairs of id and place. */
-static void sort(struct snapshot *s)
-{
-    double *const group[] = {s->x[0], s->x[1], s->x[2], s->v[0],
-                             s->v[1], s->v[2], s->w[0], s->w[1],
-                             s->w[2], s->d,    s->speed};
-    double *const room = alloc_doubles(3 * s->n);
-
-    for (int i = 0; i < s->n; i++) {
-        s->order[2 * i] = s->id[i];
-        s->order[2 * i + 1] = i;
-    }
-    qsort(s->order, (size_t)s->n, 2 * sizeof *s->order, compare_ids);
-    for (size_t a = 0; a < sizeof group / sizeof *group; a++)
-        put_in_order(s, 1, group[a], room);
-    for (int a = 0; a < s->n_more; a++)
-        put_in_order(s, s->more[a]->components, s->value[a], room);
-    for (int i = 0; i < s->n; i++) {
-        s->id[i] = s->order[2 * i];
-        room[i] = s->material != NULL ? s->material[s->order[2 * i + 1]] : 0;
-    }
-    for (int i = 0; i < s->n && s->material != NULL; i++)
-        s->material[i] = (int)room[i];
-    free(room);
-}
-
 static void particles_of_state(struct snapshot *s, struct state *state)
 {
     static const char *const name[9] = {"x",  "y",  "z",  "vx", "vy",
@@ -202,5 +154,5 @@ void snapshot_take(struct snapshot *s, const struct simulation *sim)
     take_particles(s, sim->particles);
     for (int i = 0; i < s->n_more; i++)
         s->more[i]->take(s->memory[i], sim, s->value[i]);
-    if (s->order != NULL) sort(s);
+    if (s->arrange != NULL) s->arrange(s);
 }

@@ -40,8 +40,9 @@ struct snapshot {
     const struct snapshot_field *more[SNAPSHOT_FIELDS];
     void *memory[SNAPSHOT_FIELDS];
     double *value[SNAPSHOT_FIELDS];
-    int *order; /* [-] work space if particles are in the order of their ids;
-                   NULL: as the program has them */
+    /* Puts the particles in another order; NULL: as the program has them. */
+    void (*arrange)(struct snapshot *s);
+    int *order; /* [-] its work space, released with the snapshot; or NULL */
 };
 
 struct snapshot *snapshot_create(const struct simulation *sim);
@@ -50,10 +51,8 @@ void snapshot_free(struct snapshot *s);
 void snapshot_state(struct snapshot *s, const struct mesh *mesh,
                     struct state *state);
 void snapshot_take(struct snapshot *s, const struct simulation *sim);
-/* At the start: adds a field, which is computed with `memory`; puts the
- * particles in the order of their ids. */
+/* At the start: adds a field, which is computed with `memory`. */
 void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
                   void *memory);
-void snapshot_sort(struct snapshot *s);
 
 #endif

@@ -11,7 +11,6 @@
 #include "coupling/effects.h"
 #include "coupling/effect_mover.h"
 #include "coupling/processes.h"
-#include "coupling/stability.h"
 #include "coupling/transfer.h"
 
 struct coupling *coupling_create(struct simulation *sim,
@@ -110,13 +109,19 @@ static void apply_held_forces(struct simulation *sim)
     }
 }
 
+double coupling_needed_substeps(double x)
+{
+    return x > 0.5 ? fmax(2.0, ceil(x)) : 1.0;
+}
+
 /* Number of drag updates in this step: at most the number of particle steps. */
 static int count_substeps(const struct simulation *sim)
 {
     const struct coupling *const cp = sim->coupling;
     double n = cp->options.substeps;
 
-    if (n == 0.0) n = stability_substeps(sim->dt / cp->report.shortest_time);
+    if (n == 0.0)
+        n = coupling_needed_substeps(sim->dt / cp->report.shortest_time);
     return number_clamped(n, 1, sim->dem_steps);
 }
 
@@ -276,29 +281,6 @@ void coupling_add_impulse(struct simulation *sim, int i,
         cp->unpaid_impulse[3 * i + k] += impulse[k];
 }
 
-void coupling_add_inertia(struct simulation *sim)
-{
-    struct coupling *const cp = sim->coupling;
-
-    if (cp->inertia != NULL) return;
-    cp->inertia = alloc_doubles(sim->particles->capacity);
-    cp->u_then = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, "inertia", "kg", cp->inertia, 1);
-    particles_attach(sim->particles, "u_then", "m/s", cp->u_then, 3);
-}
-
-void coupling_charge_inertia(struct simulation *sim, int i, double m)
-{
-    struct coupling *const cp = sim->coupling;
-
-    if (cp->options.treatment != TREATMENT_SEMI_IMPLICIT ||
-        !cp->options.two_way)
-        return;
-    cp->inertia[i] += m;
-    for (int a = 0; a < 3; a++)
-        cp->u_then[3 * i + a] = cp->u_f[3 * i + a];
-}
-
 void coupling_slip(const struct simulation *sim, int i, double w[3])
 {
     const struct particles *const ps = sim->particles;
@@ -307,17 +289,6 @@ void coupling_slip(const struct simulation *sim, int i, double w[3])
     w[0] = u[0] - ps->vx[i];
     w[1] = u[1] - ps->vy[i];
     w[2] = u[2] - ps->vz[i];
-}
-
-void coupling_add_force(struct simulation *sim, int i, const double f[3])
-{
-    const double T = sim->substep, impulse[3] = {f[0] * T, f[1] * T, f[2] * T};
-
-    sim->particles->ex[i] += f[0];
-    sim->particles->ey[i] += f[1];
-    sim->particles->ez[i] += f[2];
-    coupling_add_impulse(sim, i, impulse);
-    effects_report(sim, f, T / sim->dt);
 }
 
 void coupling_unpaid_impulse(const struct simulation *sim, double unpaid[3])

@@ -82,7 +82,7 @@ struct coupling {
     double *u_mean; /* [m/s] mean velocity over the sub-steps [XS11 3.20], 3 */
     double *unpaid_impulse; /* [N s] impulse on the particle whose reaction has
                                not acted on the fluid yet, 3 */
-    /* Of coupling_add_inertia; NULL if no effect has called it. */
+    /* Of effect_force_inertia (effects/); NULL if no effect has called it. */
     double *inertia; /* [kg] */
     double *u_then;  /* [m/s] 3 */
     /* Work space. */
@@ -108,6 +108,10 @@ int coupling_start(struct simulation *sim);
  * computation broke down; the reports say how. */
 int coupling_step(struct simulation *sim);
 
+/* Frozen drag updates [-] of a step that lasts x of the shortest relaxation
+ * time [XS11 section 3.3]; from that half on at least two. */
+double coupling_needed_substeps(double x);
+
 /* Visits what coupling, insertion and removal keep from step to step besides
  * the particles (state.h). */
 void coupling_state(struct simulation *sim, struct state *s);
@@ -119,18 +123,6 @@ void coupling_add_impulse(struct simulation *sim, int i,
 
 /* The slip u_f - v of particle i at this moment [m/s]. */
 void coupling_slip(const struct simulation *sim, int i, double w[3]);
-
-/* Adds a force f [N] of the fluid on particle i for the sub-step that follows,
- * and its impulse. For effects, before a sub-step. */
-void coupling_add_force(struct simulation *sim, int i, const double f[3]);
-
-/* For an effect whose force on a particle contains m du/dt. The first allocates
- * the arrays `inertia` and `u_then`, by which the next step of the fluid is
- * charged with a share of m (u^new - u_then)/dt in advance (stability.h), and
- * the step after it with the rest. The second adds m [kg] of particle i, after the
- * particles have moved, for the step of the fluid that follows. */
-void coupling_add_inertia(struct simulation *sim);
-void coupling_charge_inertia(struct simulation *sim, int i, double m);
 
 /* Sum of unpaid_impulse over the particles [N s]. */
 void coupling_unpaid_impulse(const struct simulation *sim, double unpaid[3]);

@@ -70,7 +70,7 @@ struct effect {
                          const struct attraction_scene *scene);
     /* Estimates its force in a case before the run (effect_scales.h). */
     struct effect_estimate (*estimate)(const struct effect_scales *k);
-    /* Adds the mass that it lets accelerate with a particle (stability.h). */
+    /* Adds the mass that it lets accelerate with a particle. */
     void (*added_mass)(const struct effect_scales *k, struct added_mass *sum);
     struct effect_cost cost;
 };

@@ -34,4 +34,10 @@ struct effect_estimate {
     int conditional;    /* [-] 1: only if the remark holds */
 };
 
+/* What accelerates with a particle, over the mass of the fluid in its place. */
+struct added_mass {
+    double C;         /* [-] for a change of the slip in this step */
+    double C_history; /* [-] for one in the step before, as a force */
+};
+
 #endif

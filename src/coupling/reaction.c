@@ -7,7 +7,6 @@
 
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
-#include "coupling/stability.h"
 #include "coupling/transfer.h"
 
 /* From m fields a cell, of which the first is eps_s and the next, if there are
@@ -81,8 +80,19 @@ static void estimate_drag_impulse(struct simulation *sim)
     }
 }
 
-/* The inertia of effects beside the drag (coupling_add_inertia): as much of it
- * as keeps a bed stable (20.10). */
+double reaction_share_in_advance(double C, double ratio, double eps_s)
+{
+    const double q = eps_s / (1.0 - eps_s);
+    /* (20.11): a s^2 + b s + c = 0 */
+    const double a = q * C * q * C;
+    const double b = 2.0 * C * (q * (1.0 + 2.0 * C) + 2.0 * (ratio + C));
+    const double c = (1.0 + 2.0 * C) * (1.0 + 2.0 * C) - 4.0 * (ratio + C) * C;
+
+    return c < 0.0 ? -2.0 * c / (b + sqrt(b * b - 4.0 * a * c)) : 0.0;
+}
+
+/* The inertia of effects beside the drag (effects/effect_force.h): as
+ * much of it as keeps a bed stable (20.10). */
 static void add_inertia(struct coupling *cp, const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
@@ -90,7 +100,7 @@ static void add_inertia(struct coupling *cp, const struct simulation *sim)
     for (int i = 0; i < ps->n; i++) {
         const double m_f = sim->fluid->options.rho * particles_volume(ps, i);
         const double eps_s = fmin(1.0 - cp->eps[i], 0.9);
-        cp->inertia[i] *= stability_share_in_advance(
+        cp->inertia[i] *= reaction_share_in_advance(
             cp->inertia[i] / m_f, ps->m[i] / m_f, fmax(eps_s, 0.0));
         const double k = cp->inertia[i] / sim->dt;
         cp->amount[4 * i] += k;

@@ -21,4 +21,11 @@ void reaction_drag_terms(struct simulation *sim);
  * particle. */
 void reaction_receive(struct simulation *sim);
 
+/* The share s [-] of the reaction to an added mass that the fluid receives in
+ * the same step, for C [-], the added mass over that of the fluid in the place
+ * of a particle, `ratio` [-], the particle's mass over that, and the solids
+ * fraction eps_s, below 1. With it both roots of (20.10) are the same, and no
+ * other share has a smaller largest one; 0 for particles that are too light. */
+double reaction_share_in_advance(double C, double ratio, double eps_s);
+
 #endif

@@ -9,7 +9,7 @@
 
 #include "case/checks/case_cost.h"
 #include "case/case_mesh.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "distributed/refusal.h"
 
 static const struct key engine_keys[] = {

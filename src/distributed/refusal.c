@@ -6,6 +6,7 @@
 
 #include "case/case_file.h"
 #include "case/case_materials.h"
+#include "case/checks/materials_check.h"
 #include "case/schema.h"
 #include "distributed/words.h"
 
@@ -186,7 +187,7 @@ int refusal_export(const struct settings *s)
     if (!words_has_law(s))
         return refuse(s, "particles.contact",
                       "LAMMPS has Hertz's spring and a linear one");
-    if (case_materials_have_rolling(s))
+    if (materials_check_rolling(s))
         return refuse(s, "particles.grains.rolling_friction",
                       "LAMMPS' law of it is another one");
     const struct words w = words_of(s, 1.0);

@@ -36,7 +36,7 @@ static int refuse(const struct measure *m, const char *why)
 
 /* --- what is meant -------------------------------------------------------- */
 
-/* Takes "mean:" and the like off; the rest. */
+/* Takes "mean:" and the like off; the rest. A profile is a curve. */
 static const char *take_how(struct measure *m, const char *text)
 {
     static const char *const words[] = {
@@ -47,7 +47,7 @@ static const char *take_how(struct measure *m, const char *text)
             m->how = (enum measure_how)i;
             return text + strlen(words[i]);
         }
-    m->how = MEASURE_LAST;
+    m->how = strncmp(text, "profile.", 8) == 0 ? MEASURE_CURVE : MEASURE_LAST;
     return text;
 }
 

@@ -8,7 +8,9 @@
 # Re_in is 4, 6, 8 or 11 (8). By default the small bed: 4 x 4 x 15 d, 128 grains, 8 cells
 # in a diameter, up to 10 d/u_in: some minutes for each. In the environment WIDTH=8 CELLS=12
 # END=100 make it that of EW18, 512 grains and 1.7 million cells: two hours and more
-# for each, and 3.2 GB.
+# for each, and 3.2 GB (make validate-bed). Writes figures/24-liquid-RE.txt, or
+# 24-liquid-RE-WIDTH-CELLS.txt of another bed than the small one, and the integral times
+# of all velocities that there are, for fig. 13; figures/24-liquid.gp draws them.
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
@@ -16,6 +18,8 @@ shift
 out=out/validate-resolved-bed
 W=${WIDTH:-4} cells=${CELLS:-8} end=${END:-10}
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
+bed=
+[ "$W-$cells" = 4-8 ] || bed=-$W-$cells
 mkdir -p $out
 
 # RE: the case. d, u_in and the density of the fluid are 1; g d^3 / nu^2 = 387. The
@@ -58,6 +62,19 @@ for re; do
         echo "# Made by:${WIDTH:+ WIDTH=$W}${CELLS:+ CELLS=$cells}${END:+ END=$end} sh tests/validate/resolved-bed.sh build/winnow $re"
         awk -F, -v from="$(awk "BEGIN { print ($end > 12 ? 8 : $end / 2) }")" -v nu="$(awk "BEGIN { print 1 / $re }")" -v weight="$(awk "BEGIN { print 9 * 387 / $re / $re * 3.14159265358979 / 6 }")" \
             -f tests/validate/drag-samples.awk "$name/bodies.csv"
-    } >"$out/24-liquid-$re.txt"
-    cp "$out/24-liquid-$re.txt" figures/24-liquid-"$re".txt
+    } >"$out/24-liquid-$re$bed.txt"
+    cp "$out/24-liquid-$re$bed.txt" figures/
 done
+
+# [EW18 fig. 13] T over Re_in, and the line through them.
+{
+    echo "# [EW18 fig. 13] Re_in, integral time to the first zero and from 4 on [d/u_in]; from figures/24-liquid-*.txt"
+    for re in 4 6 8 11; do
+        [ ! -e "figures/24-liquid-$re$bed.txt" ] ||
+            sed -n "s/^# integral time to the first zero \\([0-9.]*\\), mean from 4 on \\([0-9.-]*\\) .*/$re \\1 \\2/p" \
+                "figures/24-liquid-$re$bed.txt"
+    done | awk '
+        { print; n++; x += $1; y += $2; xx += $1 * $1; xy += $1 * $2 }
+        END { d = n * xx - x * x
+              if (n > 1) printf "# T = %.4f %+.4f Re_in\n", (y * xx - x * xy) / d, (n * xy - x * y) / d }'
+} >"figures/24-liquid-times$bed.txt"

@@ -7,7 +7,13 @@
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
-[ $# -gt 0 ] || set -- sx15-bandwidth sx15-mesh xs11-seepage
+[ $# -gt 0 ] || set -- sx15-bandwidth sx15-vertical xs11-seepage
 for name; do
+    if [ "$name" = sx15-vertical ]; then # it looks at the runs of sx15-mesh
+        winnow study "cases/studies/$name.cfg" -o out/study-sx15-mesh
+        mkdir -p "out/study-$name"
+        cp out/study-sx15-mesh/study.* "out/study-$name"
+        name=sx15-mesh
+    fi
     winnow study "cases/studies/$name.cfg" -o "out/study-$name"
 done

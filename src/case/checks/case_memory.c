@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/checks/case_memory.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "base/alloc.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "coupling/processes.h"
 
 static const char insert[] = "particles.insert";
@@ -50,7 +55,7 @@ static double of_cells(const struct settings *s)
     const int corners =
         settings_has(s, "mesh.polymesh") || settings_has(s, "mesh.shear");
 
-    return case_mesh_cells(s) * per_cell[corners][settings_has(s, "fluid")];
+    return case_extent_cells(s) * per_cell[corners][settings_has(s, "fluid")];
 }
 
 double case_memory_bytes(const struct settings *s)
@@ -78,9 +83,44 @@ static int is_divided(const struct settings *s)
             strcmp(settings_text(s, key), "distributed") == 0);
 }
 
+/* The lower of two limits; the second may be absent. */
+static double lower(double most, double limit)
+{
+    return limit > 0.0 && limit < most ? limit : most;
+}
+
+/* The first number in a file, or 0. A group of processes may have less memory
+ * than the machine. */
+static double limit_in(const char *file)
+{
+    FILE *const in = fopen(file, "r");
+    double limit = 0.0;
+
+    if (in == NULL) return 0.0;
+    if (fscanf(in, "%lf", &limit) != 1) limit = 0.0;
+    fclose(in);
+    return limit;
+}
+
+/* The most memory that this program can have: that of the machine, or the limit
+ * of the process [byte]. */
+static double available(void)
+{
+    struct rlimit own;
+    double most = HUGE_VAL;
+
+    most = lower(most, (double)sysconf(_SC_PHYS_PAGES) *
+                           (double)sysconf(_SC_PAGESIZE));
+    most = lower(most, limit_in("/sys/fs/cgroup/memory.max"));
+    most = lower(most, limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
+    if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
+        most = lower(most, (double)own.rlim_cur);
+    return most;
+}
+
 int case_memory_check(const struct settings *s, double more)
 {
-    const double need = case_memory_bytes(s) + more, have = alloc_most();
+    const double need = case_memory_bytes(s) + more, have = available();
     const double n = of_particles(s) / per_particle;
 
     if (is_divided(s)) return 0;
@@ -94,5 +134,5 @@ int case_memory_check(const struct settings *s, double more)
     return settings_wrong(s, largest_key(s, more),
                           "%.4g cells and %.4g particles need about %.3g GB, "
                           "and this machine has %.3g GB for them",
-                          case_mesh_cells(s), n, 1e-9 * need, 1e-9 * have);
+                          case_extent_cells(s), n, 1e-9 * need, 1e-9 * have);
 }

@@ -12,6 +12,7 @@
 #include "case/checks/case_limits.h"
 #include "case/checks/case_memory.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
 #include "case/particle_options.h"
@@ -81,7 +82,7 @@ struct case_scales case_scales_of(const struct settings *s)
     struct case_scales k = {.cells = m->n_cells};
     double g[3];
 
-    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
+    k.S_c = cbrt(case_extent_volume(s) / k.cells); /* [SX15 10] */
     k.end = settings_real(s, "output.end");
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);

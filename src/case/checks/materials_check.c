@@ -1,10 +1,42 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/checks/materials_check.h"
 
+#include <stdlib.h>
+
 #include "case/case_materials.h"
+#include "case/nearest.h"
 
 static const char list[] = "particles.materials", pairs[] = "particles.pairs",
                   wall[] = "particles.walls.material";
+
+int materials_check_name(const struct settings *s, const char *path,
+                         const char *name)
+{
+    struct nearest n;
+
+    if (case_materials_number(s, name) >= 0) return 0;
+    nearest_init(&n, name);
+    nearest_offer(&n, "grains");
+    for (int k = 0; k < settings_length(s, list); k++)
+        nearest_offer(&n, settings_item_text(s, list, k, "name"));
+    if (nearest_best(&n) == NULL)
+        return settings_wrong(s, path,
+                              "no material %s: there are %s and the names in "
+                              "%s",
+                              name, "grains", list);
+    return settings_wrong(s, path, "no material %s; did you mean %s?", name,
+                          nearest_best(&n));
+}
+
+int materials_check_rolling(const struct settings *s)
+{
+    if (!settings_has(s, "particles")) return 0;
+    const struct material zero = case_materials_one(s, 0);
+    struct materials *const all = case_materials_create(s);
+    const int rolls = materials_have_rolling(&zero, all);
+    free(all);
+    return rolls;
+}
 
 /* Names are used once. */
 static int check_one(const struct settings *s, int k)
@@ -22,7 +54,7 @@ static int check_pair(const struct settings *s, int k)
 
     for (int i = 0; i < 2; i++) {
         const char *const name = settings_item_text(s, pairs, k, ends[i]);
-        if (case_materials_check_name(s, pairs, name) != 0) return 2;
+        if (materials_check_name(s, pairs, name) != 0) return 2;
     }
     for (int i = 0; i < k; i++) {
         const struct materials_measured a = case_materials_pair(s, i),
@@ -43,7 +75,7 @@ static int check_place(const struct settings *s, int i)
 
     if (!settings_item_has(s, place, i, "material")) return 0;
     name = settings_item_text(s, place, i, "material");
-    if (case_materials_check_name(s, place, name) != 0) return 2;
+    if (materials_check_name(s, place, name) != 0) return 2;
     if (case_materials_density(s, case_materials_number(s, name)) > 0.0)
         return 0;
     return settings_wrong(s, place,
@@ -63,6 +95,6 @@ int materials_check(const struct settings *s)
     for (int i = 0; i < settings_length(s, "particles.place") && code == 0; i++)
         code = check_place(s, i);
     if (code == 0 && settings_has(s, wall))
-        code = case_materials_check_name(s, wall, settings_text(s, wall));
+        code = materials_check_name(s, wall, settings_text(s, wall));
     return code;
 }

@@ -7,13 +7,14 @@
 
 #include "base/vector.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 
 /* --- its keys ------------------------------------------------------------- */
 
 /* A mesh from files has no key of a box. */
 static int check_files(const struct settings *s, const char *files)
 {
-    const struct mesh_form *const other = case_mesh_form(s, 0);
+    const struct mesh_form *const other = case_extent_form(s, 0);
     const char *const of_box[] = {"mesh.size", "mesh.cells", "mesh.grading",
                                   "mesh.periodic",
                                   other != NULL ? other->keys[0].path : NULL};
@@ -53,12 +54,12 @@ static int check_numbers(const struct settings *s)
     return settings_wrong(s, "mesh.cells",
                           "%.4g cells with %.3g faces; no more than %d faces "
                           "can be numbered",
-                          case_mesh_cells(s), faces, MESH_MOST_FACES);
+                          case_extent_cells(s), faces, MESH_MOST_FACES);
 }
 
 int mesh_check_keys(const struct settings *s)
 {
-    const struct mesh_form *const files = case_mesh_form(s, 1);
+    const struct mesh_form *const files = case_extent_form(s, 1);
     if (files != NULL) return check_files(s, files->keys[0].path);
 
     const int code = check_box(s);

@@ -15,6 +15,7 @@
 #include "case/case_part.h"
 #include "case/case_steps.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "case/checks/model_choice.h"
 #include "case/recorder_part.h"
 #include "case/particle_options.h"
@@ -185,7 +186,7 @@ static int check_bed_fits(const struct settings *s)
         if (range.max > size[k] && b.count > 0)
             return settings_wrong(s, key, "%g m is larger than the box, %g m",
                                   range.max, size[k]);
-    const double share = range.volume / case_mesh_volume(s);
+    const double share = range.volume / case_extent_volume(s);
     if (share > 0.6)
         return settings_wrong(s, "particles.bed.count",
                               "%d spheres of %g m would fill %.0f %% of the "
@@ -212,6 +213,8 @@ static int check_place(const struct settings *s)
             settings_item_real(s, "particles.place", i, "diameter");
         settings_item_vector(s, "particles.place", i, "position", x);
         for (int k = 0; k < 3; k++) {
+            /* the period of a box that is oblique leads back into it */
+            if (periodic[k] && settings_mesh(s) != NULL) continue;
             const double margin =
                 periodic[k] ? 0.0
                             : (0.5 - particle_options_wall_overlap(s)) * d;
@@ -223,7 +226,7 @@ static int check_place(const struct settings *s)
                     "as it is if its centre is",
                     i, x[0], x[1], x[2], d);
         }
-        if (!case_mesh_holds(s, x))
+        if (!case_extent_holds(s, x))
             return settings_wrong(s, "particles.place",
                                   "sphere %d at [%g, %g, %g] m is not inside "
                                   "the mesh",

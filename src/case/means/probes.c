@@ -10,6 +10,7 @@
 #include "output/means/probe.h"
 #include "output/table.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "case/means/field_names.h"
 
 enum { NAME = 96 };
@@ -36,7 +37,7 @@ static int check(const struct settings *s)
     for (int i = 0; i < settings_length(s, list) && code == 0; i++) {
         double x[3];
         settings_item_vector(s, list, i, "position", x);
-        if (!case_mesh_holds(s, x))
+        if (!case_extent_holds(s, x))
             code = settings_wrong(
                 s, list, "the point [%g, %g, %g] m is outside the %s", x[0],
                 x[1], x[2], settings_mesh(s) == NULL ? "box" : "mesh");

@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "mesh/mesh_form.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "case/meshes/patch_schema.h"
 #include "case/source.h"
 
@@ -64,8 +65,8 @@ static struct mesh *make_of_box(const struct settings *s,
 
 static int read(struct settings *s)
 {
-    const struct mesh_form *const files = case_mesh_form(s, 1);
-    const struct mesh_form *const made = case_mesh_form(s, 0);
+    const struct mesh_form *const files = case_extent_form(s, 1);
+    const struct mesh_form *const made = case_extent_form(s, 0);
 
     if (files == NULL && made == NULL) return 0;
     struct mesh *const m =

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_fields.c -- what a case may have written of each particle besides
  * place, velocity, spin and size. */
+#include "case/particle_fields/snapshot_order.h"
 #include "case/recorder_part.h"
 
 #include <stdio.h>
@@ -155,7 +156,7 @@ static void *create(const struct recorder_view *v, int *failed)
     *made = c;
     for (int i = 0; i < c.n; i++)
         snapshot_add(v->snapshot, &fields[c.field[i]], c.contacts);
-    if (c.sorted) snapshot_sort(v->snapshot);
+    if (c.sorted) snapshot_order_by_id(v->snapshot);
     return made;
 }
 

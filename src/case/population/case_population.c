@@ -14,6 +14,7 @@
 #include "dem/population/population.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
+#include "case/checks/materials_check.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
 #include "case/population/case_sizes.h"
@@ -113,7 +114,7 @@ static int check_names(const struct settings *s, int i)
                               settings_item_text(s, sources, i, "sizes")) != 0)
         return 2;
     if (has(s, i, "material"))
-        return case_materials_check_name(
+        return materials_check_name(
             s, sources, settings_item_text(s, sources, i, "material"));
     return 0;
 }

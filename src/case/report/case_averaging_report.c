@@ -6,7 +6,7 @@
 #include "averaging/kernel/weights.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/particle_options.h"
 #include "mesh/mesh.h"
 

@@ -9,10 +9,11 @@
 #include "coupling/drag.h"
 #include "coupling/drag_laws/coefficient.h"
 #include "coupling/drag_laws/fluidization.h"
-#include "coupling/stability.h"
+#include "coupling/coupling.h"
+#include "coupling/stability/stability.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/particle_options.h"
 #include "case/table_numbers.h"
 #include "coupling/effect_scales.h"
@@ -151,8 +152,8 @@ void case_drag_print(const struct settings *s, const struct drag_scales *k)
     check_line("tau_p", relaxation_time(s, k, k->d, 0.0), "s",
                "of a lone particle");
     check_line(
-        "sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
-        asked > 0 ? "as the case asks" : "drag updates in a step, about");
+        "sub-steps", asked > 0 ? asked : coupling_needed_substeps(k->dt / bed),
+        "-", asked > 0 ? "as the case asks" : "drag updates in a step, about");
     const int is_bed = settings_has(s, "particles.bed") &&
                        settings_int(s, "particles.bed.count") > 0;
     print_range(s, k, is_bed ? 1.0 - k->eps_s : 1.0);

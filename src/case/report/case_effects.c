@@ -11,7 +11,7 @@
 #include "case/checks/case_limits.h"
 #include "case/table_numbers.h"
 #include "coupling/effects.h"
-#include "coupling/stability.h"
+#include "coupling/stability/stability.h"
 #include "dem/attraction.h"
 
 /* [-] of the larger one of weight and drag: an effect below the first may be

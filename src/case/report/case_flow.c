@@ -188,16 +188,17 @@ static void line(const char *name, double value, const char *unit,
 
 /* The residual of the splitting enters the next step, so that the velocities
  * beside a wall alternate from step to step, by about fluid.piso_tolerance
- * times nu dt / h^2 of their difference. */
+ * times nu dt / h^2 of their difference, and the pressure from cell to cell. */
 static void print_viscous(const struct settings *s, double number)
 {
     const double part = settings_real(s, "fluid.piso_tolerance") * number;
     char remark[96];
 
     if (part < 2e-3) return;
-    snprintf(remark, sizeof remark,
-             "HIGH: forces on walls to %.1g; fluid.piso_tolerance = %.0e", part,
-             pow(10.0, floor(log10(1e-3 / number))));
+    snprintf(
+        remark, sizeof remark,
+        "HIGH: pressure, forces on walls to %.1g; fluid.piso_tolerance = %.0e",
+        part, pow(10.0, floor(log10(1e-3 / number))));
     line("nu dt / h^2", number, "-", remark);
 }
 

@@ -9,6 +9,7 @@
 #include "case/build.h"
 #include "case/checks/case_limits.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "case/particle_options.h"
 #include "coupling/drag.h"
 
@@ -144,7 +145,7 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     double lo[3], size[3];
 
     case_mesh_ends(s, lo, size);
-    k->eps_s = in->particles * volume(k) / case_mesh_volume(s);
+    k->eps_s = in->particles * volume(k) / case_extent_volume(s);
     k->slip = fmax(in->inlet, p->speed);
     if (k->gravity > 0.0)
         k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
@@ -181,7 +182,7 @@ static int is_crowd(const struct settings *s, const struct effect_scales *k,
     const double crowd = 0.05; /* [-] of the whole mesh */
 
     return in->inlet > 0.0 && k->gravity > 0.0 &&
-           in->particles * volume(k) > crowd * case_mesh_volume(s);
+           in->particles * volume(k) > crowd * case_extent_volume(s);
 }
 
 struct effect_scales case_effects_scales(const struct settings *s,

@@ -3,6 +3,7 @@
 
 #include "case/case_file.h"
 #include "case/case_materials.h"
+#include "case/checks/materials_check.h"
 #include "case/command.h"
 #include "case/checks/model_choice.h"
 #include "case/report/equation_index.h"
@@ -45,7 +46,7 @@ static const struct part parts[] = {
 
 static int is_named(const struct settings *s, const struct part *p)
 {
-    return p->group == rolling ? case_materials_have_rolling(s)
+    return p->group == rolling ? materials_check_rolling(s)
                                : settings_has(s, p->group);
 }
 

@@ -18,7 +18,7 @@
 #include "case/case_materials.h"
 #include "case/checks/case_memory.h"
 #include "case/case_part.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/command.h"
@@ -67,6 +67,22 @@ static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
     line_at("smallest cell", q->V_min, "m^3", m, q->n_small, "");
 }
 
+/* Beyond sqrt(7) widths the pressure can alternate from cell to cell (19.8). */
+static void print_longest(const struct mesh *m)
+{
+    int c;
+    const double longest = mesh_longest_cell(m, &c);
+    static const char *const name = "longest cell over its width";
+    static const char *const advice =
+        "LONG: 2.6 at most where the flow changes within one";
+
+    if (longest <= sqrt(7.0)) return;
+    if (c < 0)
+        check_line(name, longest, "-", advice);
+    else
+        line_at(name, longest, "-", m, c, advice);
+}
+
 /* The quality of the mesh: a box has no oblique links and no skewness. */
 static void print_quality(const struct settings *s)
 {
@@ -78,6 +94,7 @@ static void print_quality(const struct settings *s)
 
     mesh_volumes(m, &least, &most, &mean);
     if (crooked) print_bad_cells(m, &q);
+    if (settings_has(s, "fluid")) print_longest(m);
     if (most > least * (1.0 + 1e-9))
         check_line(
             "largest over smallest cell", most / least, "-",
@@ -153,12 +170,28 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
                "the pressure drop of a fluidized bed");
 }
 
+/* Where whole steps do not give the time between two rows or pictures. */
+static void print_interval(const struct settings *s, const char *name,
+                           const char *key, double dt)
+{
+    char remark[64];
+
+    if (!settings_has(s, key)) return;
+    const double asked = settings_real(s, key);
+    const double given = (double)case_steps_between(s, key) * dt;
+    if (fabs(given - asked) <= 0.01 * asked) return;
+    snprintf(remark, sizeof remark, "in whole steps; %s is %.4g s", key, asked);
+    check_line(name, given, "s", remark);
+}
+
 static void print_cost(const struct settings *s, const struct case_scales *k)
 {
     const double steps = k->end / k->dt;
 
     puts("Cost");
     check_line("steps", steps, "-", "");
+    print_interval(s, "time between two rows", "output.history", k->dt);
+    print_interval(s, "time between two pictures", "output.every", k->dt);
     check_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
     check_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
     check_line("time", case_cost_seconds(s), "s",

@@ -3,7 +3,7 @@
 
 #include "case/case_mesh.h"
 #include "case/checks/case_cost.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "fluid/time_scheme.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "case/cohesion/case_cohesion.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"

@@ -45,8 +45,9 @@ static int check_mesh(const struct settings *s)
     return 0;
 }
 
-/* A sphere of fewer cells than these is a few of them and has no shape. */
-const double case_bodies_least_cells = 3.0;
+/* A sphere of fewer cells than these is a few of them and has no shape. Less
+ * than 3 by rounding is 3. */
+const double case_bodies_least_cells = 3.0 * (1.0 - 1e-9);
 
 static int check_sphere(const struct settings *s, int i)
 {

@@ -150,13 +150,14 @@ static void ends_of(const struct body_outline *o, double lo[3], double hi[3])
     }
 }
 
-/* The narrowest part that is known of a shape: a ball, its box, or what it
- * knows of itself [m]. */
-static double thinnest(const struct body_outline *o, const double lo[3],
-                       const double hi[3])
+/* The narrowest part that is known of a shape: a ball, its box, or of a block
+ * what it knows of itself [m]. */
+static double thinnest(const char *list, const struct body_outline *o,
+                       const double lo[3], const double hi[3])
 {
     double least = fmin(hi[0] - lo[0], fmin(hi[1] - lo[1], hi[2] - lo[2]));
 
+    if (list == case_outlines_surfaces) return least; /* check_thickness */
     if (o->width > 0.0) return fmin(least, o->width);
     for (int i = 0; i < o->n_balls; i++)
         least = fmin(least, 2.0 * o->ball[i].R);
@@ -187,7 +188,7 @@ static int check_place(const struct settings *s, const char *list, int i,
     case_bodies_cell_widths(s, h);
     settings_item_vector(s, list, i, "position", x);
     ends_of(o, from, to);
-    const double thin = thinnest(o, from, to);
+    const double thin = thinnest(list, o, from, to);
     for (int k = 0; k < 3; k++) {
         const double L = hi[k] - lo[k];
         const double wide = fixed ? to[k] - from[k] : 4.0 * reach_of(o);
@@ -211,6 +212,23 @@ static int check_place(const struct settings *s, const char *list, int i,
     return 0;
 }
 
+/* A closed surface may be thinner than its box, but not so thin that it may
+ * have no cell inside. */
+static int check_thickness(const struct settings *s, int i,
+                           const struct body_outline *o)
+{
+    double h[3];
+
+    case_bodies_cell_widths(s, h);
+    const double most = fmax(h[0], fmax(h[1], h[2]));
+    return o->width >= most ? 0
+                            : settings_wrong(s, case_outlines_surfaces,
+                                             "number %d is only %.3g cells "
+                                             "thick; expected at least 1, "
+                                             "better 12",
+                                             i, o->width / most);
+}
+
 int case_outlines_check_one(const struct settings *s, const char *list, int i)
 {
     if ((is(s, list, i, "free") || is(s, list, i, "spring")) &&
@@ -218,8 +236,10 @@ int case_outlines_check_one(const struct settings *s, const char *list, int i)
         return settings_wrong(s, list,
                               "number %d is moved and asks for its density", i);
     struct body_outline *const o = case_outlines_read(s, list, i);
-    const int code = o == NULL ? 2 : check_place(s, list, i, o);
+    int code = o == NULL ? 2 : check_place(s, list, i, o);
 
+    if (code == 0 && list == case_outlines_surfaces)
+        code = check_thickness(s, i, o);
     body_outline_free(o);
     return code;
 }

@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "case/case_steps.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/history_sums.h"
 #include "case/statistics/grain_series.h"
 #include "case/statistics/layers.h"

@@ -9,6 +9,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/case_materials.h"
+#include "case/checks/materials_check.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
 #include "case/surfaces/case_walls.h"
@@ -184,8 +185,8 @@ static int check_name(const struct settings *s, int i)
         if (strcmp(name, settings_item_text(s, list, k, "name")) == 0)
             return settings_wrong(s, list, "the name %s is given twice", name);
     if (!settings_item_has(s, list, i, "material")) return 0;
-    return case_materials_check_name(
-        s, list, settings_item_text(s, list, i, "material"));
+    return materials_check_name(s, list,
+                                settings_item_text(s, list, i, "material"));
 }
 
 /* Each key belongs to the shapes that read it, and a direction has a length. */

@@ -9,7 +9,7 @@
 #include "case/case_mesh.h"
 #include "case/case_part.h"
 #include "case/checks/case_scales.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/models.h"
 #include "case/surfaces/case_surfaces.h"
 #include "case/surfaces/case_walls.h"

@@ -22,9 +22,9 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
+#include "coupling/effects/effect_force.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
-#include "coupling/stability.h"
 #include "dem/implicit_drag.h"
 
 enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
@@ -74,7 +74,7 @@ static void *basset_create(struct simulation *sim, const double *parameters)
     self->held = attached(ps, "basset_held", "N", 3);
     self->start = attached(ps, "basset_start", "m/s", 3);
     particles_add_implicit_drag(ps);
-    coupling_add_inertia(sim);
+    effect_force_inertia(sim);
     return self;
 }
 
@@ -187,7 +187,7 @@ static void basset_after_particles(void *memory, struct simulation *sim)
             self->u[j] = u[j];
         }
         self->age[i] = 1.0;
-        coupling_charge_inertia(sim, i, m);
+        effect_force_charge(sim, i, m);
         coupling_add_impulse(sim, i, impulse);
         effects_report(sim, force, 1.0);
     }

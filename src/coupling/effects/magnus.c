@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* magnus.c -- Magnus's lift on a particle that spins [LS 5.7] (spin.h). */
 #include "coupling/coupling.h"
+#include "coupling/effects/effect_force.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 #include "coupling/effects/spin.h"
@@ -24,7 +25,7 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
         coupling_slip(sim, i, w);
         vorticity_relative_spin(v, ps, i, Omega);
         spin_lift(o->rho, o->mu, ps->d[i], w, Omega, F);
-        coupling_add_force(sim, i, F);
+        effect_force_add(sim, i, F);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
+#include "coupling/effects/effect_force.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 #include "coupling/effects/vorticity.h"
@@ -67,7 +68,7 @@ static void saffman_before_substep(void *memory, struct simulation *sim)
         double w[3], F[3];
         coupling_slip(sim, i, w);
         saffman_lift(o->rho, o->mu, ps->d[i], w, &v->at[3 * i], F);
-        coupling_add_force(sim, i, F);
+        effect_force_add(sim, i, F);
     }
 }
 

@@ -24,7 +24,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "base/random.h"
+#include "base/random/random.h"
 #include "coupling/coupling.h"
 #include "coupling/effect_count.h"
 #include "coupling/drag_laws/coefficient.h"

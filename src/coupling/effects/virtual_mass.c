@@ -11,7 +11,7 @@
  * Were all of it left to the next step, each change of the fluid's velocity
  * would be followed there by one of -C eps_s/eps_f times itself, which is large
  * in a packed bed; were all of it charged in advance, a bed in a liquid would
- * be unstable (stability.h).
+ * be unstable (reaction.h).
  *
  * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
@@ -26,7 +26,7 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
-#include "coupling/stability.h"
+#include "coupling/effects/effect_force.h"
 
 struct virtual_mass {
     double C; /* [-] */
@@ -52,7 +52,7 @@ static void *virtual_mass_create(struct simulation *sim,
     self->start = alloc_doubles(3 * n);
     self->mass = alloc_doubles(n);
     particles_add_implicit_drag(sim->particles);
-    coupling_add_inertia(sim);
+    effect_force_inertia(sim);
     particles_attach(sim->particles, "Du_Dt", "m/s^2", self->at, 3);
     particles_attach(sim->particles, "v_start", "m/s", self->start, 3);
     particles_attach(sim->particles, "virtual_mass", "kg", self->mass, 1);
@@ -137,7 +137,7 @@ static void virtual_mass_after_particles(void *memory, struct simulation *sim)
                                           self->start[3 * i + k]);
             f[k] = impulse[k] / sim->dt;
         }
-        coupling_charge_inertia(sim, i, self->mass[i]);
+        effect_force_charge(sim, i, self->mass[i]);
         coupling_add_impulse(sim, i, impulse);
         effects_report(sim, f, 1.0);
     }

@@ -11,7 +11,7 @@
 #include "base/tables/input.h"
 #include "base/interrupt.h"
 #include "base/number.h"
-#include "base/random.h"
+#include "base/random/random.h"
 
 /* Positions tried for one sphere in a step: beyond 30 % of solids hardly any is
  * free, and a sphere without one is tried again in the next step. */

@@ -14,6 +14,20 @@
 
 static const double largest_off = 0.8; /* [-] of the link */
 
+/* 1 where the link is at more than 63 degrees to the normal of an inner face,
+ * as between flat tetrahedra. There the terms of this file would amplify
+ * themselves from corrector to corrector, and are left out: the values of such
+ * faces are of first order. */
+static int too_oblique(const struct mesh *m, int f)
+{
+    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double along = vector_dot(S, d);
+    const double least = 0.2; /* [-] squared cosine */
+
+    return f < m->n_internal &&
+           along * along < least * vector_dot(S, S) * vector_dot(d, d);
+}
+
 double *skewness_of(const struct mesh *m)
 {
     if (!m->skewed) return NULL;
@@ -22,7 +36,8 @@ double *skewness_of(const struct mesh *m)
     for (int f = 0; f < m->n_faces; f++) {
         double *const to = &off[3 * f];
         mesh_off_middle(m, f, to);
-        const double most = largest_off * vector_length(&m->d[3 * f]);
+        const double most =
+            too_oblique(m, f) ? 0.0 : largest_off * vector_length(&m->d[3 * f]);
         const double share = fmin(1.0, most / vector_length(to));
         for (int k = 0; k < 3 && share < 1.0; k++)
             to[k] *= share;

@@ -19,8 +19,9 @@
 
 /* off of each face [m], 3 each, of a boundary face the part of the link along
  * the face; NULL, which the functions below are not called with, for a mesh
- * without. It is at most 0.8 of the link: in flat cells the terms would
- * otherwise amplify themselves. */
+ * without. It is at most 0.8 of the link, and 0 where that is at more than 63
+ * degrees to the normal: in flat cells the terms would otherwise amplify
+ * themselves. */
 double *skewness_of(const struct mesh *m);
 
 /* The sums of d d / |d|^4 over the links of each cell [1/m^2], 6 each

@@ -76,3 +76,43 @@ struct mesh_quality mesh_quality(const struct mesh *m)
     }
     return q;
 }
+
+/* The widest slab of one direction and the narrowest of another cross in a
+ * cell. A direction with a single cell has no links. */
+static double longest_in_box(const struct box *b)
+{
+    double widest[3], narrowest[3], most = 1.0;
+
+    for (int k = 0; k < 3; k++) {
+        const double *const e = b->edge[k];
+        widest[k] = 0.0;
+        narrowest[k] = INFINITY;
+        for (int i = 0; i < b->n[k] && b->n[k] > 1; i++) {
+            widest[k] = fmax(widest[k], e[i + 1] - e[i]);
+            narrowest[k] = fmin(narrowest[k], e[i + 1] - e[i]);
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            if (j != k) most = fmax(most, widest[k] / narrowest[j]);
+    return most;
+}
+
+double mesh_longest_cell(const struct mesh *m, int *cell)
+{
+    double most = 1.0;
+
+    *cell = -1;
+    if (m->face_centre == NULL) return longest_in_box(&m->box);
+    for (int c = 0; c < m->n_cells && m->skewed != 2; c++) {
+        double least = INFINITY, length = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const double *const d = &m->d[3 * m->cell_face[a]];
+            if (m->cell_face[a] >= m->n_internal) continue;
+            least = fmin(least, sqrt(dot(d, d)));
+            length = fmax(length, sqrt(dot(d, d)));
+        }
+        update_max(length / least, c, &most, cell);
+    }
+    return most;
+}

@@ -18,4 +18,9 @@ struct mesh_quality {
 };
 struct mesh_quality mesh_quality(const struct mesh *m);
 
+/* The largest length of a cell over its width [-], both as the links to its
+ * neighbours have them, also of an outline; 1 for a mesh with tetrahedra. cell
+ * is where that is, -1 in a box, whose cells have no numbers in an outline. */
+double mesh_longest_cell(const struct mesh *m, int *cell);
+
 #endif

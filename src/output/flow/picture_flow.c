@@ -11,15 +11,13 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "output/flow/slice.h"
+#include "output/pictures/picture_script.h"
 
 enum { POINTS = 120000, LINES = 26 };
 
 /* clang-format off */
 static const char *const script[] = {
-"# gnuplot bed.gp                  in this folder: draws ../bed.png",
-"# gnuplot -c bed.gp DIR PNG       draws the run in DIR to the file PNG",
-"dir = ARGC > 0 ? ARG1 : '..'",
-"png = ARGC > 1 ? ARG2 : dir.'/bed.png'",
+PICTURE_SCRIPT_HEAD
 "",
 "# Sizes [pixels]. The panels are true to scale: side by side, or below each",
 "# other where they are wide.",
@@ -37,30 +35,14 @@ static const char *const script[] = {
 "sy(pixels) = pixels / page_y",
 "",
 "ink = '#333333'",
-"set terminal pngcairo size page_x, page_y font 'Sans,12' background '#ffffff'",
-"set output png",
-"set encoding utf8",
-"set multiplot",
-"set border 15 linewidth 1 linecolor rgb ink",
-"set tics textcolor rgb ink scale 0.6",
-"unset key",
-"set label 1 title at screen sx(left), sy(page_y - 34) font 'Sans,17' noenhanced textcolor rgb '#111111'",
+PICTURE_SCRIPT_PAGE
 "set label 2 sprintf('t = %.3f s', time) at screen sx(left), sy(page_y - 62) font 'Sans,12' textcolor rgb ink",
-"unit = (y1 - y0 < 1 && x1 - x0 < 1) ? 1e-3 : 1.0",
-"mm = unit < 1 ? 'mm' : 'm'",
-"ten(x) = 10.0**floor(log10(x))",
-"nice(x) = x <= 2 * ten(x) ? 2 * ten(x) : x <= 5 * ten(x) ? 5 * ten(x) : 10 * ten(x)",
-"set xrange [x0 / unit : x1 / unit]",
-"set yrange [y0 / unit : y1 / unit]",
-"set xtics nice((x1 - x0) / unit / (wide / 80)) nomirror out",
-"set ytics nice((y1 - y0) / unit / (tall / 70)) nomirror out",
+PICTURE_SCRIPT_AXES
 "set ylabel right_up[2:2].' ['.mm.']' offset 0.8, 0 textcolor rgb ink",
 "",
 "# Speed, and streamlines over it.",
 "base = below + (below_each_other ? tall + gap : 0)",
-"set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', 7 '#addc30', 8 '#fde725')",
-"set cbrange [0 : fast]",
-"set cbtics nice(fast / 5) scale 0.4 offset 0, 0.5",
+PICTURE_SCRIPT_SPEED
 "set colorbox horizontal user origin sx(left), sy(base - 66) size sx(roomy), sy(10) bdefault",
 "set cblabel 'speed [m/s]' offset 0, 0.9 textcolor rgb ink",
 "set lmargin at screen sx(left); set rmargin at screen sx(left + wide)",

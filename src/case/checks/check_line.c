@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 
 #include <stdio.h>
 

@@ -16,8 +16,10 @@
  * where C is the added mass and s the share of its reaction that the fluid
  * receives in the same step.
  */
-#ifndef COUPLING_STABILITY_H
-#define COUPLING_STABILITY_H
+#ifndef COUPLING_STABILITY_STABILITY_H
+#define COUPLING_STABILITY_STABILITY_H
+
+#include "coupling/effect_scales.h"
 
 /* The longest step [s] of the fluid above a packed bed of which eps_f [-] is
  * fluid, and whose particles relax within tau_p [s]. */
@@ -27,23 +29,8 @@ double stability_longest_step(double eps_f, double tau_p);
  * a step, and semi-implicit treatment: 2 for M = 0, 1/2 for the heaviest. */
 double stability_frozen_limit(double M);
 
-/* Frozen drag updates [-] of a step that lasts x of the shortest relaxation
- * time [XS11 section 3.3]; from that half on at least two. */
-double stability_substeps(double x);
-
 /* Mass of the particles over that of the fluid in the same volume, M [-]. */
 double stability_loading(double rho_s, double eps_s, double rho_f);
-
-/* What accelerates with a particle, over the mass of the fluid in its place. */
-struct added_mass {
-    double C;         /* [-] for a change of the slip in this step */
-    double C_history; /* [-] for one in the step before, as a force */
-};
-
-/* The share s [-] of the reaction to C du/dt with which both roots of (20.10)
- * are the same, and none is larger; 0 for particles that are too light for
- * that. `ratio` is rho_s/rho_f and eps_s the solids fraction, below 1. */
-double stability_share_in_advance(double C, double ratio, double eps_s);
 
 /* The factor [-], without its sign, by which an acceleration of a bed is
  * multiplied in a step: of a bed that is free (20.10), (20.12), or of the fluid

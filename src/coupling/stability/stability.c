@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/stability.h"
+#include "coupling/stability/stability.h"
 
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_poly.h>
 #include <math.h>
+
+#include "coupling/reaction.h"
 
 double stability_longest_step(double eps_f, double tau_p)
 {
@@ -19,25 +21,9 @@ double stability_frozen_limit(double M)
     return 4.0 / (b + sqrt(b * b + 16.0 * M));
 }
 
-double stability_substeps(double x)
-{
-    return x > 0.5 ? fmax(2.0, ceil(x)) : 1.0;
-}
-
 double stability_loading(double rho_s, double eps_s, double rho_f)
 {
     return eps_s * rho_s / ((1.0 - eps_s) * rho_f);
-}
-
-double stability_share_in_advance(double C, double ratio, double eps_s)
-{
-    const double q = eps_s / (1.0 - eps_s);
-    /* (20.11): a s^2 + b s + c = 0 */
-    const double a = gsl_pow_2(q * C);
-    const double b = 2.0 * C * (q * (1.0 + 2.0 * C) + 2.0 * (ratio + C));
-    const double c = gsl_pow_2(1.0 + 2.0 * C) - 4.0 * (ratio + C) * C;
-
-    return c < 0.0 ? -2.0 * c / (b + sqrt(b * b - 4.0 * a * c)) : 0.0;
 }
 
 /* Of a bed that is free: the largest root of (20.12), which is (20.10) where
@@ -73,7 +59,7 @@ double stability_amplification(const struct added_mass *added, double ratio,
 {
     const double q = eps_s / (1.0 - eps_s);
     const double s =
-        implicit ? stability_share_in_advance(added->C, ratio, eps_s) : 0.0;
+        implicit ? reaction_share_in_advance(added->C, ratio, eps_s) : 0.0;
 
     return fmax(free_bed(added, ratio, q, s), bed_at_rest(added, q, s));
 }

@@ -5,8 +5,8 @@
  * order in which numbers are asked for, on the number of threads, or on a
  * restart.
  */
-#ifndef BASE_RANDOM_H
-#define BASE_RANDOM_H
+#ifndef BASE_RANDOM_RANDOM_H
+#define BASE_RANDOM_RANDOM_H
 
 /* 0 <= u < 1, by the mixer of SplitMix64 [Steele14]. */
 double random_uniform(unsigned long seed, long i, long j, int which);
