@@ -681,10 +681,10 @@ fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grad
 fact cylinder_is_along_an_axis_but_for_rounding 0 "" body -s mesh.cells=[12,12,4] \
     -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.01; length=0.03; axis=[0.0,0.0,49.0];})}'
 fact rebound_is_that_by_the_mass_that_viscosity_asks_for 0 \
-    "rebound, times                               2620" \
+    "at most: it comes too late; shorten fluid.step" \
     body -s fluid.viscosity=50.0
 fact virtual_mass_is_what_viscosity_and_shape_ask_for 0 \
-    "largest virtual mass                        9.507" \
+    "largest virtual mass                        22.45" \
     body -s fluid.viscosity=50.0
 fact free_bodies_jitter_in_a_thick_fluid 0 \
     "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
