@@ -35,9 +35,12 @@ set yrange [-0.4:1]
 set xlabel "τ [{/:Italic d}/{/:Italic u}_{in}]"
 set ylabel "autocorrelation of the force"
 plot table index "[EW18 figs. 12, 13] tau, autocorrelation of the force along the flow, its integral" using 1:2 with lines linetype 1 notitle, 0 linecolor "#555555" notitle
-set xrange [0:12]
+set key left top
+set xrange [0:25]
 set yrange [0:*]
-set xlabel "Re_{in}"
-set ylabel "integral time [{/:Italic d}/{/:Italic u}_{in}]"
-plot "figures/24-liquid-times".bed.".txt" using 1:2 with points linetype 1 pointtype 7 title "to the first zero"
+set xlabel "Re of the mean flow"
+set ylabel "integral time [{/:Italic d}/{/:Italic u}]"
+# in the periodic boxes the unit of time is that of Re = 8
+plot "figures/24-liquid-times".bed.".txt" using 1:2 with points linetype 1 pointtype 7 title "bed, to the first zero", \
+     "figures/24-suspension.txt" using 5:($13*$5/8) with points linetype 2 pointtype 5 title "periodic boxes"
 unset multiplot

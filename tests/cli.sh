@@ -219,6 +219,10 @@ fact check_knows_the_courant_number_of_a_fluid_alone 0 \
 fact check_knows_the_courant_number_of_a_moving_wall 0 \
     "CFL                                           1.2 -" "$winnow" check channel.cfg \
     -s 'fluid.left="slip"' -s 'fluid.right="slip"' -s 'fluid.top={wall=[6.0,0.0,0.0];}'
+fact a_misspelt_key_of_a_patch_is_named 2 "did you mean fluid.left.profile" \
+    "$winnow" check channel.cfg -s 'fluid.left={inlet=1.0;profil="parabola";}'
+fact a_patch_is_one_thing 2 "with one of inlet, outlet" \
+    "$winnow" check channel.cfg -s 'fluid.left={inlet=1.0;outlet=0.0;}'
 # 3 0.05 (1/0.25^2 + 16^2) / 2 = 20.4, and a thousandth of it are 2 %: in a cavity
 # at 17 the force on the lid takes turns by 1.5 %.
 fact check_says_what_long_viscous_steps_do_to_the_forces_on_walls 0 \
@@ -578,6 +582,10 @@ sums() {
 fact forces_of_grains_on_surfaces_add_up_and_turn_them_about_the_point 0 1 sums
 fact surface_that_is_not_there_has_no_forces 2 "there is no surface shet" \
     "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "shet"; })'
+fact forces_of_one_name_are_refused 2 'columns that begin with "sheet"' \
+    "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "sheet"; }, { name = "sheet"; surfaces = "floor"; })'
+fact a_direction_of_no_length_is_refused 2 "lift: expected a direction" \
+    "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "sheet"; lift = [0.0, 0.0, 0.0]; })'
 fact forces_on_patches_ask_for_fluid 2 "written with surfaces" \
     "$winnow" check walls.cfg -s 'output.forces=({ patches = "top"; })'
 fact fluid_does_not_see_a_surface 2 'surfaces = "sheet" gives the force of the grains' \

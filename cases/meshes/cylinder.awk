@@ -4,9 +4,6 @@
 #
 #   mkdir cylinder && awk -f cases/meshes/extruded.awk -f cases/meshes/cylinder.awk \
 #       -v out=cylinder -v n=32 -v nr=32 -v nx=64
-#
-# With -v wake=W the cells behind the cylinder are 1 - W times as high in the
-# middle of the channel as they are otherwise, and 1 + W times at its walls.
 
 function side(x, y) {
     if ((x - 0.2) ^ 2 + (y - 0.2) ^ 2 < 0.0026) return "cylinder"
@@ -22,26 +19,22 @@ function graded(i, n, b) { return (exp(b * i / n) - 1) / (exp(b) - 1) }
 function square_x(k) { return k % 4 == 0 || k % 4 == 1 ? 0.4 : 0 }
 function square_y(k) { return k % 4 == 1 || k % 4 == 2 ? 0.41 : 0 }
 
-# From 0 to 1, for s from 0 to 1, with steps 1 - wake as long in the middle.
-function middle(s) { return s + wake * sin(2 * pi * s) / (2 * pi) }
-
 # Around, i of 4 n; outward, j of nr. The angle on the cylinder follows the place
 # on the square half and half, so that the links are nearly normal to the faces.
 function around(i, j,   k, s, x, y, a, t) {
     i = i % (4 * n)
     k = int(i / n)
     s = i / n - k
-    a = pi * (k - 0.5 + s) / 2
-    if (k == 0) s = middle(s)
     x = square_x(k) + s * (square_x(k + 1) - square_x(k))
     y = square_y(k) + s * (square_y(k + 1) - square_y(k))
+    a = pi * (k - 0.5 + s) / 2
     t = graded(j, nr, 2.2)
     return corner((1 - t) * (0.2 + 0.05 * cos(a)) + t * x,
                   (1 - t) * (0.2 + 0.05 * sin(a)) + t * y)
 }
 
 function behind(i, j) {
-    return corner(0.4 + 1.8 * graded(i, nx, 1.2), 0.41 * middle(j / n))
+    return corner(0.4 + 1.8 * graded(i, nx, 1.2), 0.41 * j / n)
 }
 
 BEGIN {

@@ -3,8 +3,8 @@
 # The TeX source beside each formula is left out; upright words such as Re,
 # which pandoc writes letter by letter in a way that MathML Core has dropped,
 # become one word again; dots, tildes and bars stand above the middle of their letter
-# (as combining characters they stand beside it); and parentheses grow only around
-# something tall.
+# (as combining characters they stand beside it); parentheses grow only around
+# something tall; and the sign of a root does not hang below a low letter.
 
 # The formula, with parentheses that grow only around something tall.
 function small(s,    n, part, k, depth, mark, out) {
@@ -51,6 +51,7 @@ function small(s,    n, part, k, depth, mark, out) {
     gsub(/<mo accent="true">\302\257</, "<mo accent=\"true\">\342\200\276<") # bar
     gsub(/<mo>\342\204\223<\/mo>/, "<mi>\342\204\223</mi>") # a script l is no operator
     gsub(/<mi>V<\/mi><mfrac>/, "<mi>V</mi><mspace width=\"0.15em\"/><mfrac>") # V leans over it
+    gsub(/<msqrt>/, "<msqrt><mspace width=\"0em\" height=\"0.85em\"/>")
     done = ""
     while ((a = index($0, "<math display=")) > 0) {
         done = done substr($0, 1, a - 1)

@@ -254,12 +254,15 @@ static int check_setting(const struct key *const *tables, const char *path,
     int code = 0;
 
     if (key == NULL) return unknown(tables, path, s);
-    if (!fits(key, s)) return misfit(key, path, s);
+    /* Of the group of a patch first its keys, each by itself. */
+    const int later = key->type == KEY_PATCH && config_setting_is_group(s);
+    if (!later && !fits(key, s)) return misfit(key, path, s);
     if ((code = unmet(key, s)) != 0) return code;
     if (key->type != KEY_LIST)
         MODELS_UNTIL(code, case_checks, value, key, path, s);
     if (code != 0) return code;
-    if (config_setting_is_group(s)) return check_group(tables, path, s);
+    if (config_setting_is_group(s)) code = check_group(tables, path, s);
+    if (later && code == 0 && !fits(key, s)) return misfit(key, path, s);
     if (key->type == KEY_LIST)
         for (int i = 0; i < config_setting_length(s) && code == 0; i++) {
             const config_setting_t *const one =

@@ -150,13 +150,15 @@ static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i)
 static double largest_term(const struct immersed *self, const struct fluid *fl)
 {
     const struct solid_bodies *const b = (const struct solid_bodies *)self;
+    const double *const diag = fl->momentum->diag, *const V = fl->mesh->V;
     double largest = 0.0;
 
     for (int c = 0; c < fl->mesh->n_cells; c++) {
-        const double own = fl->momentum->diag[c] - b->hold[c] * fl->mesh->V[c];
-        const double *const u = &fl->u[3 * c];
-        const double most = fmax(fabs(u[0]), fmax(fabs(u[1]), fabs(u[2])));
-        largest = fmax(largest, own * most);
+        const double own = diag[c] - b->hold[c] * V[c];
+        for (int k = 3 * c; k < 3 * c + 3; k++) {
+            const double term = own * fabs(fl->u[k]);
+            largest = term > largest ? term : largest;
+        }
     }
     return largest;
 }

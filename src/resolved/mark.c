@@ -20,7 +20,7 @@ static double exchange(const struct fluid *fl, int f, int c)
            (vector_length(d) * fl->mesh->V[c]);
 }
 
-/* Inside: C max(rho/dt, mu/h^2), the latter as the mean over the faces. */
+/* Inside: C max(rho/dt, mu/h^2), the latter of the face with the most. */
 static double friction_inside(const struct fluid *fl, int c)
 {
     const struct mesh *const m = fl->mesh;

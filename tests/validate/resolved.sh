@@ -174,11 +174,13 @@ suspension_case() {
     }' >"$out/$1.cfg"
 }
 
-# The drag on grains that are resolved, at four fluid fractions: an hour.
-suspension() {
+# NAME: the drag on grains that are resolved; of each line of the input the grains, cells,
+# step and end of a box.
+boxes() {
+    part_of=$1
     echo "# eps  whole force over Beetstra's, Di Felice's of 1994, and as EW18 prints it; then as tests/validate/samples.awk says"
     while read -r n cells step end; do
-        name=suspension-$n-$cells
+        name=$part_of-$n-$cells
         suspension_case "$name" "$n" "$cells" "$step" "$end"
         once "$name" "$out/$name.cfg"
         found=$(awk -F, -v nu=0.125 -v from=6 -f tests/validate/samples.awk \
@@ -190,11 +192,23 @@ suspension() {
                 { printf "%.3f", 9 * 6.046875 * 3.14159265358979 / 6 / (3 * 3.14159265358979 * 0.125 * Re * 0.125 / eps * $3) }')"
         done
         echo "$eps $ratios  $found"
-    done <<TABLE
+    done
+}
+
+# At four fluid fractions: an hour.
+suspension() {
+    boxes suspension <<TABLE
 97 56 0.010 16
 95 60 0.008 18
 52 54 0.008 15
 35 54 0.008 12
+TABLE
+}
+
+# One of them for a shorter time: ten minutes.
+film() {
+    boxes film <<TABLE
+95 60 0.008 9.72
 TABLE
 }
 

@@ -24,12 +24,12 @@
 #include "mesh/face_corners.h"
 #include "output/table.h"
 
-enum { NAME = 64, COLUMN = 96, EACH = 15 };
+enum { COLUMN = 96, EACH = 15 };
 
 /* A body: some patches that are walls, some surfaces, and its reference
  * values. */
 struct body {
-    char name[NAME];
+    char name[FORCES_NAME];
     int *on;                          /* [-] 1 for each of its patches; NULL:
                                          none */
     struct surface_loads *surfaces;   /* NULL: none */
@@ -127,15 +127,10 @@ static void create_body(const struct settings *s, const struct simulation *sim,
                         int i, struct body *b)
 {
     const struct fluid *const fl = sim->fluid;
-    const char *const name = text_or_none(s, i, "name");
     const char *const patches = text_or_none(s, i, "patches");
     const char *const surfaces = text_or_none(s, i, "surfaces");
 
-    snprintf(b->name, NAME, "%s",
-             name != NULL       ? name
-             : patches != NULL  ? patches
-             : surfaces != NULL ? surfaces
-                                : "walls");
+    forces_name(s, i, b->name);
     settings_item_vector(s, forces_list, i, "centre", b->centre);
     b->surfaces = surface_loads_create(sim, surfaces, b->centre);
     if (patches == NULL && surfaces != NULL) return;

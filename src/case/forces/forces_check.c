@@ -5,11 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "case/surfaces/case_walls.h"
 
 const char forces_list[] = "output.forces";
-
-enum { NAME = 64 };
 
 /* 1 if a surface of the grains has this name. */
 static int is_surface(const struct settings *s, const char *name)
@@ -27,7 +26,7 @@ static int is_surface(const struct settings *s, const char *name)
 static int check_surfaces(const struct settings *s, int i)
 {
     const char *text = settings_item_text(s, forces_list, i, "surfaces");
-    char word[NAME];
+    char word[FORCES_NAME];
     int used;
 
     if (text[strspn(text, " ")] == '\0')
@@ -51,7 +50,7 @@ static int check_surfaces(const struct settings *s, int i)
 static int check_patches(const struct settings *s, int i)
 {
     const char *text = settings_item_text(s, forces_list, i, "patches");
-    char word[NAME];
+    char word[FORCES_NAME];
     int used;
 
     if (text[strspn(text, " ")] == '\0')
@@ -77,6 +76,49 @@ static int check_patches(const struct settings *s, int i)
     return 0;
 }
 
+void forces_name(const struct settings *s, int i, char name[FORCES_NAME])
+{
+    static const char *const keys[] = {"name", "patches", "surfaces"};
+
+    snprintf(name, FORCES_NAME, "walls");
+    for (int k = 2; k >= 0; k--)
+        if (settings_item_has(s, forces_list, i, keys[k]))
+            snprintf(name, FORCES_NAME, "%s",
+                     settings_item_text(s, forces_list, i, keys[k]));
+}
+
+/* Two rows of the same name would have the same columns. */
+static int check_name(const struct settings *s, int i)
+{
+    char name[FORCES_NAME], other[FORCES_NAME];
+
+    forces_name(s, i, name);
+    for (int k = 0; k < i; k++) {
+        forces_name(s, k, other);
+        if (strcmp(name, other) == 0)
+            return settings_wrong(s, forces_list,
+                                  "two have columns that begin with \"%s\"; "
+                                  "give each a name of its own",
+                                  name);
+    }
+    return 0;
+}
+
+static int check_directions(const struct settings *s, int i)
+{
+    static const char *const keys[] = {"drag", "lift", "axis"};
+
+    for (int k = 0; k < 3; k++) {
+        double e[3];
+        settings_item_vector(s, forces_list, i, keys[k], e);
+        if (vector_length(e) == 0.0)
+            return settings_wrong(s, forces_list,
+                                  "%s: expected a direction, found [0, 0, 0]",
+                                  keys[k]);
+    }
+    return 0;
+}
+
 int forces_check(const struct settings *s)
 {
     for (int i = 0; i < settings_length(s, forces_list); i++) {
@@ -96,6 +138,7 @@ int forces_check(const struct settings *s)
             return settings_wrong(s, forces_list,
                                   "coefficients need velocity and area, and "
                                   "that of the torque for length besides");
+        if (check_name(s, i) != 0 || check_directions(s, i) != 0) return 2;
     }
     return 0;
 }

@@ -47,8 +47,9 @@ static void print(const struct settings *s, const struct case_scales *k)
     const int n = case_surfaces_count(s);
     double lo[3], hi[3], speed = 0.0;
     int code, triangles = 0;
-    struct surface *const made = case_surfaces_create(s, &code);
 
+    if (!settings_has(s, "particles")) return; /* nothing meets them */
+    struct surface *const made = case_surfaces_create(s, &code);
     if (made == NULL) return;
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < n; i++) {

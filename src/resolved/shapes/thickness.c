@@ -20,9 +20,9 @@ static void sides_of(double x[3][3], double ab[3], double ac[3], double area[3])
 }
 
 /* How far it is from p along n to the triangle [m], from its inner side;
- * HUGE_VAL: the way passes it by. With h the height of p over its plane, the
- * weights of the corners b and c are e . ac and -e . ab over n . area, e = n x
- * (p - a). */
+ * HUGE_VAL: the way passes it by. Where it meets the plane of the triangle, the
+ * weights of the corners b and c are e . ac and -e . ab over n . area, with
+ * e = n x (p - a). */
 static double way_to(double x[3][3], const double p[3], const double n[3])
 {
     double ab[3], ac[3], area[3], from[3], e[3];
