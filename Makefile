@@ -132,10 +132,10 @@ $B/steps/%: chapters/steps/%.c
 	@echo "compile $<"
 	@$(CC) -std=c11 -O2 -ffp-contract=off $(WARN) -o $@ $< -lm
 
-validate: $B/winnow ## long runs against measurements and papers (hours, then a night; goes on where it was interrupted)
+validate: $B/winnow ## long runs against measurements and papers (hours, then a day; goes on where it was interrupted)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
 	$(MAKE) validate-bed
-validate-bed: $B/winnow ## of them the bed of resolved grains, 1.7 million cells (a night)
+validate-bed: $B/winnow ## of them the bed of resolved grains, 1.7 million cells (8 hours of a processor for each of 4)
 	WIDTH=8 CELLS=12 END=100 sh tests/validate/resolved-bed.sh $B/winnow 4 6 8 11
 
 fuzz: ## broken input for FUZZ_SECONDS (60) from FUZZ_SEED (1), under sanitizers

@@ -7,8 +7,8 @@
 #
 # Re_in is 4, 6, 8 or 11 (8). By default the small bed: 4 x 4 x 15 d, 128 grains, 8 cells
 # in a diameter, up to 10 d/u_in: some minutes for each. In the environment WIDTH=8 CELLS=12
-# END=100 make it that of EW18, 512 grains and 1.7 million cells: two hours and more
-# for each, and 3.2 GB (make validate-bed). Writes figures/24-liquid-RE.txt, or
+# END=100 make it that of EW18, 512 grains and 1.7 million cells: 8 hours of a processor
+# for each, and 3.1 GB (make validate-bed). Writes figures/24-liquid-RE.txt, or
 # 24-liquid-RE-WIDTH-CELLS.txt of another bed than the small one, and the integral times
 # of all velocities that there are, for fig. 13; figures/24-liquid.gp draws them.
 set -eu
