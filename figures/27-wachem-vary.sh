@@ -5,7 +5,7 @@
 #   sh figures/27-wachem-vary.sh run [NAME ...]     into out/27-wachem-vary
 #   sh figures/27-wachem-vary.sh table              spread, strongest, pulses of each
 #
-# On one quiet core a choice takes seven minutes, the stiff one twenty. Told again, an
+# On one quiet core a choice takes a quarter of an hour, the stiff one three. Told again, an
 # interrupted run goes on, and a run that is done is not made again.
 set -eu
 command -v winnow >/dev/null || PATH=$PWD/build:$PATH

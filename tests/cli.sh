@@ -396,6 +396,17 @@ fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     "Try a smaller particles.step" "$winnow" run tiny.cfg -o lost \
     -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip \
     -s particles.unsafe_step=true
+# A layer of tetrahedra, one cell across and 80 round.
+mkdir flat && awk -f "$top/cases/meshes/extruded.awk" -f "$top/cases/meshes/ring.awk" \
+    -v out=flat -v r1=1 -v r2=2 -v nr=1 -v nt=80 -v tetrahedra=1
+cat >flat.cfg <<'END'
+mesh = { polymesh = "flat"; };
+fluid = { density = 1.0; viscosity = 1.0; step = 0.05; piso_tolerance = 1e-4; convection = "linear";
+          inner = { rotation = [0.0, 0.0, 1.0]; }; outer = "no-slip"; };
+output = { end = 1.0; every = 1.0; };
+END
+fact a_mesh_too_flat_is_named_where_the_flow_breaks_down 3 \
+    "links at 83.7 degrees to their faces, more than 80" "$winnow" run flat.cfg -o flat-out --quiet
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
 fact the_state_of_a_breakdown_is_not_saved_but_one_before 0 "state       t = 0 s" \
     "$winnow" status lost
@@ -670,10 +681,10 @@ fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grad
 fact cylinder_is_along_an_axis_but_for_rounding 0 "" body -s mesh.cells=[12,12,4] \
     -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.01; length=0.03; axis=[0.0,0.0,49.0];})}'
 fact rebound_is_that_by_the_mass_that_viscosity_asks_for 0 \
-    "rebound, times                               2620" \
+    "at most: it comes too late; shorten fluid.step" \
     body -s fluid.viscosity=50.0
 fact virtual_mass_is_what_viscosity_and_shape_ask_for 0 \
-    "largest virtual mass                        9.507" \
+    "largest virtual mass                        22.45" \
     body -s fluid.viscosity=50.0
 fact free_bodies_jitter_in_a_thick_fluid 0 \
     "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \

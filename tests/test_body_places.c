@@ -240,9 +240,9 @@ START_TEST(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed)
 END_TEST
 
 /* Plates along each axis, and a disc: with x = nu dt / R^2 = 16 of half of what
- * they are thick, as heavy as the fluid, each gets 4.5 (16 + 4)/2 and twice its
- * added mass sqrt(6 V / (pi w^3))/2 (24.10); and an overlap is compared with
- * what they are thick. */
+ * they are thick, as heavy as the fluid, each gets 2.5 times 4.5 (16 + 4)/2 and
+ * twice its added mass sqrt(6 V / (pi w^3))/2 (24.10); and an overlap is
+ * compared with what they are thick. */
 START_TEST(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block)
 {
     const struct body_shape of[4] = {
@@ -266,7 +266,7 @@ START_TEST(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block)
     ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
     body_motion_set_forces(p.bodies, o.dt);
     ck_assert_double_eq_tol(p.bodies->C_v[0],
-                            45.0 + sqrt(_i < 3 ? 600.0 / M_PI : 150.0), 1e-10);
+                            112.5 + sqrt(_i < 3 ? 600.0 / M_PI : 150.0), 1e-10);
     ck_assert_double_eq_tol(body_gaps_width(p.bodies, &point), 0.05, 1e-15);
     pool_free(&p);
 }

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "dem/energy.h"
-#include "dem/integrators.h"
+#include "dem/integrator.h"
 #include "facts.h"
 #include "spheres.h"
 

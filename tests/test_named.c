@@ -10,7 +10,7 @@
 #include "fluid/velocity_gradient.h"
 #include "fluid/time_scheme.h"
 #include "dem/contact.h"
-#include "dem/integrators.h"
+#include "dem/integrator.h"
 #include "dem/population/sizes.h"
 #include "facts.h"
 

@@ -237,20 +237,6 @@ static struct simulation *build(const struct run *run, int *code)
     return sim;
 }
 
-/* Whether this program can compute the case; else 2, after a message. */
-static int check_engine(const struct settings *s)
-{
-    static const char key[] = "engine";
-
-    if (processes_engines[0] != NULL) return processes_engines[0]->check(s);
-    if (!settings_has(s, key) || strcmp(settings_text(s, key), "one") == 0)
-        return 0;
-    return settings_wrong(s, key,
-                          "this program computes on one machine; run the case "
-                          "with mpirun -n N build/winnow-mpi (make "
-                          "distributed)");
-}
-
 /* Non-zero, the exit code, after a message. */
 static int create_saver(struct run *run)
 {
@@ -272,7 +258,7 @@ int run_case(const struct settings *s, const struct run_options *o)
     int code = 0;
 
     MODELS_UNTIL(code, case_checks, run, s);
-    if (code != 0 || check_engine(s) != 0) return WRONG;
+    if (code != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;

@@ -20,7 +20,6 @@
 struct coupling;
 struct population;
 struct processes;
-struct simulation;
 
 /* Wall-clock seconds spent so far, by part; and processor seconds of all
  * threads, without output. */
@@ -31,10 +30,8 @@ struct seconds {
 
 /* Insertion and removal of particles (population/). */
 struct population_functions {
-    /* Before each step; non-zero if the solid volume of a cell exceeds its
-     * volume. */
-    int (*step)(struct simulation *sim);
-    void (*state)(struct population *l, struct state *s); /* state.h */
+    int (*step)(struct simulation *sim); /* non-zero: a cell is too full */
+    void (*state)(struct population *l, struct state *s);
     void (*free)(struct population *l);
 };
 
@@ -49,15 +46,14 @@ struct simulation {
     struct prescribed_particle
         *prescribed; /* particles of prescribed motion; NULL: none */
     struct population *population; /* NULL: no insertion or removal */
-    const struct population_functions *insert_remove; /* and its functions */
+    const struct population_functions *insert_remove; /* its functions */
     struct case_walls *walls;       /* of a polyhedral mesh; or NULL */
     struct placement_region region; /* where particles may be placed */
     struct materials *materials;    /* NULL: all are of one */
     struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;
     struct coupling *coupling;
-    double dt;          /* [s] of the loop: the fluid's step where there is
-                           one */
+    double dt;          /* [s] of the loop: that of the fluid, if any */
     int dem_steps;      /* [-] particle steps in one step of the loop */
     double t;           /* [s] */
     long steps;         /* [-] done */

@@ -7,7 +7,7 @@
 #define DEM_DEM_OPTIONS_H
 
 #include "dem/attraction.h"
-#include "dem/integrators.h"
+#include "dem/integrator.h"
 #include "dem/materials.h"
 
 struct dem_method;

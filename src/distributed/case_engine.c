@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* case_engine.c -- the keys of the distributed engine, and what `check` says of
  * it.  Chapter "Past one machine". */
+#include "case/case_check.h"
 #include "case/case_part.h"
 
 #include <math.h>
@@ -10,6 +11,7 @@
 #include "case/checks/case_cost.h"
 #include "case/case_mesh.h"
 #include "case/checks/check_line.h"
+#include "coupling/processes.h"
 #include "distributed/refusal.h"
 
 static const struct key engine_keys[] = {
@@ -64,3 +66,16 @@ static void print(const struct settings *s, const struct case_scales *k)
 
 const struct case_part case_engine_part = {
     .keys = engine_keys, .check_any = check, .print = print};
+
+/* Whether this program can compute the case; else 2, after a message. */
+static int check_run(const struct settings *s)
+{
+    if (processes_engines[0] != NULL) return processes_engines[0]->check(s);
+    if (!is_distributed(s)) return 0;
+    return settings_wrong(s, "engine",
+                          "this program computes on one machine; run the case "
+                          "with mpirun -n N build/winnow-mpi (make "
+                          "distributed)");
+}
+
+const struct case_check case_engine_check = {.run = check_run};

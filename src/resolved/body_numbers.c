@@ -29,19 +29,21 @@ double body_numbers_added_mass(double volume, double width)
     return 0.5 * sqrt(6.0 * volume / (M_PI * width * width * width));
 }
 
-/* Beside a wall or another body the added mass is up to twice as large. */
-static const double beside_another = 2.0;
+/* Beside a wall or another body the added mass is up to twice as large, and
+ * what viscosity takes of a velocity up to 2.5 times. */
+static const double mass_beside = 2.0, friction_beside = 2.5;
 
 /* K is what viscosity takes in the step of a change of 1 [-]. */
 static double without_growth(double least, double K, double C_a, double rho_r)
 {
-    return fmax(least, 0.5 * (K + 1.0 + 2.0 * beside_another * C_a - rho_r));
+    return fmax(least, 0.5 * (K + 1.0 + 2.0 * mass_beside * C_a - rho_r));
 }
 
 double body_numbers_virtual_mass(double least, double x, double rho_r,
                                  double C_a)
 {
-    return without_growth(least, 4.5 * (x + sqrt(x)), C_a, rho_r);
+    const double K = friction_beside * 4.5 * (x + sqrt(x));
+    return without_growth(least, K, C_a, rho_r);
 }
 
 double body_numbers_virtual_spin(double least, double x, double rho_r,

@@ -28,7 +28,11 @@ bed_case() {
     name=$out/re$1-$W-$cells
     n=$(awk "BEGIN { print 8 * $W * $W }")
     height=$(awk "BEGIN { print ($1 < 7 ? 9.1 : $1 < 10 ? 10 : 11.6) }")
-    awk -v n="$n" -v L="$W" -v H="$height" -v low=0.6 -v seed=1 -f tests/validate/suspension.awk >"$name.spheres"
+    [ -s "$name.spheres" ] || {
+        awk -v n="$n" -v L="$W" -v H="$height" -v low=0.6 -v seed=1 \
+            -f tests/validate/suspension.awk >"$name.spheres.part"
+        mv "$name.spheres.part" "$name.spheres"
+    }
     awk -v re="$1" -v W="$W" -v c="$cells" -v end="$end" -v spheres="re$1-$W-$cells.spheres" 'BEGIN {
         nu = 1 / re; g = 387 * nu * nu
         printf "title = \"EW18, the bed in a liquid, resolved: Re_in = %s\"; cites = \"EW18 Table 1, 2\";\n", re

@@ -6,7 +6,7 @@
 
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
-#include "dem/integrators.h"
+#include "dem/integrator.h"
 #include "case/checks/boundary_check.h"
 #include "case/checks/materials_check.h"
 #include "case/checks/mesh_check.h"

@@ -8,6 +8,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_mover.h"
 #include "case/diagnosis/overlap.h"
+#include "mesh/poly/quality.h"
 
 static int fluid_broke(const struct simulation *sim)
 {
@@ -20,16 +21,24 @@ static void describe_fluid(const struct simulation *sim, const char *when,
                            char text[RUN_PART_TEXT])
 {
     const struct fluid_report *const r = &sim->fluid->report;
+    const double angle = mesh_quality(sim->mesh).non_orthogonal;
+    char advice[128] = "Try a smaller fluid.step (CFL below 1) or "
+                       "fluid.convection = \"upwind\"";
 
+    if (angle > 80.0)
+        snprintf(
+            advice, sizeof advice,
+            "The mesh has links at %.1f degrees to their faces, more than 80: "
+            "improve it",
+            angle);
     snprintf(text, RUN_PART_TEXT,
              "the flow solver broke down %s: momentum %s after %d iterations "
              "(residual %.2g), pressure %s after %d (residual %.2g), CFL "
-             "number %.3g.\nTry a smaller fluid.step (CFL below 1) or "
-             "fluid.convection = \"upwind\"",
+             "number %.3g.\n%s",
              when, r->momentum.converged ? "solved" : "not solved",
              r->momentum.iterations, r->momentum.after,
              r->pressure.converged ? "solved" : "not solved",
-             r->pressure.iterations, r->pressure.after, r->cfl);
+             r->pressure.iterations, r->pressure.after, r->cfl, advice);
 }
 
 /* Through a surface, by its name. */

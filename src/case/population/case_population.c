@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/interrupt.h"
 #include "base/number.h"
 #include "coupling/population/replacement.h"
 #include "dem/population/overlaps.h"
@@ -19,7 +18,6 @@
 #include "case/case_part.h"
 #include "case/population/case_sizes.h"
 #include "case/particle_options.h"
-#include "case/run_part.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
                   bed_key[] = "particles.bed.sizes";
@@ -375,25 +373,6 @@ static int add(const struct settings *s, struct simulation *sim)
     return code;
 }
 
-/* Says which sources have spheres that are due and found no room. */
-static void report(void *none, const struct simulation *sim)
-{
-    (void)none;
-    const struct population *const l = sim->population;
-
-    for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
-        const struct insertion *const in = &l->sources[i];
-        const long due = insertion_count_due(in, sim->t - sim->dt);
-        if (in->n_inserted < due)
-            fprintf(
-                stderr,
-                "winnow: source %d of particles.insert: %ld of the %ld spheres "
-                "that were due by t = %g s have found no room; make the region "
-                "larger, the rate lower, or let particles leave it sooner\n",
-                i, due - in->n_inserted, due, sim->t);
-    }
-}
-
 const struct case_part case_population_part = {.keys = case_population_keys,
                                                .check = check,
                                                .bed_sizes = bed_sizes,
@@ -401,14 +380,3 @@ const struct case_part case_population_part = {.keys = case_population_keys,
                                                .later_diameters = diameters,
                                                .place = place,
                                                .add = add};
-
-/* A step in which a signal ended the insertion early differs from that of a run
- * without the signal. */
-static int is_cut_short(const struct simulation *sim)
-{
-    return interrupt_arrived() && sim->population != NULL &&
-           sim->population->totals.waiting > 0;
-}
-
-const struct run_part case_population_run = {.after_run = report,
-                                             .is_cut_short = is_cut_short};

@@ -127,7 +127,8 @@ static void report_free(const struct settings *s, const struct extremes *e)
                       : "as bodies.virtual_mass says");
     check_line("stiffness", case_bodies_stiffness(s), "N/m", "");
     check_line("rebound, times", gain, "-",
-               gain < 1.05 ? "at most, by the virtual mass"
+               gain < 1.05  ? "at most, by the virtual mass"
+               : gain > 4.0 ? "at most: it comes too late; shorten fluid.step"
                : ratio > 2.0 && !raised
                    ? "at most: HIGH, bodies.virtual_mass = 0.5 has 1"
                    : "at most, by the virtual mass; longer impacts have less");

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "dem/integrators.h"
+#include "dem/integrator.h"
 
 const struct integrator heun_integrator = {
     .name = "heun",

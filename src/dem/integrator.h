@@ -1,4 +1,4 @@
-/* integrators.h -- time integrators of the particles.
+/* integrator.h -- time integrators of the particles.
  * Chapter "Insertion, removal and energy".
  *
  * With a(x, v) the acceleration by all forces:
@@ -13,8 +13,8 @@
  * HADES) needs the forces twice, and a third time for the rates of tangential
  * springs.
  */
-#ifndef DEM_INTEGRATORS_H
-#define DEM_INTEGRATORS_H
+#ifndef DEM_INTEGRATOR_H
+#define DEM_INTEGRATOR_H
 
 #include "base/key.h"
 

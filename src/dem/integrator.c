@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/integrators.h"
+#include "dem/integrator.h"
 
 #include "base/model.h"
 
