@@ -406,7 +406,7 @@ fluid = { density = 1.0; viscosity = 1.0; step = 0.05; piso_tolerance = 1e-4; co
 output = { end = 1.0; every = 1.0; };
 END
 fact a_mesh_too_flat_is_named_where_the_flow_breaks_down 3 \
-    "links at 83.7 degrees to their faces, more than 80" "$winnow" run flat.cfg -o flat-out --quiet
+    "links at 83.7 degrees to the normals of their faces, more than 80" "$winnow" run flat.cfg -o flat-out --quiet
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
 fact the_state_of_a_breakdown_is_not_saved_but_one_before 0 "state       t = 0 s" \
     "$winnow" status lost

@@ -210,6 +210,27 @@ START_TEST(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13)
 }
 END_TEST
 
+/* They are computed twice where particles are inserted or removed. */
+START_TEST(drag_terms_that_are_computed_twice_are_the_same)
+{
+    struct scene s = air;
+    const int n = s.cells * s.cells * s.cells;
+
+    s.rho = 1000.0;
+    s.rho_s = 2650.0;
+    s.virtual_mass = 0.5;
+    struct simulation *const sim = build(&s);
+    double *const K = alloc_doubles(n);
+    run(sim, 2);
+    memcpy(K, sim->fluid->K, (size_t)n * sizeof *K);
+    reaction_drag_terms(sim);
+    for (int c = 0; c < n; c++)
+        ck_assert_double_eq(sim->fluid->K[c], K[c]);
+    free(K);
+    discard(sim);
+}
+END_TEST
+
 /* Charged with all of the reaction in advance, this bed in water grows by 1.4 a
  * step. */
 START_TEST(a_bed_with_virtual_mass_and_history_in_water_is_stable)
@@ -368,6 +389,7 @@ FACTS("stability")
     FACT_FOR_EACH(no_other_share_in_advance_has_a_smaller_factor, 6);
     FACT_FOR_EACH(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10, 3);
     FACT(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13);
+    FACT(drag_terms_that_are_computed_twice_are_the_same);
     FACT(a_bed_with_virtual_mass_and_history_in_water_is_stable);
     FACT(the_loading_is_mass_beside_mass);
     FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them,

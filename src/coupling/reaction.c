@@ -91,18 +91,26 @@ double reaction_share_in_advance(double C, double ratio, double eps_s)
     return c < 0.0 ? -2.0 * c / (b + sqrt(b * b - 4.0 * a * c)) : 0.0;
 }
 
-/* The inertia of effects beside the drag (effects/effect_force.h): as
- * much of it as keeps a bed stable (20.10). */
-static void add_inertia(struct coupling *cp, const struct simulation *sim)
+/* The part [kg] of the inertia of effects beside the drag
+ * (effects/effect_force.h) that the fluid receives in advance, by (20.11). */
+static double inertia_in_advance(const struct simulation *sim, int i)
 {
-    const struct particles *const ps = sim->particles;
+    const struct coupling *const cp = sim->coupling;
+    const double m_f =
+        sim->fluid->options.rho * particles_volume(sim->particles, i);
+    const double eps_s = fmin(fmax(1.0 - cp->eps[i], 0.0), 0.9);
 
-    for (int i = 0; i < ps->n; i++) {
-        const double m_f = sim->fluid->options.rho * particles_volume(ps, i);
-        const double eps_s = fmin(1.0 - cp->eps[i], 0.9);
-        cp->inertia[i] *= reaction_share_in_advance(
-            cp->inertia[i] / m_f, ps->m[i] / m_f, fmax(eps_s, 0.0));
-        const double k = cp->inertia[i] / sim->dt;
+    return cp->inertia[i] *
+           reaction_share_in_advance(cp->inertia[i] / m_f,
+                                     sim->particles->m[i] / m_f, eps_s);
+}
+
+static void add_inertia(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    for (int i = 0; i < sim->particles->n; i++) {
+        const double k = inertia_in_advance(sim, i) / sim->dt;
         cp->amount[4 * i] += k;
         for (int a = 0; a < 3; a++)
             cp->amount[4 * i + 1 + a] += k * cp->u_then[3 * i + a];
@@ -133,7 +141,7 @@ void reaction_drag_terms(struct simulation *sim)
     const struct replacement *const removed = cp->replacement;
 
     estimate_drag_impulse(sim);
-    if (cp->inertia != NULL) add_inertia(cp, sim);
+    if (cp->inertia != NULL) add_inertia(sim);
     averaging_spread(sim->averaging, 4, cp->amount, cp->field);
     for (int j = 0; removed != NULL && j < 3 * sim->mesh->n_cells; j++)
         cp->field[4 * (j / 3) + 1 + j % 3] -=
@@ -180,17 +188,22 @@ static void add_removed(struct replacement *r, int n_cells, double charged[3],
 }
 
 /* What it received of the inertia of effects. */
-static void subtract_inertia(struct coupling *cp, int n, double charged[3],
+static void subtract_inertia(struct simulation *sim, double charged[3],
                              double *scale)
 {
-    for (int j = 0; j < 3 * n; j++) {
-        const double estimate =
-            cp->inertia[j / 3] * (cp->smooth[j] - cp->u_then[j]);
-        charged[j % 3] += estimate;
-        *scale += fabs(estimate);
-        cp->unpaid_impulse[j] -= estimate;
+    struct coupling *const cp = sim->coupling;
+
+    for (int i = 0; i < sim->particles->n; i++) {
+        const double m = inertia_in_advance(sim, i);
+        for (int a = 0; a < 3; a++) {
+            const int j = 3 * i + a;
+            const double estimate = m * (cp->smooth[j] - cp->u_then[j]);
+            charged[a] += estimate;
+            *scale += fabs(estimate);
+            cp->unpaid_impulse[j] -= estimate;
+        }
+        cp->inertia[i] = 0.0;
     }
-    memset(cp->inertia, 0, (size_t)n * sizeof *cp->inertia);
 }
 
 /* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a
@@ -209,8 +222,7 @@ static void subtract_payment(struct simulation *sim)
             scale += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
             cp->unpaid_impulse[j] = -estimate;
         }
-    if (cp->inertia != NULL)
-        subtract_inertia(cp, sim->particles->n, charged, &scale);
+    if (cp->inertia != NULL) subtract_inertia(sim, charged, &scale);
     if (cp->replacement != NULL)
         add_removed(cp->replacement, sim->mesh->n_cells, charged, &scale);
     check_payment(sim, charged, scale);

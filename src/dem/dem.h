@@ -7,7 +7,7 @@
  * with the contact forces F_c and torques T_c of contact.h, to which the
  * attractions of attraction.h are added, and an outside force F (gravity, the
  * fluid) that is constant during a run. The integrator is velocity Verlet
- * unless the options name another (integrators.h); the force is evaluated with
+ * unless the options name another (integrator.h); the force is evaluated with
  * the velocity half a step earlier, which needs one evaluation a step and is of
  * second order for forces without damping.
  *

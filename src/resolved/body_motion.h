@@ -9,7 +9,7 @@
  *                                 + (rho_p - rho) V g dt + contacts
  *
  * a spring adds -k (X - X_0) to the contacts. Likewise with the moments of
- * inertia, with C_v or what viscosity asks for. C_v rho V stands on both sides:
+ * inertia, with C_v or what (24.10) asks for. C_v rho V stands on both sides:
  * it does nothing to a steady motion, and keeps light bodies stable.
  */
 #ifndef RESOLVED_BODY_MOTION_H

@@ -26,7 +26,8 @@ double body_numbers_stokes(double rho_r, double Re)
 
 double body_numbers_added_mass(double volume, double width)
 {
-    return 0.5 * sqrt(6.0 * volume / (M_PI * width * width * width));
+    /* no shape has less than a sphere */
+    return 0.5 * fmax(1.0, sqrt(6.0 * volume / (M_PI * width * width * width)));
 }
 
 /* Beside a wall or another body the added mass is up to twice as large, and

@@ -28,8 +28,8 @@ static void describe_fluid(const struct simulation *sim, const char *when,
     if (angle > 80.0)
         snprintf(
             advice, sizeof advice,
-            "The mesh has links at %.1f degrees to their faces, more than 80: "
-            "improve it",
+            "The mesh has links at %.1f degrees to the normals of their faces, "
+            "more than 80: improve it",
             angle);
     snprintf(text, RUN_PART_TEXT,
              "the flow solver broke down %s: momentum %s after %d iterations "

@@ -109,7 +109,7 @@ static struct added_mass added_mass(const struct settings *s, double dt)
     return sum;
 }
 
-/* The criteria for a bed: (20.6), (20.10). */
+/* The criteria for a bed: (20.6), (20.12), (20.13). */
 static void print_bed(const struct settings *s, const struct drag_scales *k)
 {
     const struct added_mass added = added_mass(s, k->dt);

@@ -121,7 +121,7 @@ static void drift(struct free_particle *t, const struct box_domain *box,
     rebound(t, box);
 }
 
-/* Kick, drift, kick, drift, ... (integrators.h). */
+/* Kick, drift, kick, drift, ... (integrator.h). */
 static void travel(struct free_particle *t, const struct box_domain *box,
                    const struct kicks *kicks, int steps)
 {

@@ -207,7 +207,7 @@ void among_grains_end(struct solid_bodies *b)
 }
 
 /* The last kick of a run gives the share `first` of it to the next run
- * (integrators.h). */
+ * (integrator.h). */
 void among_grains_add_momentum(const struct solid_bodies *b, double total[3])
 {
     const struct dem_options *const o = dem_created_with(b->among->grains);

@@ -6,7 +6,8 @@
 
 #include "base/vector.h"
 
-/* Points of the surface that are looked at, each for the same area [-]. */
+/* Shares of the area that are looked at, each at the centroid of the triangle
+ * that it falls into [-]. */
 enum { POINTS = 100, THINNER = POINTS / 10 };
 
 /* A way that meets an edge meets one of its triangles for certain [-]. */
