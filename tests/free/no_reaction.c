@@ -22,3 +22,11 @@ void reaction_receive(struct simulation *sim)
     (void)sim;
     abort();
 }
+
+double reaction_share_in_advance(double C, double ratio, double eps_s)
+{
+    (void)C;
+    (void)ratio;
+    (void)eps_s;
+    abort();
+}
