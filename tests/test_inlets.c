@@ -379,8 +379,8 @@ START_TEST(taylor_couette_flow_on_tetrahedra_has_its_torque)
 }
 END_TEST
 
-/* Links at 81 degrees to the normals of their faces. With the terms of skewness.c there, too,
- * the flow broke down in the third step. */
+/* Links at 81 degrees to the normals of their faces. With the terms of
+ * skewness.c there, too, the flow broke down in the third step. */
 START_TEST(taylor_couette_flow_on_flat_tetrahedra_holds)
 {
     check_torque(64, 0.015);

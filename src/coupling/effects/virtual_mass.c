@@ -7,11 +7,11 @@
  * particle step (implicit_drag.h), the first a force that is constant in a
  * step. The reaction to the impulse of the step, C rho_f V_p (Du/Dt dt - change
  * of v), acts on the fluid in its next step, but for what is charged in advance
- * (effect_force.h): a share of the term C rho_f V_p du/dt acts in the step itself.
- * Were all of it left to the next step, each change of the fluid's velocity
- * would be followed there by one of -C eps_s/eps_f times itself, which is large
- * in a packed bed; were all of it charged in advance, a bed in a liquid would
- * be unstable (reaction.h).
+ * (effect_force.h): a share of the term C rho_f V_p du/dt acts in the step
+ * itself. Were all of it left to the next step, each change of the fluid's
+ * velocity would be followed there by one of -C eps_s/eps_f times itself, which
+ * is large in a packed bed; were all of it charged in advance, a bed in a
+ * liquid would be unstable (reaction.h).
  *
  * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
