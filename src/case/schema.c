@@ -202,8 +202,8 @@ void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
         [KEY_FLAGS] = "three of true or false [x, y, z]",
         [KEY_SERIES] = "a number or ((time, number), ...), each number",
         [KEY_CURVE] = "((x, number), ...) with x rising, each number",
-        [KEY_PATCH] = "{ KEY = ...; } with one of inlet, outlet, wall, "
-                      "rotation, pressure"};
+        [KEY_PATCH] = ("{ KEY = ...; } with one of inlet, outlet, wall, "
+                       "rotation, pressure")};
     char conditions[SCHEMA_TEXT], words[SCHEMA_TEXT];
 
     gather(key, 1, ", ", conditions);
