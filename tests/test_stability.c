@@ -171,9 +171,59 @@ START_TEST(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10)
 }
 END_TEST
 
-/* Spheres that are too heavy to move; the fluid between them begins with 0.3
- * m/s and has no friction. Without a share in advance it changes in each step
- * by -q C of the change before: (20.13). */
+/* The growth in a step, in the mean over many, of a free bed whose steps are
+ * computed one after the other as (20.9) has them, with the history force H of
+ * the change of the slip in the step before: it acts on the spheres at once and
+ * on the fluid a step late. */
+static double growth_of_steps(double C, double H, double r, double q, double s)
+{
+    double du = 0.0, dv = 1.0, past = 0.0, sum = 0.0;
+    enum { STEPS = 4000 };
+
+    for (int k = 0; k < STEPS; k++) {
+        const double slip = du - dv, new_du = -q * dv;
+        const double G =
+            new_du + q * (C * s * (new_du - du) + C * slip + H * past);
+        const double new_dv = (G + C * new_du + H * slip) / (r + C);
+        const double size = fabs(new_du) + fabs(new_dv) + fabs(slip);
+        sum += log(size);
+        du = new_du / size;
+        dv = new_dv / size;
+        past = slip / size;
+    }
+    return exp(sum / STEPS);
+}
+
+/* A double root grows as 4000 times its power, 0.2 % a step more. Where the bed
+ * at rest has a larger factor, that one is given, and is not compared. */
+START_TEST(a_bed_with_history_grows_by_the_largest_root_of_20_12)
+{
+    static const double ratio[] = {1.3, 2.65, 8.0};
+    static const struct added_mass added[] = {
+        {0.5, 0.0}, {0.63, 0.11}, {0.8, 0.25}, {0.3, 0.25}};
+    const double r = ratio[_i];
+    int compared = 0;
+
+    for (int k = 0; k < 4; k++)
+        for (double eps_s = 0.4; eps_s < 0.65; eps_s += 0.1) {
+            const double q = eps_s / (1.0 - eps_s), C = added[k].C;
+            const double s = reaction_share_in_advance(C, r, eps_s);
+            const double free_bed =
+                growth_of_steps(C, added[k].C_history, r, q, s);
+            const double found =
+                stability_amplification(&added[k], r, eps_s, 1);
+            if (found > 1.01 * free_bed) continue; /* the bed at rest binds */
+            ck_assert_double_eq_tol(found / free_bed, 1.0, 5e-3);
+            compared++;
+        }
+    ck_assert_int_gt(compared, 3);
+}
+END_TEST
+
+/* Spheres that are too heavy to move, in a fluid without friction that is
+ * pushed once, to 1e-5 m/s, at which the drag of the wake is small too. Without
+ * a share in advance it changes in each step by -q C of the change before:
+ * (20.13). */
 START_TEST(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13)
 {
     static const struct added_mass half = {0.5, 0.0};
@@ -388,6 +438,7 @@ FACTS("stability")
     FACT(the_oscillation_decays_below_the_densest_packing);
     FACT_FOR_EACH(no_other_share_in_advance_has_a_smaller_factor, 6);
     FACT_FOR_EACH(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10, 3);
+    FACT_FOR_EACH(a_bed_with_history_grows_by_the_largest_root_of_20_12, 3);
     FACT(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13);
     FACT(drag_terms_that_are_computed_twice_are_the_same);
     FACT(a_bed_with_virtual_mass_and_history_in_water_is_stable);
