@@ -215,7 +215,7 @@ $B/folders: always
 	@echo "$(FOLDERS)" | cmp -s - $@ || echo "$(FOLDERS)" >$@
 $B/src/models.c: $(MODELS) src/models.awk $(LEFT_OUT) $B/folders
 	@mkdir -p $(@D)
-	@awk -f src/models.awk $(MODELS) left=1 $(LEFT_OUT) >$@.new && mv $@.new $@
+	@awk -v folders="of $(FOLDERS)" -f src/models.awk $(MODELS) left=1 $(LEFT_OUT) >$@.new && mv $@.new $@
 $B/src/models.o: $B/src/models.c
 	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
 # The book's table of equations, for `winnow explain KEY`.

@@ -64,16 +64,17 @@ static const struct {
              {"--to", 't'},
              {NULL, 0}};
 
-/* 1 if the option is such a word, which is then noted. */
-static int take_word(const struct command *c, const char *option,
+/* 1 if the option is such a word; its member of the command line is then set.
+ */
+static int read_word(const struct command *c, const char *option,
                      struct command_line *l)
 {
-    int *const noted[] = {&l->quiet, &l->resume, &l->fresh, &l->to};
+    int *const member[] = {&l->quiet, &l->resume, &l->fresh, &l->to};
 
     for (int i = 0; words[i].word != NULL; i++)
         if (strcmp(option, words[i].word) == 0 &&
             strchr(c->options, words[i].letter) != NULL)
-            return *noted[i] = 1;
+            return *member[i] = 1;
     return 0;
 }
 
@@ -101,16 +102,16 @@ static int threads_of(const char *text)
     return end != text && *end == '\0' && n >= 1 && n <= 1024 ? (int)n : 0;
 }
 
-/* Takes in option and value "-o DIR" or "-oDIR"; *i moves to the last word
+/* Reads an option and its value, "-o DIR" or "-oDIR"; *i moves to the last word
  * used. */
-static int take_option(const struct command *c, int argc, char **argv, int *i,
+static int read_option(const struct command *c, int argc, char **argv, int *i,
                        struct command_line *l)
 {
     const char *const option = argv[*i];
     const char *value =
         option[1] != '\0' && option[2] != '\0' ? option + 2 : NULL;
 
-    if (take_word(c, option, l)) return 0;
+    if (read_word(c, option, l)) return 0;
     if (option[1] == '\0' || option[1] == '-' ||
         strchr(c->options, option[1]) == NULL)
         return wrong_option(c, option);
@@ -127,24 +128,27 @@ static int take_option(const struct command *c, int argc, char **argv, int *i,
     return 0;
 }
 
-static int perform(const struct command *c, int argc, char **argv,
-                   struct command_line *l)
+static int run_command(const struct command *c, int argc, char **argv,
+                       struct command_line *l)
 {
     for (int i = 2; i < argc; i++) {
         if (c->options == NULL || argv[i][0] != '-')
             l->words[l->n_words++] = argv[i];
-        else if (take_option(c, argc, argv, &i, l) != 0)
+        else if (read_option(c, argc, argv, &i, l) != 0)
             return 2;
     }
-    if (l->n_words < c->least) return wrong(c, c->name, " needs a case file");
-    if (c->most >= 0 && l->n_words > c->most)
-        return wrong(c, l->words[c->most], ": one argument too many");
+    if (l->n_words < c->min_words)
+        return wrong(c, c->name, " needs a case file");
+    if (c->max_words >= 0 && l->n_words > c->max_words)
+        return wrong(c, l->words[c->max_words], ": one argument too many");
     return c->act(l);
 }
 
-/* A stream that is closed would lend its number to the next file, and what is
- * said on it would land there. Each gets /dev/null; results that nobody reads
- * still count as not written. Non-zero if that fails. */
+/* The next file that is opened would get the number of a closed stream, and
+ * messages would be written to it. So closed streams are opened on /dev/null;
+ * results on a closed stdout still count as not written. Non-zero if that
+ * fails.
+ */
 static int open_streams(void)
 {
     static const int how[] = {O_RDONLY, O_RDONLY, O_WRONLY};
@@ -159,8 +163,8 @@ int main(int argc, char **argv)
     if (open_streams() != 0) return 4;
 
     const char *const first = argc > 1 ? argv[1] : "";
-    const char **const room = alloc_zeroed(2 * (size_t)argc, sizeof *room);
-    struct command_line l = {.words = room, .overrides = room + argc};
+    const char **const texts = alloc_zeroed(2 * (size_t)argc, sizeof *texts);
+    struct command_line l = {.words = texts, .overrides = texts + argc};
     const struct command *c = NULL;
     int code = 0;
 
@@ -171,9 +175,9 @@ int main(int argc, char **argv)
     else if (argc < 2 || (c = command_named(first)) == NULL)
         code = 2;
     else
-        code = perform(c, argc, argv, &l);
+        code = run_command(c, argc, argv, &l);
     if (argc < 2) usage(stderr);
-    free(room);
+    free(texts);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         perror("winnow: cannot write the results");
         return 4;

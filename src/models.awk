@@ -17,8 +17,8 @@
 #
 #   surface_shape:model  surface_plane
 #
-# `needs FOLDER` is for tests/core.sh: the folder does not work without that
-# other one.
+# `needs FOLDER` says that the folder does not work without that other one, which
+# must then be among the words of `folders`, if that is given (-v folders=...).
 #
 # The files after left=1 are the source of the folders that are not built. Their
 # keys, models and commands are listed in left_out_words[] (base/left_out.h).
@@ -48,6 +48,12 @@ left { # a key, or the name of a descriptor, on its line or on the next
 }
 
 { sub(/#.*/, "") }
+$1 == "needs" && folders != "" && !index(" " folders " ", " " $2 " ") {
+    folder = FILENAME
+    sub(/\/[^\/]*$/, "", folder)
+    print folder " needs " $2 ", which is left out: leave out both" >"/dev/stderr"
+    failed = 1
+}
 NF == 0 || $1 == "needs" { next }
 { split($1, word, ":"); $1 = word[1] }
 !($1 in n) { kinds[++n_kinds] = $1; n[$1] = 0; type[$1] = word[2] }

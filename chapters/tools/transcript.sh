@@ -7,7 +7,8 @@
 # the top folder, where `winnow` is the one that was built. What they print goes
 # up to the next command or the next "## part"; lines "## part" that a command
 # prints itself belong to its output. check compares instead, numbers to 1e-6 of
-# their size, because two processors may differ in the last digits.
+# their size, because two processors may differ in the last digits. A file stays as
+# it was if a command that printed something prints nothing now.
 #
 # A file that begins with "# slow" is compared only if it is the only one. Its
 # first line keeps the revision it was made at and the processor time that it
@@ -81,6 +82,16 @@ same() {
             }
     }
     END { exit different || (getline line < old) > 0 }' "$2"
+}
+
+# The commands that printed something in the old file and print nothing in the new.
+silent() { # old new
+    awk '
+    /^\$ / { command = substr($0, 3); if (NR != FNR) asked[command] = 1; next }
+    /^#/ || /^$/ { next }
+    NR == FNR { had[command] = 1; next }
+    { has[command] = 1 }
+    END { for (c in asked) if (c in had && !(c in has)) print c }' "$1" "$2"
 }
 
 slow() { head -1 "$1" | grep -q '^# slow'; }
@@ -264,6 +275,12 @@ for file in "$@"; do
     before=$seconds
     replay "$file" >"$new"
     count_seconds
+    lost=$(silent "$file" "$new")
+    if [ $mode != check ] && [ -n "$lost" ]; then
+        echo "$file stays as it was, because this prints nothing any more: $lost" >&2
+        failed=1
+        continue
+    fi
     [ $mode = check ] || ! slow "$file" || stamp "$file" "$new" $((seconds - before))
     if same "$file" "$new"; then
         :
