@@ -20,7 +20,7 @@ int *alloc_ints(int n);
  * `used` ones of `old`, which is freed; the others are zero. */
 void *alloc_grown(void *old, int used, int n, size_t size);
 
-/* The most memory that this program has had so far [byte]. */
+/* The largest memory that this program has used so far [byte]. */
 double alloc_peak(void);
 
 #endif

@@ -27,14 +27,14 @@ static char *joined(const char *a, const char *b, const char *c)
     return s;
 }
 
-static int complaint(const char *what, const char *path, int reason)
+static int report_failure(const char *what, const char *path, int reason)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path,
             reason ? strerror(reason) : "a write failed");
     return 1;
 }
 
-static void forget(struct file *f)
+static void release(struct file *f)
 {
     free(f->path);
     free(f->partial);
@@ -60,7 +60,7 @@ static int failure(FILE *stream)
 
 /* Opens a new file: neither an existing one nor the target of a link of that
  * name. */
-static FILE *opened_anew(const char *path)
+static FILE *open_new(const char *path)
 {
     unlink(path);
     const int file =
@@ -68,8 +68,8 @@ static FILE *opened_anew(const char *path)
     return file < 0 ? NULL : fdopen(file, "wb");
 }
 
-/* 1 if PATH.partial is still this file. A program that began to write the same
- * path later has replaced it and will rename its own. */
+/* Whose file PATH.partial is: another program that began to write the same path
+ * later has replaced ours, and will rename its own. */
 enum owner { NOBODY, ANOTHER, OURS };
 
 static enum owner owner_of(const struct file *f)
@@ -88,10 +88,10 @@ struct file *file_create(const char *path)
 
     f->path = joined(path, "", "");
     f->partial = joined(path, ".partial", "");
-    f->stream = opened_anew(f->partial);
+    f->stream = open_new(f->partial);
     if (f->stream == NULL) {
-        complaint("write", f->partial, errno);
-        forget(f);
+        report_failure("write", f->partial, errno);
+        release(f);
         return NULL;
     }
     return f;
@@ -114,10 +114,10 @@ int file_commit(struct file *f)
     if (reason == 0 && owner == OURS && rename(f->partial, f->path) != 0)
         reason = errno;
     if (reason != 0) {
-        complaint("write", f->path, reason);
+        report_failure("write", f->path, reason);
         if (owner == OURS) remove(f->partial);
     }
-    forget(f);
+    release(f);
     return reason != 0;
 }
 
@@ -126,7 +126,7 @@ void file_discard(struct file *f)
     if (f == NULL) return;
     if (owner_of(f) == OURS) remove(f->partial);
     fclose(f->stream);
-    forget(f);
+    release(f);
 }
 
 void file_remove_part(const char *path)
@@ -154,10 +154,11 @@ int file_make_dirs(const char *path)
 
         if (kept != '/' && kept != '\0') continue;
         *end = '\0';
-        if (mkdir(part, 0777) != 0 && !is_folder(part)) reason = errno;
+        const int failed = mkdir(part, 0777) != 0 ? errno : 0;
+        if (failed && !is_folder(part)) reason = failed;
         *end = kept;
     }
-    if (reason != 0) complaint("make the folder", path, reason);
+    if (reason != 0) report_failure("make the folder", path, reason);
     free(part);
     return reason != 0;
 }

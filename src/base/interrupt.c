@@ -7,8 +7,8 @@
 #include <time.h>
 #include <unistd.h>
 
-static const int asking[] = {SIGINT, SIGTERM, SIGHUP};
-enum { ASKING = sizeof asking / sizeof asking[0] };
+static const int ending[] = {SIGINT, SIGTERM, SIGHUP};
+enum { N_ENDING = sizeof ending / sizeof ending[0] };
 
 /* A blocked signal waits even where it is ignored. A shell makes its background
  * jobs ignore SIGINT, but a SIGINT that is sent to a process by its number is
@@ -24,8 +24,8 @@ static int is_wanted(int number)
 static void set_of(sigset_t *set)
 {
     sigemptyset(set);
-    for (int i = 0; i < ASKING; i++)
-        if (is_wanted(asking[i])) sigaddset(set, asking[i]);
+    for (int i = 0; i < N_ENDING; i++)
+        if (is_wanted(ending[i])) sigaddset(set, ending[i]);
 }
 
 void interrupt_hold(void)
@@ -45,12 +45,12 @@ int interrupt_arrived(void)
 
     sigemptyset(&waiting);
     sigpending(&waiting);
-    for (int i = 0; i < ASKING; i++)
-        arrived |= sigismember(&waiting, asking[i]) == 1;
+    for (int i = 0; i < N_ENDING; i++)
+        arrived |= sigismember(&waiting, ending[i]) == 1;
     return arrived;
 }
 
-int interrupt_asks_to_save(void)
+int interrupt_save_requested(void)
 {
     const struct timespec at_once = {0, 0};
     sigset_t set;
@@ -60,7 +60,7 @@ int interrupt_asks_to_save(void)
     return sigtimedwait(&set, NULL, &at_once) > 0;
 }
 
-void interrupt_take(void)
+void interrupt_discard(void)
 {
     const struct timespec at_once = {0, 0};
     sigset_t set;
@@ -82,23 +82,23 @@ static void *wait_for_one(void *watch)
     while (sigwait(&set, &number) != 0)
         ;
     pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before);
-    if (w->last != NULL) w->last(w->of);
+    if (w->clean_up != NULL) w->clean_up(w->data);
     fputs("winnow: interrupted before the run began\n", stderr);
     _exit(INTERRUPT_CODE);
 }
 
-void interrupt_watch_begin(struct interrupt_watch *w, void (*last)(void *of),
-                           void *of)
+void interrupt_watch_begin(struct interrupt_watch *w,
+                           void (*clean_up)(void *data), void *data)
 {
-    w->last = last;
-    w->of = of;
-    w->on = pthread_create(&w->thread, NULL, wait_for_one, w) == 0;
+    w->clean_up = clean_up;
+    w->data = data;
+    w->is_running = pthread_create(&w->thread, NULL, wait_for_one, w) == 0;
 }
 
 void interrupt_watch_end(struct interrupt_watch *w)
 {
-    if (!w->on) return;
+    if (!w->is_running) return;
     pthread_cancel(w->thread);
     pthread_join(w->thread, NULL);
-    w->on = 0;
+    w->is_running = 0;
 }

@@ -24,24 +24,25 @@ int interrupt_arrived(void);
 
 /* 1 if SIGUSR1 has arrived since the last call: the state is to be saved, and
  * the run goes on. */
-int interrupt_asks_to_save(void);
+int interrupt_save_requested(void);
 
 /* Discards the signals that have arrived; only later ones count. */
-void interrupt_take(void);
+void interrupt_discard(void);
 
 /* The state of the waiting thread. */
 struct interrupt_watch {
     pthread_t thread;
-    int on;                 /* [-] 1: the thread is there */
-    void (*last)(void *of); /* called before the end; NULL: nothing is */
-    void *of;               /* borrowed */
+    int is_running;               /* [-] 1: the thread exists */
+    void (*clean_up)(void *data); /* called before the program ends; or NULL */
+    void *data;                   /* of clean_up; borrowed */
 };
 
 /* From here to interrupt_watch_end a signal, also one that has arrived before,
- * ends the program: last(of), one line on stderr, INTERRUPT_CODE. Where no
- * thread can be started the signals stay held back. */
-void interrupt_watch_begin(struct interrupt_watch *w, void (*last)(void *of),
-                           void *of);
+ * ends the program: it calls clean_up(data), prints one line on stderr and
+ * exits with INTERRUPT_CODE. Where no thread can be started the signals stay
+ * held back. */
+void interrupt_watch_begin(struct interrupt_watch *w,
+                           void (*clean_up)(void *data), void *data);
 void interrupt_watch_end(struct interrupt_watch *w);
 
 #endif

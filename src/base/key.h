@@ -27,10 +27,11 @@ enum key_type {
     KEY_PATCH   /* one of the words in allowed, or a group with one key */
 };
 
-/* fallback of a key that may be left out and then has no value, and of one that
- * must be given where a model is chosen that has the row in its tables. */
+/* The fallback of a key that may be left out, and then has no value; and that
+ * of a key that must be given where a chosen model has the row in its tables.
+ */
 #define KEY_OPTIONAL ""
-#define KEY_ASKED "?"
+#define KEY_MODEL_REQUIRED "?"
 /* A default: the first of the models that the key chooses between. */
 #define KEY_FIRST "<first>"
 
@@ -45,16 +46,22 @@ struct key {
     const char *path; /* "fluid.density"; <patch> stands for any side of
                          the box; keys of a list's groups follow its name */
     enum key_type type;
-    const char *unit;     /* "kg/m^3"; "-" for a pure number, "" for words */
-    const char *allowed;  /* conditions and words, "> 0, <= 1" or "a | b" or
-                             "auto | >= 1"; "" for no condition, and where the
-                             words are the names of a kind of models */
-    const char *fallback; /* default as a case would write it; KEY_OPTIONAL;
-                             KEY_ASKED; NULL where the key is required */
-    const char *what;     /* what it means, in one phrase */
-    const char *source;   /* equation or table it stands in, "" if none */
-    const char *needs;    /* groups that must be there too, "fluid particles";
-                             "" if none */
+    const char *unit;    /* "kg/m^3"; "-" for a pure number, "" for words */
+    const char *allowed; /* conditions and words, "> 0, <= 1" or "a | b" or
+                            "auto | >= 1"; "" for no condition, and where the
+                            words are the names of a kind of models */
+    const char
+        *fallback;      /* default as a case would write it; KEY_OPTIONAL;
+                           KEY_MODEL_REQUIRED; NULL where the key is required */
+    const char *what;   /* what it means, in one phrase */
+    const char *source; /* equation or table it stands in, "" if none */
+    const char *needs;  /* groups that must be there too, "fluid particles";
+                           "" if none */
 };
+
+/* This stands in the path of a row for the name of any side or patch.
+ * key_matches: 1 if the row is that of the path. */
+#define KEY_ANY_PATCH "<patch>"
+int key_matches(const char *row, const char *path);
 
 #endif

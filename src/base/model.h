@@ -1,10 +1,10 @@
 /* model.h -- the description of a model, for cases and their readers.
  *
  * A model that a case chooses by name has one descriptor. Its first members are
- * those of struct model; then follow its functions and numbers, as in struct
- * drag_law. A kind whose models differ by a constant of an enumeration has
- * nothing more, and its descriptors are of this type. The allowed words of a
- * key, `winnow list`, `explain` and `check` are made from the descriptors.
+ * MODEL_MEMBERS; then follow its functions and numbers, as in struct drag_law.
+ * A kind whose models differ by a constant of an enumeration has nothing more,
+ * and its descriptors are of the type struct model. The allowed words of a key,
+ * `winnow list`, `explain` and `check` are made from the descriptors.
  */
 #ifndef BASE_MODEL_H
 #define BASE_MODEL_H
@@ -13,13 +13,16 @@
 
 #include "base/key.h"
 
+#define MODEL_MEMBERS                                                          \
+    const char *name;      /* as a case spells it */                           \
+    const char *what;      /* one line */                                      \
+    const char *equations; /* keys in chapters/references.md; "" if none */    \
+    const char *function;  /* the one that computes it */                      \
+    const struct key *keys[KEY_TABLES] /* tables of the keys it reads */
+
 struct model {
-    const char *name;      /* as a case spells it */
-    const char *what;      /* one line */
-    const char *equations; /* keys in chapters/references.md; "" if none */
-    const char *function;  /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
-    int value;                          /* of the enumeration */
+    MODEL_MEMBERS;
+    int value; /* of the enumeration */
 };
 
 /* The definition of a function that finds a model of a kind by its name, or

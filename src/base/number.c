@@ -59,9 +59,9 @@ int number_int(double x, int *n)
 
 int number_long(double x, long *n)
 {
-    const double most = 9007199254740992.0; /* 2^53 */
+    const double max = 9007199254740992.0; /* 2^53 */
 
-    if (!(x >= -most && x <= most)) return 1;
+    if (!(x >= -max && x <= max)) return 1;
     *n = (long)x;
     return 0;
 }

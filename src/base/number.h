@@ -15,7 +15,7 @@ enum { NUMBER_LENGTH = 32 };
  * The shortest of 15, 16 and 17 digits that reads back to the same bits. */
 const char *number_text(double x, char text[NUMBER_LENGTH]);
 
-/* The same with at most so many digits, 1 to 17. */
+/* The same with at most this number of digits, 1 to 17. */
 const char *number_rounded(double x, int digits, char text[NUMBER_LENGTH]);
 
 /* The whole number that x is, once the caller has rounded it: 0. Non-zero, and
@@ -25,8 +25,8 @@ const char *number_rounded(double x, int digits, char text[NUMBER_LENGTH]);
 int number_int(double x, int *n);
 int number_long(double x, long *n);
 
-/* 1 if x is a coordinate: of no more than 1e12 m, so that its powers are
- * numbers, too. A length is not below 1e-12 m besides. */
+/* 1 if x is a coordinate: at most 1e12 m, so that its powers are finite, too. A
+ * length is at least 1e-12 m as well. */
 static inline int number_is_coordinate(double x)
 {
     return x >= -1e12 && x <= 1e12;
@@ -37,13 +37,13 @@ static inline int number_is_length(double x)
     return x >= 1e-12 && x <= 1e12;
 }
 
-/* x without its fraction, but clamped to least .. most; least if x is not a
+/* x without its fraction, but clamped to min .. max; min if x is not a
  * number. For values that leave the range by rounding alone, and for values for
  * which the end of the range serves as well. */
-static inline int number_clamped(double x, int least, int most)
+static inline int number_clamped(double x, int min, int max)
 {
-    if (!(x > least)) return least;
-    return x < most ? (int)x : most;
+    if (!(x > min)) return min;
+    return x < max ? (int)x : max;
 }
 
 #endif

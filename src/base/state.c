@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 
-enum { STATE_SEVERAL = 32 };
+enum { STATE_MAX_SEVERAL = 32 };
 
 void state_begin(struct state *s, const char *part)
 {
@@ -55,7 +55,7 @@ void state_wholes(struct state *s, const char *name, const char *unit, int *x,
     visit(s, name, (struct state_array){NULL, unit, STATE_WHOLE, x, n, width});
 }
 
-/* Through a copy in which the members lie side by side. */
+/* Visits a copy in which the members lie side by side. */
 static void visit_members(struct state *s, const char *name,
                           struct state_array a, size_t row, size_t stride)
 {
@@ -104,9 +104,9 @@ void state_long(struct state *s, const char *name, const char *unit, long *x)
 void state_several(struct state *s, const char *name, const char *unit,
                    double *const x[], int n)
 {
-    double all[STATE_SEVERAL];
+    double all[STATE_MAX_SEVERAL];
 
-    assert(n <= STATE_SEVERAL);
+    assert(n <= STATE_MAX_SEVERAL);
     for (int k = 0; k < n; k++)
         all[k] = *x[k];
     state_reals(s, name, unit, all, n, 1);
@@ -114,15 +114,15 @@ void state_several(struct state *s, const char *name, const char *unit,
         *x[k] = all[k];
 }
 
-void state_count(struct state *s, const char *name, int *n, int most)
+void state_count(struct state *s, const char *name, int *n, int max)
 {
     int now = *n;
 
     state_whole(s, name, "-", &now);
-    if (!s->failed && (now < 0 || now > most)) {
+    if (!s->failed && (now < 0 || now > max)) {
         fprintf(stderr,
                 "winnow: the state has %s/%s = %d; expected at most %d\n",
-                s->path, name, now, most);
+                s->path, name, now, max);
         s->failed = 1;
     }
     if (!s->failed) *n = now;

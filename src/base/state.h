@@ -43,7 +43,7 @@ struct state {
     char path[STATE_PATH]; /* of the part at hand */
 };
 
-/* The parts stand in each other; the names within one are distinct. */
+/* Parts are nested; the names within one are distinct. */
 void state_begin(struct state *s, const char *part);
 void state_begin_number(struct state *s, const char *part, int number);
 void state_end(struct state *s);
@@ -72,7 +72,7 @@ void state_long(struct state *s, const char *name, const char *unit, long *x);
 void state_several(struct state *s, const char *name, const char *unit,
                    double *const x[], int n);
 
-/* A whole number from 0 to `most`, of which another one is refused. */
-void state_count(struct state *s, const char *name, int *n, int most);
+/* A whole number from 0 to `max`; a saved one beyond it is refused. */
+void state_count(struct state *s, const char *name, int *n, int max);
 
 #endif

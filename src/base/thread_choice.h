@@ -4,7 +4,7 @@
 #define BASE_THREAD_CHOICE_H
 
 struct thread_choice {
-    void *(*create)(void); /* what the others get, before the first step */
+    void *(*create)(void); /* its state, before the first step */
     void (*before_step)(void *choice);
     void (*after_step)(void *choice);
     void (*free)(void *choice); /* after the last step */
@@ -13,7 +13,7 @@ struct thread_choice {
 /* Ended by NULL: there is one, or none. */
 extern const struct thread_choice *const thread_choices[];
 
-/* What the first one creates; NULL without one. */
+/* The state that the first one creates; NULL without one. */
 static inline void *thread_choice_create(void)
 {
     return thread_choices[0] != 0 ? thread_choices[0]->create() : 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/vector.h"
 
-/* Where A_jk is stored: xx, xy, xz, yy, yz, zz. */
+/* The index of A_jk in the order xx, xy, xz, yy, yz, zz. */
 static int place(int j, int k)
 {
     static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};

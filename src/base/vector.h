@@ -14,7 +14,7 @@ static inline double vector_length(const double a[3])
     return sqrt(vector_dot(a, a));
 }
 
-/* c = a x b; c is none of the two. */
+/* c = a x b; c is another array than a and b. */
 static inline void vector_cross(const double a[3], const double b[3],
                                 double c[3])
 {

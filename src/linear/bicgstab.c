@@ -45,30 +45,23 @@ struct products {
 struct bicgstab_work *bicgstab_work_create(int n)
 {
     struct bicgstab_work *const w = alloc_zeroed(1, sizeof *w);
+    double **const all[] = {&w->r, &w->shadow, &w->p, &w->ph,
+                            &w->v, &w->sh,     &w->t, &w->inverse};
 
     w->n = n;
-    w->r = alloc_doubles(3 * n);
-    w->shadow = alloc_doubles(3 * n);
-    w->p = alloc_doubles(3 * n);
-    w->ph = alloc_doubles(3 * n);
-    w->v = alloc_doubles(3 * n);
-    w->sh = alloc_doubles(3 * n);
-    w->t = alloc_doubles(3 * n);
-    w->inverse = alloc_doubles(3 * n);
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        *all[i] = alloc_doubles(3 * n);
     return w;
 }
 
 void bicgstab_work_free(struct bicgstab_work *w)
 {
     if (w == NULL) return;
-    free(w->r);
-    free(w->shadow);
-    free(w->p);
-    free(w->ph);
-    free(w->v);
-    free(w->sh);
-    free(w->t);
-    free(w->inverse);
+    double *const all[] = {w->r, w->shadow, w->p, w->ph,
+                           w->v, w->sh,     w->t, w->inverse};
+
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        free(all[i]);
     free(w);
 }
 

@@ -78,7 +78,7 @@
     } while (0)
 /* clang-format on */
 
-/* What leaves a cell through a face, for SUM_OVER_FACES: the unit of phi. */
+/* The flux out of a cell through a face, for SUM_OVER_FACES; unit of phi. */
 FACE_SUM_KERNEL face_loops_outflow(int f, double out, const double *phi)
 {
     return out * phi[f];

@@ -38,8 +38,8 @@ struct face_pieces {
     void (*free)(struct face_pieces *r);
 };
 
-/* A way to find the pieces: create returns NULL if there are none that are
- * worth it. All ways, ended by NULL. */
+/* A way to find the pieces: create returns NULL if the pieces are too short to
+ * be of use. All ways, ended by NULL. */
 struct faces_order {
     const char *name;
     struct face_pieces *(*create)(int n_inner, int n, const int *owner,

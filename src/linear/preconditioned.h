@@ -35,8 +35,8 @@ struct preconditioned {
     void *matrix;
 };
 
-/* What folders add, ended by NULL; and the plain kind, whose matrix is a struct
- * csr (csr.h). */
+/* The kinds that folders add, ended by NULL; and the plain kind, whose matrix
+ * is a struct csr (csr.h). */
 extern const struct preconditioned_kind *const preconditioned_kinds[];
 extern const struct preconditioned_kind preconditioned_jacobi;
 

@@ -87,9 +87,9 @@ static void inner_face(struct mesh *m, int f, int k, const int at[3])
     m->w[f] = h1 / (h0 + h1);
 }
 
-/* Sets the inner faces across direction k, or (round) the periodic ones,
- * numbered from f on; returns the next number. */
-static int faces_across(struct mesh *m, int f, int k, int round)
+/* Sets the inner faces across direction k, those between neighbours or those
+ * across the period, numbered from f on; returns the next number. */
+static int faces_across(struct mesh *m, int f, int k, int periodic)
 {
     const struct box *const b = &m->box;
     int at[3];
@@ -97,7 +97,7 @@ static int faces_across(struct mesh *m, int f, int k, int round)
     for (at[2] = 0; at[2] < b->n[2]; at[2]++)
         for (at[1] = 0; at[1] < b->n[1]; at[1]++)
             for (at[0] = 0; at[0] < b->n[0]; at[0]++) {
-                if ((at[k] == b->n[k] - 1) != round) continue;
+                if ((at[k] == b->n[k] - 1) != periodic) continue;
                 inner_face(m, f++, k, at);
             }
     return f;
@@ -172,17 +172,6 @@ static void count_faces(struct mesh *m)
         }
 }
 
-double mesh_box_faces(const struct box_spec *spec)
-{
-    const int *const n = spec->cells;
-    const double cells = (double)n[0] * n[1] * n[2];
-    double faces = 0.0;
-
-    for (int k = 0; k < 3; k++)
-        faces += cells / n[k] * (n[k] + 1.0);
-    return faces;
-}
-
 struct mesh *mesh_outline_box(const struct box_spec *spec)
 {
     struct mesh *const m = alloc_zeroed(1, sizeof *m);
@@ -203,7 +192,7 @@ struct mesh *mesh_create_box(const struct box_spec *spec)
 {
     struct mesh *const m = mesh_outline_box(spec);
 
-    assert(mesh_box_faces(spec) <= MESH_MOST_FACES);
+    assert(m->n_faces <= MESH_MOST_FACES);
     mesh_allocate(m);
     place_cells(m);
     inner_faces(m);

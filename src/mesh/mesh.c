@@ -59,8 +59,8 @@ double mesh_period(const struct mesh *m, int k)
         return b->periodic[k] ? b->edge[k][b->n[k]] - b->edge[k][0] : 0.0;
     for (int i = 0; i < m->n_periods; i++) {
         const double *const P = m->period[i];
-        const double rest = fabs(P[(k + 1) % 3]) + fabs(P[(k + 2) % 3]);
-        if (rest <= 1e-9 * fabs(P[k])) return fabs(P[k]);
+        const double across = fabs(P[(k + 1) % 3]) + fabs(P[(k + 2) % 3]);
+        if (across <= 1e-9 * fabs(P[k])) return fabs(P[k]);
     }
     return 0.0;
 }
@@ -71,8 +71,8 @@ double mesh_period(const struct mesh *m, int k)
 static int interval_at(const double *edge, int n, double x)
 {
     if (!(x >= edge[0] && x <= edge[n])) return -1;
-    const double share = (x - edge[0]) / (edge[n] - edge[0]);
-    int i = number_clamped(share * n, 0, n - 1);
+    const double fraction = (x - edge[0]) / (edge[n] - edge[0]);
+    int i = number_clamped(fraction * n, 0, n - 1);
 
     while (i > 0 && x < edge[i])
         i--;
@@ -142,9 +142,9 @@ void mesh_allocate(struct mesh *m)
 /* 1 if a component of a is larger than `part` times the length of b. */
 static int larger(const double a[3], double part, const double b[3])
 {
-    const double most = part * part * vector_dot(b, b);
+    const double limit = part * part * vector_dot(b, b);
 
-    return a[0] * a[0] > most || a[1] * a[1] > most || a[2] * a[2] > most;
+    return a[0] * a[0] > limit || a[1] * a[1] > limit || a[2] * a[2] > limit;
 }
 
 void mesh_collect_faces(struct mesh *m)
@@ -204,27 +204,4 @@ int mesh_misses_middle(const struct mesh *m, int f, double off[3])
 {
     mesh_off_middle(m, f, off);
     return larger(off, 1e-6, &m->d[3 * f]);
-}
-
-int mesh_dimensions(const struct mesh *m)
-{
-    return (m->box.n[0] > 1) + (m->box.n[1] > 1) + (m->box.n[2] > 1);
-}
-
-double mesh_openness(const struct mesh *m)
-{
-    double worst = 0.0;
-
-    for (int c = 0; c < m->n_cells; c++) {
-        double sum[3] = {0.0, 0.0, 0.0}, surface = 0.0;
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const double *const S = &m->S[3 * m->cell_face[a]];
-            for (int k = 0; k < 3; k++)
-                sum[k] += m->out[a] * S[k];
-            surface += vector_length(S);
-        }
-        const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
-        if (surface > 0.0) worst = fmax(worst, open / surface);
-    }
-    return worst;
 }

@@ -100,16 +100,13 @@ struct box_spec {
     int periodic[3];
 };
 
+/* It must have no more than MESH_MOST_FACES faces. */
 struct mesh *mesh_create_box(const struct box_spec *spec);
 
 /* The outline of such a box without the arrays of cells and faces: their
  * numbers, the edges, the patches. It takes no time for any number of cells,
  * and is all that the checks before a run need. */
 struct mesh *mesh_outline_box(const struct box_spec *spec);
-
-/* An upper bound of the number of faces of such a box, which must not exceed
- * MESH_MOST_FACES [-]. */
-double mesh_box_faces(const struct box_spec *spec);
 
 void mesh_free(struct mesh *m);
 
@@ -125,16 +122,6 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z);
  * a period if need be [m]; the vector is not set if the point is outside. */
 int mesh_cell_and_offset(const struct mesh *m, const double x[3],
                          double offset[3]);
-
-/* The volumes of the smallest and of the largest cell, and the mean of all
- * [m^3]; of an outline, too. */
-void mesh_volumes(const struct mesh *m, double *least, double *most,
-                  double *mean);
-
-/* The largest sum of S.S / S.d over the inner faces of a cell, over its volume,
- * also of an outline [1/m^2]: the rate at which a diffusion with D = 1 m^2/s
- * decays [1/s]. */
-double mesh_diffusion_rate(const struct mesh *m);
 
 /* Names of the patches of a box: left right bottom top back front. */
 extern const char *const mesh_sides[6];
@@ -165,12 +152,5 @@ void mesh_off_middle(const struct mesh *m, int f, double off[3]);
 
 /* The same, and whether it is more than 1e-6 of the link [-]. */
 int mesh_misses_middle(const struct mesh *m, int f, double off[3]);
-
-/* The directions with more than one cell: 1, 2 or 3 (0 for a single cell). */
-int mesh_dimensions(const struct mesh *m);
-
-/* Largest |sum of S| over the faces of a cell, over its surface [-]: 0 for a
- * closed mesh up to rounding. */
-double mesh_openness(const struct mesh *m);
 
 #endif

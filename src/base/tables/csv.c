@@ -21,19 +21,20 @@ static const char *skip_gap(const char *at)
     return at;
 }
 
-/* The name at `at`, which ends before a unit in brackets; returns what follows
- * both. */
+/* The name at `at`, which ends before a unit or a remark in brackets; returns
+ * what follows them. */
 static const char *read_name(const char *at, char name[CSV_NAME])
 {
     int n = 0;
 
-    for (; *at != '\0' && *at != '[' && !is_gap(*at); at++)
+    for (; *at != '\0' && *at != '[' && *at != '(' && !is_gap(*at); at++)
         if (*at != '"' && n < CSV_NAME - 1) name[n++] = *at;
     name[n] = '\0';
-    while (*at == ' ')
-        at++;
-    if (*at == '[') at += strcspn(at, "]");
-    return *at == ']' ? at + 1 + (at[1] == '"') : at;
+    while (*at == ' ' || *at == '[' || *at == '(') {
+        if (*at != ' ') at += strcspn(at, *at == '[' ? "]" : ")");
+        at += *at != '\0';
+    }
+    return at + (*at == '"');
 }
 
 static int read_names(struct csv *t, const char *line, char wrong[CSV_WRONG])

@@ -13,17 +13,13 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "mesh/poly/locate.h"
 #include "mesh/poly/poly_order.h"
 #include "mesh/poly/poly_raw.h"
 
 /* --- the mesh --------------------------------------------------------------
  */
-
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static const struct poly_part *partner(const struct poly_raw *r,
                                        const struct poly_part *part)
@@ -86,7 +82,7 @@ static int find_periods(struct mesh *m, struct poly_raw *r, const char *dir)
                     fabs(r->middle[3 * far + k] - r->middle[3 * f + k] - P[k]);
                 area += fabs(r->area[3 * far + k] + r->area[3 * f + k]);
             }
-            const double size = sqrt(dot(&r->area[3 * f], &r->area[3 * f]));
+            const double size = vector_length(&r->area[3 * f]);
             worst = fmax(worst, fmax(off / sqrt(size), area / size));
         }
         part->periodic_index = worst < 1e-4 ? periodic_index_of(m, P) : 0;
@@ -119,7 +115,8 @@ static void set_inner(struct mesh *m, const struct poly_raw *r, int to, int f,
         d[k] = here[k] + there[k];
     }
     const double *const S = &r->area[3 * f];
-    const double first = fabs(dot(S, here)), second = fabs(dot(S, there));
+    const double first = fabs(vector_dot(S, here)),
+                 second = fabs(vector_dot(S, there));
     const double w = second / (first + second);
 
     m->owner[to] = r->number[turned ? b : a];
@@ -243,7 +240,7 @@ static void set_cells(struct mesh *m, const struct poly_raw *r)
     }
 }
 
-static void find_periodic_patches(struct mesh *m, const struct poly_raw *r)
+static void set_bounds(struct mesh *m, const struct poly_raw *r)
 {
     for (int k = 0; k < 3; k++) {
         m->lo[k] = m->hi[k] = r->point[k];
@@ -273,7 +270,7 @@ static void build(struct mesh *m, struct poly_raw *r)
     if (m->n_periods > 0) m->periodic_index = alloc_ints(m->n_internal);
     set_cells(m, r);
     set_inner_faces(m, r);
-    find_periodic_patches(m, r);
+    set_bounds(m, r);
     const double warp = poly_raw_warp(r);
     m->shape = poly_shape_create(r);
     set_patches(m, r);

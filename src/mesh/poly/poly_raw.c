@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "mesh/poly/poly_file.h"
 
 void poly_raw_release(struct poly_raw *r)
@@ -207,18 +208,6 @@ int poly_raw_read(struct poly_raw *r, const char *dir)
 
 /* --- geometry ------------------------------------------------------------ */
 
-static void cross(const double *a, const double *b, double *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* A face is divided into triangles about the mean of its corners. The sum of
  * their areas is its area, and the mean of their middles, weighted by area, is
  * its middle. */
@@ -238,8 +227,8 @@ static void measure_face(struct poly_raw *r, int f)
         const double u[3] = {a[0] - mean[0], a[1] - mean[1], a[2] - mean[2]};
         const double v[3] = {b[0] - mean[0], b[1] - mean[1], b[2] - mean[2]};
         double c[3];
-        cross(u, v, c);
-        const double size = sqrt(dot(c, c));
+        vector_cross(u, v, c);
+        const double size = vector_length(c);
         sum += size;
         for (int k = 0; k < 3; k++) {
             S[k] += 0.5 * c[k];
@@ -272,7 +261,7 @@ static void measure_cells(struct poly_raw *r)
             const double *const x = &r->middle[3 * f], *const o = &mean[3 * c];
             const double h[3] = {x[0] - o[0], x[1] - o[1], x[2] - o[2]};
             const double V =
-                (side == 0 ? 1.0 : -1.0) * dot(&r->area[3 * f], h) / 3.0;
+                (side == 0 ? 1.0 : -1.0) * vector_dot(&r->area[3 * f], h) / 3.0;
             r->V[c] += V;
             for (int k = 0; k < 3; k++)
                 r->centre[3 * c + k] += V * (0.75 * x[k] + 0.25 * o[k]);
@@ -295,11 +284,11 @@ static int least_closed(const struct poly_raw *r, double *worst)
             const double *const S = &r->area[3 * f];
             for (int k = 0; k < 3; k++)
                 sum[4 * c + k] += side == 0 ? S[k] : -S[k];
-            sum[4 * c + 3] += sqrt(dot(S, S));
+            sum[4 * c + 3] += vector_length(S);
         }
     *worst = 0.0;
     for (int c = 0; c < r->n_cells; c++) {
-        const double open = sqrt(dot(&sum[4 * c], &sum[4 * c]));
+        const double open = vector_length(&sum[4 * c]);
         if (open <= *worst * sum[4 * c + 3]) continue;
         *worst = open / sum[4 * c + 3];
         which = c;
@@ -319,7 +308,7 @@ static int wrong_face(const struct poly_raw *r, const char *dir)
                     dir, f, r->owner[f]);
             return 1;
         }
-        if (dot(S, S) > 0.0) continue;
+        if (vector_dot(S, S) > 0.0) continue;
         fprintf(stderr, "winnow: %s/faces: face %d has no area\n", dir, f);
         return 1;
     }
@@ -358,7 +347,7 @@ static int wrong_link(const struct poly_raw *r, const char *dir)
         const double *const a = &r->centre[3 * r->owner[f]];
         const double *const b = &r->centre[3 * r->neighbour[f]];
         const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        if (dot(d, &r->area[3 * f]) > 0.0) continue;
+        if (vector_dot(d, &r->area[3 * f]) > 0.0) continue;
         fprintf(stderr,
                 "winnow: %s/faces: face %d: the centres of the cells %d and "
                 "%d beside it do not lie on its two sides; such a mesh is too "
@@ -388,11 +377,11 @@ double poly_raw_warp(const struct poly_raw *r)
 
     for (int f = 0; f < r->n_faces; f++) {
         const double *const S = &r->area[3 * f], *const x = &r->middle[3 * f];
-        const double size = sqrt(dot(S, S));
+        const double size = vector_length(S);
         for (int i = r->start[f]; i < r->start[f + 1]; i++) {
             const double *const p = &r->point[3 * r->corner[i]];
             const double d[3] = {p[0] - x[0], p[1] - x[1], p[2] - x[2]};
-            most = fmax(most, fabs(dot(d, S)) / size);
+            most = fmax(most, fabs(vector_dot(d, S)) / size);
         }
     }
     return most;

@@ -5,22 +5,18 @@
 #include <math.h>
 #include <stddef.h>
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+#include "base/vector.h"
+#include "mesh/geometry/measures.h"
 
 /* The link leads from the owner's centre to the neighbour's and crosses the
  * plane of the face at the fraction 1 - w of its length. */
 static double skewness(const struct mesh *m, int f)
 {
     const double *const d = &m->d[3 * f];
-    const double *const from = &m->centre[3 * m->owner[f]];
     double off[3];
 
-    for (int k = 0; k < 3; k++)
-        off[k] = m->face_centre[3 * f + k] - from[k] - (1.0 - m->w[f]) * d[k];
-    return sqrt(dot(off, off) / dot(d, d));
+    mesh_off_middle(m, f, off);
+    return sqrt(vector_dot(off, off) / vector_dot(d, d));
 }
 
 /* The largest distance of a cell's centre from the middle of a face over the
@@ -33,7 +29,7 @@ static double aspect(const struct mesh *m, int c)
         const int f = m->cell_face[a];
         const double *const d = &m->d[3 * f];
         const double own = m->out[a] > 0.0 ? 1.0 - m->w[f] : m->w[f];
-        const double way = own * sqrt(dot(d, d));
+        const double way = own * vector_length(d);
         least = fmin(least, way);
         most = fmax(most, way);
     }
@@ -66,7 +62,8 @@ struct mesh_quality mesh_quality(const struct mesh *m)
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
         const int c = m->owner[f];
-        const double cosine = dot(S, d) / sqrt(dot(S, S) * dot(d, d));
+        const double cosine =
+            vector_dot(S, d) / sqrt(vector_dot(S, S) * vector_dot(d, d));
         const double ratio = m->V[c] / m->V[m->neighbour[f]];
         update_max(acos(fmin(1.0, cosine)) * 180.0 / M_PI, c, &q.non_orthogonal,
                    &q.n_non_orthogonal);
@@ -109,8 +106,8 @@ double mesh_longest_cell(const struct mesh *m, int *cell)
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const double *const d = &m->d[3 * m->cell_face[a]];
             if (m->cell_face[a] >= m->n_internal) continue;
-            least = fmin(least, sqrt(dot(d, d)));
-            length = fmax(length, sqrt(dot(d, d)));
+            least = fmin(least, vector_length(d));
+            length = fmax(length, vector_length(d));
         }
         update_max(length / least, c, &most, cell);
     }

@@ -1,19 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* measures.c -- the volumes of the cells of a mesh, and the rate at which a
- * diffusion on it decays. */
-#include "mesh/mesh.h"
+#include "mesh/geometry/measures.h"
 
 #include <math.h>
 #include <stddef.h>
 
 #include "base/vector.h"
 
+double mesh_box_faces(const struct box_spec *spec)
+{
+    const int *const n = spec->cells;
+    const double cells = (double)n[0] * n[1] * n[2];
+    double faces = 0.0;
+
+    for (int k = 0; k < 3; k++)
+        faces += cells / n[k] * (n[k] + 1.0);
+    return faces;
+}
+
 /* The smallest cell of a box is where the narrowest slabs of the three
  * directions cross, the largest where the widest do. */
-static void box_volumes(const struct box *b, double *least, double *most,
+static void box_volumes(const struct box *b, double *min, double *max,
                         double *mean)
 {
-    *least = *most = *mean = 1.0;
+    *min = *max = *mean = 1.0;
     for (int k = 0; k < 3; k++) {
         const double *const e = b->edge[k];
         double narrow = INFINITY, wide = 0.0;
@@ -21,24 +30,23 @@ static void box_volumes(const struct box *b, double *least, double *most,
             narrow = fmin(narrow, e[i + 1] - e[i]);
             wide = fmax(wide, e[i + 1] - e[i]);
         }
-        *least *= narrow;
-        *most *= wide;
+        *min *= narrow;
+        *max *= wide;
         *mean *= (e[b->n[k]] - e[0]) / b->n[k];
     }
 }
 
-void mesh_volumes(const struct mesh *m, double *least, double *most,
-                  double *mean)
+void mesh_volumes(const struct mesh *m, double *min, double *max, double *mean)
 {
     if (m->face_centre == NULL) {
-        box_volumes(&m->box, least, most, mean);
+        box_volumes(&m->box, min, max, mean);
         return;
     }
-    *least = INFINITY;
-    *most = *mean = 0.0;
+    *min = INFINITY;
+    *max = *mean = 0.0;
     for (int c = 0; c < m->n_cells; c++) {
-        *least = fmin(*least, m->V[c]);
-        *most = fmax(*most, m->V[c]);
+        *min = fmin(*min, m->V[c]);
+        *max = fmax(*max, m->V[c]);
         *mean += m->V[c] / m->n_cells;
     }
 }
@@ -49,7 +57,7 @@ void mesh_volumes(const struct mesh *m, double *least, double *most,
 static double rate_along(const struct box *b, int k)
 {
     const double *const e = b->edge[k];
-    const int n = b->n[k], round = b->periodic[k] && n > 1;
+    const int n = b->n[k], periodic = b->periodic[k] && n > 1;
     double fastest = 0.0;
 
     for (int i = 0; i < n; i++) {
@@ -58,8 +66,8 @@ static double rate_along(const struct box *b, int k)
         const double below = 0.5 * (h + e[before + 1] - e[before]);
         const double above = 0.5 * (h + e[after + 1] - e[after]);
         double sum = 0.0;
-        if (i > 0 || round) sum += 1.0 / (h * below);
-        if (i < n - 1 || round) sum += 1.0 / (h * above);
+        if (i > 0 || periodic) sum += 1.0 / (h * below);
+        if (i < n - 1 || periodic) sum += 1.0 / (h * above);
         fastest = fmax(fastest, sum);
     }
     return fastest;
@@ -85,4 +93,22 @@ double mesh_diffusion_rate(const struct mesh *m)
         fastest = fmax(fastest, sum / m->V[c]);
     }
     return fastest;
+}
+
+double mesh_openness(const struct mesh *m)
+{
+    double worst = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        double sum[3] = {0.0, 0.0, 0.0}, surface = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const double *const S = &m->S[3 * m->cell_face[a]];
+            for (int k = 0; k < 3; k++)
+                sum[k] += m->out[a] * S[k];
+            surface += vector_length(S);
+        }
+        const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
+        if (surface > 0.0) worst = fmax(worst, open / surface);
+    }
+    return worst;
 }
