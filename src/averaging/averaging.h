@@ -43,17 +43,19 @@ struct averaging_options {
     void *parts; /* of a mesh that is a part of another one, borrowed [none] */
 };
 
-/* lost to lost_volume are of the last bind, unsupported to negative of the last
- * spread, products and worst of the last spread or gather. */
+/* The members from lost to lost_volume are set by the last bind, those from
+ * unsupported to negative by the last spread, products and worst by the last
+ * spread or gather. */
 struct averaging_report {
-    int lost, lost_id;      /* [-] particles outside the mesh, first one's id */
-    int capped;             /* [-] pcm: cells with more solids than the cap */
-    double lost_volume;     /* [m^3] pcm: solid volume above the cap */
-    int unsupported;        /* [-] kernel: particles with no centre within b */
+    int lost, lost_id;  /* [-] particles outside the mesh, first one's id */
+    int capped;         /* [-] pcm: cells with more solids than the cap */
+    double lost_volume; /* [m^3] pcm: solid volume above the cap */
+    int unsupported; /* [-] kernel: particles without a cell centre within b */
     double lowest, highest; /* of the first field: eps_s, by convention */
     double negative;        /* [-] of the first field: share of it below 0 */
-    int products; /* [-] diffusion: with the matrix, all fields as 1 */
-    struct solve_report worst; /* diffusion: of its steps */
+    int products; /* [-] diffusion: products with the matrix; one of all fields
+                     counts once */
+    struct solve_report worst; /* diffusion: its least converged step */
 };
 
 /* All methods, ended by NULL, and one by its name or NULL. The names for
@@ -85,9 +87,9 @@ void averaging_spread(struct averaging *, int m, const double *q,
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
 
-/* From now on there are solids inside the mesh (averaging_wall.h); borrowed.
- * The second returns a field as it is to be interpolated: without such solids
- * the field itself. */
+/* Tells the averaging that there are solids inside the mesh (averaging_wall.h),
+ * borrowed; and the field that is to be interpolated, with values inside these
+ * solids: without them the field itself. */
 void averaging_set_wall(struct averaging *a, struct averaging_wall *wall);
 const double *averaging_extended(struct averaging *a, int m,
                                  const double *field);

@@ -16,21 +16,17 @@ struct cell_of_particle;
 /* One row of the table of methods. state is the result of create, which returns
  * NULL after a message that names the wrong option. h is borrowed. */
 struct averaging_method {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
-    int needs_bandwidth;                /* 1: requires options.bandwidth */
+    MODEL_MEMBERS;           /* base/model.h */
+    int needs_bandwidth;     /* 1: requires options.bandwidth */
     double reach_b, reach_d; /* [-] radius of the neighbourhood of a cell, in
                                 bandwidths and in diameters */
-    double even_widths;      /* [-] bandwidth over the width of the largest
-                                cell from which on an even bed is even to about
-                                2 %; 0: any */
+    double uniform_widths;   /* [-] bandwidth over the width of the largest cell
+                                from which on the field of a uniform bed is
+                                uniform to about 2 %; 0: any */
     double gaussian;         /* [-] b of the Gaussian exp(-r^2 / b^2) with the
                                 same variance, over the bandwidth; 0: none */
-    int lays_grid;           /* 1: has a grid of its own, with cells of a
-                                bandwidth */
+    int has_own_grid;        /* 1: has a grid of its own, with cells of a
+                             bandwidth */
     const struct key *own_keys; /* of its tables, the one whose numbers are in
                                    options.own (base/model.h); NULL: none */
     void *(*create)(const struct cell_of_particle *h,

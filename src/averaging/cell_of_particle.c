@@ -9,9 +9,9 @@
 
 #include "base/alloc.h"
 
-/* [-] numbers; a loop over fewer takes less time than starting a second thread.
+/* [-] numbers below which a loop takes less time than starting a second thread.
  */
-enum { WORTH_A_THREAD = 8192 };
+enum { MIN_PARALLEL_NUMBERS = 8192 };
 
 struct cell_of_particle *cell_of_particle_create(const struct mesh *mesh,
                                                  const struct particles *ps)
@@ -94,7 +94,7 @@ static int count_lost(const struct cell_of_particle *h)
 
 /* Counting sort: count, add up, place. While particles are placed start[c] is
  * the next free place of c; at the end it has become the start of c + 1. */
-static void sort_members(struct cell_of_particle *h)
+static void sort_by_cell(struct cell_of_particle *h)
 {
     int *const start = h->start;
     const int n_cells = h->mesh->n_cells;
@@ -120,13 +120,13 @@ int cell_of_particle_find(struct cell_of_particle *h)
     const int n = h->ps->n;
     assert(n <= h->ps->capacity);
 
-#pragma omp parallel for schedule(static) if (n > WORTH_A_THREAD / 8)
+#pragma omp parallel for schedule(static) if (n > MIN_PARALLEL_NUMBERS / 8)
     for (int i = 0; i < n; i++)
         find_one(h, i);
     const int lost = count_lost(h);
     if (lost > 0) return lost;
     h->n = n;
-    sort_members(h);
+    sort_by_cell(h);
     return 0;
 }
 
@@ -134,8 +134,8 @@ int cell_of_particle_find(struct cell_of_particle *h)
  * the same order as below, and this loop is faster (half the time for a bed
  * that is not sorted in memory), but two threads would write to the same cell.
  */
-static void add_up(const struct cell_of_particle *h, int m, const double *q,
-                   double *field)
+static void sum_by_particles(const struct cell_of_particle *h, int m,
+                             const double *q, double *field)
 {
     const int n = m * h->mesh->n_cells;
 
@@ -156,10 +156,10 @@ void cell_of_particle_sum(const struct cell_of_particle *h, int m,
     const int n_cells = h->mesh->n_cells;
 
     if (omp_get_max_threads() == 1) {
-        add_up(h, m, q, field);
+        sum_by_particles(h, m, q, field);
         return;
     }
-#pragma omp parallel for schedule(static) if (m * h->n > WORTH_A_THREAD)
+#pragma omp parallel for schedule(static) if (m * h->n > MIN_PARALLEL_NUMBERS)
     for (int c = 0; c < n_cells; c++) {
         double *const f = &field[m * c];
         for (int k = 0; k < m; k++)
@@ -175,7 +175,7 @@ void cell_of_particle_sum(const struct cell_of_particle *h, int m,
 void cell_of_particle_value(const struct cell_of_particle *h, int m,
                             const double *field, double *q)
 {
-#pragma omp parallel for schedule(static) if (m * h->n > WORTH_A_THREAD)
+#pragma omp parallel for schedule(static) if (m * h->n > MIN_PARALLEL_NUMBERS)
     for (int i = 0; i < h->n; i++)
         for (int k = 0; k < m; k++)
             q[m * i + k] = field[m * h->cell[i] + k];

@@ -24,7 +24,8 @@ struct diffusion {
     double T;               /* [m^2] */
     double tolerance;       /* [-] */
     double *smooth;         /* a copy of the field to be gathered */
-    /* One of the three ways is used, and the others are NULL. */
+    /* The field is smoothed by steps, by the exponential or by its series; the
+     * others are NULL. */
     void *steps; /* state of scheme->stepping */
     const struct diffusion_operator *direct;
     void *exponential; /* state of direct */
@@ -104,7 +105,8 @@ variation_of(const struct averaging_options *o)
     return NULL;
 }
 
-static int refuse(const char *what, const char *name, const char *expected)
+static int report_unknown(const char *what, const char *name,
+                          const char *expected)
 {
     return fprintf(stderr,
                    "winnow: the diffusion has no %s \"%s\"; expected %s\n",
@@ -115,13 +117,14 @@ static int refuse(const char *what, const char *name, const char *expected)
 static int wrong_options(const struct averaging_options *o)
 {
     if (diffusion_scheme_named(o->scheme) == NULL)
-        return refuse("scheme", o->scheme,
-                      "exponential, series, crank-nicolson, implicit-euler or "
-                      "sdirk2");
+        return report_unknown(
+            "scheme", o->scheme,
+            "exponential, series, crank-nicolson, implicit-euler or "
+            "sdirk2");
     if (!is_uniform(o) && variation_of(o) == NULL)
-        return refuse("variation of its bandwidth",
-                      o->n_regions > 0 ? "regions" : o->vary,
-                      "uniform, cells or grains");
+        return report_unknown("variation of its bandwidth",
+                              o->n_regions > 0 ? "regions" : o->vary,
+                              "uniform, cells or grains");
     if (o->steps < 1)
         return fprintf(stderr,
                        "winnow: the diffusion has %d steps; "
@@ -152,8 +155,8 @@ static void make_series(struct diffusion *d, double largest)
     d->series = chebyshev_create(d->K, m->V, d->T, d->tolerance, d->fields);
 }
 
-/* Finds a direct way of the exponential, where D is the same on all lines of
- * cells. */
+/* Finds an operator that applies the exponential directly, where D is the same
+ * on all lines of cells. */
 static void find_direct(struct diffusion *d, const struct averaging_options *o)
 {
     const double b = d->vary != NULL ? o->bandwidth : 0.0;

@@ -4,7 +4,7 @@
 #include <stddef.h>
 
 /* Coefficient of the flux through internal face f: g (phi_N - phi_P) [m]. */
-static double link_strength(const struct mesh *m, int f)
+static double diffusion_coefficient(const struct mesh *m, int f)
 {
     const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
@@ -21,7 +21,7 @@ void diffusion_matrix_fill(struct csr *A, const struct mesh *m,
         A->diag[c] = diag != NULL ? diag[c] : 0.0;
     for (int f = 0; f < m->n_internal; f++) {
         const double g =
-            factor * link_strength(m, f) * (D != NULL ? D[f] : 1.0);
+            factor * diffusion_coefficient(m, f) * (D != NULL ? D[f] : 1.0);
         A->a[A->upper[f]] = A->a[A->lower[f]] = -g;
         A->diag[m->owner[f]] += g;
         A->diag[m->neighbour[f]] += g;

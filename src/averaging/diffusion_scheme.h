@@ -4,7 +4,7 @@
 #ifndef AVERAGING_DIFFUSION_SCHEME_H
 #define AVERAGING_DIFFUSION_SCHEME_H
 
-#include "base/key.h"
+#include "base/model.h"
 #include "mesh/mesh.h"
 
 struct averaging_options;
@@ -27,13 +27,9 @@ struct diffusion_stepping {
 
 /* A time scheme of the diffusion. */
 struct diffusion_scheme {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS;                             /* base/model.h */
     const struct diffusion_stepping *stepping; /* NULL: the exponential */
-    int directly;    /* [-] 1: by a diffusion_operator where there is one */
+    int directly;    /* [-] 1: applied by a diffusion_operator, if one exists */
     int stages;      /* [-] linear systems in a step */
     double implicit; /* [-] share of dtau K in the matrix of a stage */
 };

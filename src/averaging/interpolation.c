@@ -38,17 +38,17 @@ static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
         const int f = mesh->cell_face[a];
         if (f >= mesh->n_internal) break; /* ascending: only boundary follows */
         const int owner = mesh->owner[f] == c;
-        const int there = owner ? mesh->neighbour[f] : mesh->owner[f];
+        const int other = owner ? mesh->neighbour[f] : mesh->owner[f];
         const double *const d = &mesh->d[3 * f];
         const double w = 1.0 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        const double above =
-            (owner ? w : -w) * (field[m * there + k] - field[m * c + k]);
+        const double difference =
+            (owner ? w : -w) * (field[m * other + k] - field[m * c + k]);
         const double dd[6] = {d[0] * d[0], d[0] * d[1], d[0] * d[2],
                               d[1] * d[1], d[1] * d[2], d[2] * d[2]};
         for (int j = 0; j < 6; j++)
             A[j] += w * dd[j];
         for (int j = 0; j < 3; j++)
-            b[j] += above * d[j];
+            b[j] += difference * d[j];
     }
     vector_solve(A, b, g);
 }
@@ -69,10 +69,10 @@ static void gradient(const struct mesh *mesh, int c, int k, int m,
     for (int a = mesh->cell_start[c]; a < mesh->cell_start[c + 1]; a++) {
         const int f = mesh->cell_face[a];
         const double out = mesh->owner[f] == c ? 1.0 : -1.0;
-        const double above =
+        const double difference =
             face_value(mesh, f, k, m, field, boundary) - field[m * c + k];
         for (int j = 0; j < 3; j++)
-            g[j] += out * above * mesh->S[3 * f + j];
+            g[j] += out * difference * mesh->S[3 * f + j];
     }
     for (int j = 0; j < 3; j++)
         g[j] /= mesh->V[c];

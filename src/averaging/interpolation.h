@@ -23,16 +23,13 @@
 #define AVERAGING_INTERPOLATION_H
 
 #include "averaging/averaging.h"
+#include "base/model.h"
 
 /* One interpolation. apply interpolates m interleaved fields to the particles
  * of the last averaging_bind. The values on the boundary faces, boundary[m * (f
  * - n_internal) + k], or NULL, are used by "linear" only. */
 struct interpolation {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS; /* base/model.h */
     void (*apply)(struct averaging *a, int m, const double *field,
                   const double *boundary, double *q);
 };

@@ -56,12 +56,12 @@ static void pcm_bind(void *state, struct averaging_report *r)
 
     if (p->capped_fraction == NULL) return;
     for (int c = 0; c < p->h->mesh->n_cells; c++) {
-        const double have = solids(p->h, c);
-        const double room = p->cap * p->h->mesh->V[c];
-        p->capped_fraction[c] = have > room ? room / have : 1.0;
-        if (!(have > room)) continue;
+        const double V_s = solids(p->h, c);
+        const double limit = p->cap * p->h->mesh->V[c];
+        p->capped_fraction[c] = V_s > limit ? limit / V_s : 1.0;
+        if (!(V_s > limit)) continue;
         r->capped++;
-        r->lost_volume += have - room;
+        r->lost_volume += V_s - limit;
     }
 }
 
@@ -83,7 +83,7 @@ static void pcm_gather(void *state, int m, const double *field, double *q,
     cell_of_particle_value(p->h, m, field, q);
 }
 
-static double pcm_share(const void *state, int i)
+static double pcm_capped_fraction(const void *state, int i)
 {
     const struct pcm *const p = state;
     return p->capped_fraction == NULL ? 1.0 : p->capped_fraction[p->h->cell[i]];
@@ -107,5 +107,5 @@ const struct averaging_method pcm_method = {
     .bind = pcm_bind,
     .spread = pcm_spread,
     .gather = pcm_gather,
-    .capped_fraction = pcm_share,
+    .capped_fraction = pcm_capped_fraction,
 };

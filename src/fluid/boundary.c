@@ -28,6 +28,7 @@ const double *boundary_wall_velocity(const struct boundary *b, int j)
 
 void boundary_release(struct boundary *b)
 {
+    free(b->series);
     if (b->release != NULL)
         b->release(b);
     else

@@ -33,6 +33,7 @@ struct boundary {
     const double *time; /* [s] ascending, borrowed */
     const double *velocity; /* [m/s] superficial, inward; linear in between,
                                constant before the first and after the last */
+    double *series;         /* allocated for time and velocity, or NULL */
     const double *profile;  /* [-] of an inlet: velocity over its mean, one a
                                face of the patch, borrowed; NULL: uniform */
     double wall[3];         /* [m/s] of a no-slip wall, no part of it normal */
@@ -43,8 +44,8 @@ struct boundary {
     /* [-] the profile of face j of an inlet at time t [s], where it varies in
      * time; NULL: `profile`. */
     double (*varying)(const struct boundary *b, int j, double t);
-    /* What was allocated for the members above, or NULL; and the function that
-     * frees it, or NULL if free() does. */
+    /* Memory that was allocated for the other members, or NULL; and the
+     * function that frees it, or NULL if free() does. */
     void *memory;
     void (*release)(struct boundary *b);
 };
@@ -58,7 +59,7 @@ double boundary_inlet_profile(const struct boundary *b, int j, double t);
 /* The velocity of face j of a no-slip wall [m/s], 3. */
 const double *boundary_wall_velocity(const struct boundary *b, int j);
 
-/* Frees b->memory. */
+/* Frees b->series and b->memory. */
 void boundary_release(struct boundary *b);
 
 #endif

@@ -41,8 +41,8 @@ void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
         const double U = boundary_inlet_velocity(b, fl->t);
         for (int j = 0; j < p->n; j++) {
             const double *const S = &m->S[3 * (p->first + j)];
-            const double share = boundary_inlet_profile(b, j, fl->t);
-            phi[p->first + j] = -U * share * vector_length(S);
+            const double profile = boundary_inlet_profile(b, j, fl->t);
+            phi[p->first + j] = -U * profile * vector_length(S);
         }
     }
 }

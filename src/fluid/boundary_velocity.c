@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "base/alloc.h"
 #include "base/vector.h"
 
 /* to = the velocity of the cell without its component normal to the wall. */
@@ -40,36 +39,6 @@ void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
 {
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         velocity_at(fl, b, j, f, &u_b[3 * (f - fl->mesh->n_internal)]);
-}
-
-double *boundary_reach(const struct mesh *m, const struct boundary *b)
-{
-    if (!m->skewed) return NULL;
-    double *const reach = alloc_doubles(3 * (m->n_faces - m->n_internal));
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        const int foot = b[i].kind == BOUNDARY_SLIP ||
-                         b[i].kind == BOUNDARY_OUTLET || b[i].walls != NULL;
-        for (int f = p->first; f < p->first + p->n; f++) {
-            double off[3];
-            const int moved = mesh_misses_middle(m, f, off) && foot;
-            for (int k = 0; k < 3; k++)
-                reach[3 * (f - m->n_internal) + k] =
-                    m->d[3 * f + k] - (moved ? off[k] : 0.0);
-        }
-    }
-    return reach;
-}
-
-void fluid_velocity_gradient(const struct fluid *fl, const double *u,
-                             const double *u_b, double *slope)
-{
-    const struct velocity_gradient_scheme *const s =
-        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
-                                              : velocity_gradient_schemes[0];
-
-    s->fill(fl->mesh, fl->geometry->reach, u, u_b, slope);
 }
 
 /* The mean velocity over an inlet [m/s]. A mean of the profile that is 1 within

@@ -13,7 +13,7 @@
 #ifndef FLUID_CONVECTION_H
 #define FLUID_CONVECTION_H
 
-#include "base/key.h"
+#include "base/model.h"
 
 /* The input of a scheme for faces 0 .. n - 1. */
 struct convection_faces {
@@ -24,11 +24,7 @@ struct convection_faces {
 };
 
 struct convection_scheme {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS; /* base/model.h */
     void (*owner_weights)(const struct convection_faces *faces,
                           double *weight /* [-] */);
     /* The velocity of a face minus that of the cell C upstream [m/s]. step: u_D

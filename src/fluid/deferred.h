@@ -20,6 +20,9 @@ struct deferred {
     /* Adds the terms to p_face [Pa] and computes grad_p from it. */
     void (*set_gradient)(struct deferred *self, struct fluid *fl);
     void (*free)(struct deferred *self);
+    double *reach; /* [m] from the centre of a cell to where the velocity of its
+                      boundary face holds, 3 a boundary face
+                      (velocity_gradient.h); NULL: to the middle */
 };
 
 /* create returns NULL where the mesh and the schemes of the fluid need none. */

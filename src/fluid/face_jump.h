@@ -8,18 +8,17 @@
 
 /* Exists only with particles. */
 struct face_jump {
-    double *owner_part; /* [Pa] pressure jump by inertia where eps jumps: the */
-    double *neighbour_part; /* [Pa] parts of it in the cells on either side */
-    double *upwind_bias;    /* [-] upwind bias of momentum's owner_weight, or
-                               NULL */
-    double *inertia;        /* [N] force of the jumps on each cell, 3 each */
-    double *smooth_force;   /* [N/m^3] force of convection and viscosity on a
-                               cell without the jumps, 3 each; NULL if no face
-                               uses it */
-    double *pressure_offset, *pressure_per_flux; /* [Pa], [Pa s/m^3] p_f minus
-                                                    the linear mean: by drag and
-                                                    inertia, and per m^3/s of
-                                                    flux; gradient.c */
+    /* The pressure jump by inertia where eps jumps has a part in the cell on
+     * either side of the face [Pa]. */
+    double *owner_part, *neighbour_part;
+    double *upwind_bias;  /* [-] of momentum's owner_weight; NULL without */
+    double *inertia;      /* [N] force of the jumps on each cell, 3 each */
+    double *smooth_force; /* [N/m^3] force of convection and viscosity on a
+                             cell without the jumps, 3 each; NULL if no face
+                             uses it */
+    /* gradient.c: p_f minus the linear mean is pressure_offset [Pa], by drag
+     * and inertia, minus pressure_per_flux [Pa s/m^3] times the flux. */
+    double *pressure_offset, *pressure_per_flux;
 };
 
 /* p_f minus the pressure on the owner's side of face f [Pa], that is the

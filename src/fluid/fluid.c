@@ -41,31 +41,6 @@ void fluid_reset_eps_history(struct fluid *fl)
     memcpy(fl->eps_nm1, fl->eps, size);
 }
 
-/* The displaced momentum is rho eps u of the latest time level. A two-step
- * scheme also has the gain of momentum since the level before, which changes as
- * well. */
-double fluid_replace(struct fluid *fl, const double *eps_before)
-{
-    double lowest = 1.0;
-
-    for (int c = 0; c < fl->mesh->n_cells; c++) {
-        const double change = fl->eps[c] - eps_before[c];
-        const double mass =
-            fl->options.rho * fl->mesh->V[c] * change; /* [kg] */
-        fl->eps_n[c] += change;
-        fl->eps_nm1[c] += change;
-        lowest = fmin(lowest, fmin(fl->eps_n[c], fl->eps_nm1[c]));
-        fl->replaced -= mass;
-        for (int k = 0; k < 3; k++) {
-            const double u = fl->u[3 * c + k];
-            fl->replaced_momentum[k] -= mass * u;
-            if (fl->u_older != NULL)
-                fl->momentum_gained[k] += mass * (u - fl->u_older[3 * c + k]);
-        }
-    }
-    return lowest;
-}
-
 /* Sums over a range of cells of the momentum and of the residual force that is
  * added to the next step [N s], [N]. */
 struct momentum_sums {

@@ -44,8 +44,8 @@ struct fluid_options {
     const struct time_scheme *time; /* NULL: euler */
     const struct convection_scheme *convection;
     double blend; /* [-] of linear, in the scheme `blended` */
-    const struct velocity_gradient_scheme
-        *velocity_gradient; /* of u, where a scheme needs it; NULL: by-mesh */
+    /* of u, where a scheme needs it; NULL: by-mesh */
+    const struct velocity_gradient_scheme *velocity_gradient;
     enum continuity continuity;
     int correctors;              /* [-] pressure corrections a step, at least */
     double p_relative_tolerance; /* [-] residual reduction of all pressure
@@ -55,17 +55,16 @@ struct fluid_options {
                               the splitting exceeds this; 0: none */
     int outer_correctors;  /* [-] outer iterations after the first */
     double tolerance;      /* [-] residuals, relative */
-    double
-        u_tolerance; /* [-] tolerance of the momentum predictor; 0: the same */
-    double cfl;      /* [-] largest Courant number of fluid_advance; 0:
-                        any */
-    int coupled;     /* 1: with particles; F and K exist */
+    double u_tolerance;    /* [-] of the momentum predictor; 0: the same */
+    double cfl;  /* [-] largest Courant number of fluid_advance; 0: any */
+    int coupled; /* 1: with particles; F and K exist */
     int pressure_shared;               /* 1: gamma = eps */
     const struct boundary *boundaries; /* one a patch of the mesh, borrowed */
     double mean_gradient[3]; /* [Pa/m] of the pressure, beside that of p */
-    int keeps_flow[3]; /* 1: the mean gradient in this direction is adapted, to
-                          keep */
-    double mean_flow[3]; /* [m/s] this superficial velocity on average */
+    /* In a direction where keeps_flow is 1 the mean gradient is adapted, so
+     * that the mean superficial velocity remains mean_flow [m/s]. */
+    int keeps_flow[3];
+    double mean_flow[3];
     const struct shared_solution *shared; /* of one part of a mesh; NULL */
 };
 
@@ -97,24 +96,23 @@ struct fluid {
     double *p_face;      /* [Pa] at the faces */
     double *grad_p;      /* [Pa/m] 3 a cell */
     double *phi;         /* [m^3/s] superficial flux, owner to neighbour */
-    double
-        *eps; /* [-] fluid fraction at the new time; written by the coupling */
-    double *eps_n;   /* [-] fluid fraction at the end of the last step */
-    double *eps_nm1; /* [-] ... and at its start */
+    /* The fluid fraction [-] at the new time, which the coupling writes, at the
+     * end of the last step and at its start. */
+    double *eps, *eps_n, *eps_nm1;
     double mean_gradient[3]; /* [Pa/m] now; a part of grad_p */
     double *F;               /* [N/m^3] explicit force on the fluid, 3 a cell */
     double *K;               /* [kg/(m^3 s)] implicit friction */
     double *eps_us;          /* [m/s] eps_s u_s, 3 a cell */
     double dt_older;         /* [s] the step before, 0 before the first */
-    /* For two-step schemes: values one step before the last, else NULL; and the
-     * momentum ahead of the impulse of the forces. */
+    /* In two-step schemes: the values one step before the last, else NULL; and
+     * the momentum that is ahead of the impulse of the forces (ddt.c). */
     double *u_older, *phi_older;                 /* [m/s], [m^3/s] */
     double momentum_gained[3], impulse_ahead[3]; /* [N s] */
     double relabelled[3]; /* [N s] momentum that averaging moved between cells
                              by itself: see fluid_momentum */
-    double replaced; /* [kg] mass of the fluid displaced by inserted particles
-                        minus that which replaced removed ones: fluid_replace */
-    double replaced_momentum[3]; /* [N s] and its momentum */
+    /* The mass [kg] of the fluid that inserted particles displaced, minus that
+     * which took the place of removed ones; and its momentum [N s]. */
+    double replaced, replaced_momentum[3];
     struct fluid_report report;
     struct momentum_system *momentum; /* matrices and work space */
     struct pressure_system *pressure;
@@ -136,13 +134,6 @@ void fluid_state(struct fluid *fl, struct state *s);
 /* Sets the old values of eps to the present one; called after the first
  * averaging. */
 void fluid_reset_eps_history(struct fluid *fl);
-
-/* Particles were put into the fluid or taken out of it at rest: eps has changed
- * from eps_before by that alone. Particles and fluid replace each other in
- * place, so that there is no flow: the old values of eps change as well, and
- * the displaced fluid is removed with its velocity. Returns the lowest old eps
- * [-]: not above 0 if the inserted solid volume exceeds the fluid volume. */
-double fluid_replace(struct fluid *fl, const double *eps_before);
 
 /* One step of dt by PISO. Non-zero if a solver failed or a value is no longer
  * finite; the report says which. */
@@ -180,10 +171,5 @@ double fluid_inlet_velocity(const struct fluid *fl);
  * of a no-slip wall, that of an inlet's flux, the tangential velocity of the
  * cell at a slip wall, and at an outlet the velocity of the cell. */
 void fluid_boundary_velocity(const struct fluid *fl, double *u_b);
-
-/* The gradient of u, a velocity of all cells, with u_b on the boundary faces
- * (velocity_gradient.h) [1/s]. */
-void fluid_velocity_gradient(const struct fluid *fl, const double *u,
-                             const double *u_b, double *slope);
 
 #endif

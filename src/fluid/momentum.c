@@ -90,16 +90,15 @@ static void add_drag(int first, int last, struct fluid *fl)
              momentum->b + 3L * first);
 }
 
-/* Adds the momentum that enters through an inlet, and its viscous force; the
- * velocity is phi over the area times eps. */
-static void add_inlet_face(struct fluid *fl, int f)
+/* Adds the momentum of what enters with the velocity of its flux, phi over the
+ * area times eps, and the viscous force D [kg/s] times that velocity relative
+ * to the cell. */
+static void add_entering_face(struct fluid *fl, int f, double D)
 {
-    const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f], phi = fl->levels->convecting_flux[f];
-    const int c = m->owner[f];
-    const double SS = fl->geometry->SS[f];
-    const double a = fl->options.mu * fl->geometry->face_coefficient[f] -
-                     fl->options.rho * phi;
+    const double *const S = &fl->mesh->S[3 * f], SS = fl->geometry->SS[f];
+    const double phi = fl->levels->convecting_flux[f];
+    const double a = D - fl->options.rho * phi;
+    const int c = fl->mesh->owner[f];
 
     fl->momentum->diag[c] += a;
     for (int k = 0; k < 3; k++)
@@ -107,45 +106,30 @@ static void add_inlet_face(struct fluid *fl, int f)
 }
 
 /* Adds the viscous force of a wall, whose velocity is tangential. */
-static void add_wall_face(struct fluid *fl, const double wall[3], int f)
+static void add_wall_face(struct fluid *fl, const double wall[3], int f,
+                          double D)
 {
     const int c = fl->mesh->owner[f];
-    const double D = fl->options.mu * fl->geometry->face_coefficient[f];
 
     fl->momentum->diag[c] += D;
     for (int k = 0; k < 3; k++)
         fl->momentum->b[3 * c + k] += D * wall[k];
 }
 
-/* Adds the momentum that enters with the velocity of its flux; there is no
- * viscous force. */
-static void add_entering_face(struct fluid *fl, int f)
-{
-    const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f], phi = fl->levels->convecting_flux[f];
-    const int c = m->owner[f];
-    const double inflow = -fl->options.rho * phi;
-
-    fl->momentum->diag[c] += inflow;
-    for (int k = 0; k < 3; k++)
-        fl->momentum->b[3 * c + k] +=
-            inflow * phi * S[k] / (fl->eps[c] * fl->geometry->SS[f]);
-}
-
 static void add_boundary_face(struct fluid *fl, const struct boundary *b, int j,
                               int f)
 {
-    const int c = fl->mesh->owner[f];
+    const double D = fl->options.mu * fl->geometry->face_coefficient[f];
     const double phi = fl->levels->convecting_flux[f];
 
     if (b->kind == BOUNDARY_NO_SLIP)
-        add_wall_face(fl, boundary_wall_velocity(b, j), f);
+        add_wall_face(fl, boundary_wall_velocity(b, j), f, D);
     else if (b->kind == BOUNDARY_INLET)
-        add_inlet_face(fl, f);
+        add_entering_face(fl, f, D);
     else if (b->enters && phi < 0.0)
-        add_entering_face(fl, f);
+        add_entering_face(fl, f, 0.0); /* without viscous force */
     else if (b->kind == BOUNDARY_OUTLET && phi < 0.0) { /* enters at rest */
-        fl->momentum->diag[c] -= fl->options.rho * phi;
+        fl->momentum->diag[fl->mesh->owner[f]] -= fl->options.rho * phi;
         fl->report.backflow_faces++;
     }
 }

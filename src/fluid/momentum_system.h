@@ -17,16 +17,18 @@ struct momentum_system {
     struct ldu *matrix; /* [kg/s] the a_N */
     double *diag;       /* [kg/s] a_P */
     double *diag3;      /* [kg/s] a_P and, on slip walls, their stress */
-    double *slip, *slip_implicit; /* [kg/s] that stress, and the part of it that
-                                     is implicit in the corrector because it is
-                                     stiff; 3 a cell, NULL without slip walls */
-    int oblique_slip;             /* 1: a slip wall is not normal to an axis */
-    double *b;            /* [N] right side but for pressure and storage */
-    double *rhs;          /* [N] */
-    double *H;            /* [N] b - sum a_N u_N */
-    double *residual;     /* [N] residual carried into the next step */
-    double *defect;       /* [m^3/s] d(eps V)/dt + sum phi of the convecting
-                             flux: the residual of continuity */
+    /* That stress over the velocity, 3 a cell, and the part of it that is
+     * implicit in the corrector because it is stiff [kg/s]; NULL without slip
+     * walls. */
+    double *slip, *slip_implicit;
+    int oblique_slip; /* 1: a slip wall is not normal to an axis */
+    double *b;        /* [N] right-hand side without the pressure and the old
+                         velocity */
+    double *rhs;      /* [N] the whole right-hand side of the predictor */
+    double *H;        /* [N] b - sum a_N u_N */
+    double *residual; /* [N] residual carried into the next step */
+    double *defect;   /* [m^3/s] d(eps V)/dt + sum phi of the convecting
+                         flux: the residual of continuity */
     double *owner_weight; /* [-] weight of the owner in the face velocity */
     struct bicgstab_work *bicgstab;
 };

@@ -81,12 +81,12 @@ static void predict_and_correct(struct fluid *fl)
  * which the velocities of the neighbours are unknowns. */
 static void correct_further(struct fluid *fl)
 {
-    const double most = fl->options.piso_tolerance;
+    const double tolerance = fl->options.piso_tolerance;
     double before = INFINITY;
     int helps = 1;
 
     fl->report.piso_residual = velocity_residual(fl);
-    while (most > 0.0 && fl->report.piso_residual > most &&
+    while (tolerance > 0.0 && fl->report.piso_residual > tolerance &&
            fl->report.correctors < MOST_CORRECTORS) {
         const int again = helps && fl->report.piso_residual > before;
 

@@ -10,7 +10,6 @@
 struct face_geometry {
     double *SS, *Sd;          /* [m^2], [m^3] S.S and S.d of the faces */
     double *face_coefficient; /* [m] S.S / S.d: area over length of the link */
-    double *reach;            /* [m] of boundary_reach; may be NULL */
 };
 
 /* systems.c: creates and frees all arrays and systems of a fluid, for its mesh
@@ -26,13 +25,6 @@ void systems_free(struct fluid *fl);
              b == &(fl)->options.boundaries[i_]; b++)                          \
             for (int j = 0, f = (fl)->mesh->patches[i_].first;                 \
                  j < (fl)->mesh->patches[i_].n; j++, f++)
-
-/* boundary_velocity.c: from the centre of the cell to where the velocity of its
- * boundary face holds [m], 3 a boundary face (velocity_gradient.h): the middle
- * of the face, or the foot of the centre at slip walls and outlets, which have
- * the velocity of the cell, and at walls that rotate. NULL: the middle
- * everywhere. */
-double *boundary_reach(const struct mesh *m, const struct boundary *b);
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
  * [XS11 2.4]. */

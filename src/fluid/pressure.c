@@ -114,8 +114,7 @@ static void store_jump_fluxes(const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
 
     FOR_EACH_FACE(fl->faces, 8, inner_jump, fl);
-    for (int f = m->n_internal; f < m->n_faces;
-         f++) { /* m_face: outlets only */
+    for (int f = m->n_internal; f < m->n_faces; f++) { /* m_face: outlets */
         const int o = m->owner[f];
         pressure->explicit_flux[f] -=
             pressure->m_face[f] * pressure->per_force[o] *
@@ -223,8 +222,8 @@ static void rhs_rows(int first, int last, const struct fluid *fl)
                    fl->phi);
 }
 
-FACE_SUM_KERNEL size(int f, double out, const double *phi,
-                     const double *phi_old)
+FACE_SUM_KERNEL mean_size(int f, double out, const double *phi,
+                          const double *phi_old)
 {
     (void)out;
     return 0.5 * (fabs(phi[f]) + fabs(phi_old[f]));
@@ -238,8 +237,8 @@ static double scale_rows(int first, int last, const struct fluid *fl)
 
     for (int c = first; c < last; c++)
         pressure->divergence[c] = fabs(pressure->source[c]);
-    SUM_OVER_FACES(fl->faces, first, last, pressure->divergence, size, fl->phi,
-                   fl->levels->phi_old);
+    SUM_OVER_FACES(fl->faces, first, last, pressure->divergence, mean_size,
+                   fl->phi, fl->levels->phi_old);
     return reduce_range(first, last, pressure->divergence,
                         pressure->divergence);
 }

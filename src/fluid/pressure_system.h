@@ -14,7 +14,7 @@
 struct pressure_system {
     double *per_force;  /* [1/m^3] 1 / (gamma V) */
     double *resistance; /* [kg/(m^3 s)] 1 / m_P = a_P / (eps gamma V) */
-    double *per_flux;   /* [kg/(m^3 s)] storage per superficial flux */
+    double *per_flux;   /* [kg/(m^3 s)] time derivative per superficial flux */
     double *boundary_conductance; /* [m^3/(Pa s)] from a cell to a given
                                      pressure: the row sums of the matrix */
     double *m_face;               /* [m^3 s/kg] mobility of a face */

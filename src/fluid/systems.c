@@ -29,8 +29,9 @@ static int has_inclined_slip(const struct fluid *fl)
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
         const double *const S = &fl->mesh->S[3 * f];
         const double x = fabs(S[0]), y = fabs(S[1]), z = fabs(S[2]);
-        const double least = fmin(fmin(x + y, y + z), z + x);
-        if (b->kind == BOUNDARY_SLIP && least > 1e-12 * (x + y + z)) return 1;
+        const double smallest = fmin(fmin(x + y, y + z), z + x);
+        if (b->kind == BOUNDARY_SLIP && smallest > 1e-12 * (x + y + z))
+            return 1;
     }
     return 0;
 }
@@ -194,7 +195,6 @@ void systems_create(struct fluid *fl)
     fl->faces = faces_of(m);
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
-    fl->geometry->reach = boundary_reach(m, fl->options.boundaries);
     for (int i = 0; deferred_kinds[i] != NULL && fl->deferred == NULL; i++)
         fl->deferred = deferred_kinds[i]->create(fl);
     fl->momentum->matrix =
@@ -223,6 +223,5 @@ void systems_free(struct fluid *fl)
     free(fl->pressure);
     free(fl->jump);
     free(fl->levels);
-    free(fl->geometry->reach);
     free(fl->geometry);
 }

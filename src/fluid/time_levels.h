@@ -13,21 +13,18 @@
 
 struct time_levels {
     struct time_weights weights; /* [-] now, old, older of this step */
-    const double *eps_new,
-        *eps_old; /* [-] fluid fraction of the mass with velocity u at the end
-                     and at the beginning of the step */
-    const double *eps_older; /* [-] the same one step earlier, with ddt_older;
-                                else NULL */
+    /* The fluid fraction of the mass with the velocity u at the end of the step
+     * and at its beginning, and one step earlier in a two-step scheme [-]. */
+    const double *eps_new, *eps_old, *eps_older;
     double *ddt;             /* [kg/s] old rho eps_old V / dt */
-    double *ddt_older;       /* [kg/s] the part of a two-step scheme, or NULL */
-    double *old_time_source; /* [N] the two times the velocities before the
-                                step */
+    double *ddt_older;       /* [kg/s] -older rho eps_older V / dt, or NULL */
+    double *old_time_source; /* [N] ddt u_n + ddt_older u_nm1 */
     double *phi_old;         /* [m^3/s] the flux before the step */
-    const double *convecting_flux; /* [m^3/s] the flux that convects momentum:
-                                      phi_old, or */
-    double *convecting_flux_own;   /* [m^3/s] a separate one, if the scheme
-                                      needs it */
-    double *u_known; /* [m/s] u extrapolated to the new time; or NULL: u */
+    /* The flux that convects momentum is phi_old or, if the scheme needs one of
+     * its own, convecting_flux_own [m^3/s]. */
+    const double *convecting_flux;
+    double *convecting_flux_own;
+    double *u_known; /* [m/s] u extrapolated to the new time; NULL: u */
 };
 
 /* ddt.c: sets the terms of the previous steps; sets the convecting flux of

@@ -1,8 +1,7 @@
 /* time_scheme.h -- schemes for the time derivative of momentum.
  * Chapter "The flow, verified".
  *
- *   d(eps u)/dt = (now (eps u)^(n+1) - old (eps u)^n + older (eps u)^(n-1)) /
- * dt
+ *   dt d(eps u)/dt = now (eps u)^(n+1) - old (eps u)^n + older (eps u)^(n-1)
  *
  * The weights satisfy now - old + older = 0, so that a constant has no
  * derivative. A scheme also gives the factor of extrapolation for quantities
@@ -11,7 +10,7 @@
 #ifndef FLUID_TIME_SCHEME_H
 #define FLUID_TIME_SCHEME_H
 
-#include "base/key.h"
+#include "base/model.h"
 
 struct time_weights {
     double now, old, older; /* [-] */
@@ -19,11 +18,7 @@ struct time_weights {
 };
 
 struct time_scheme {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS;   /* base/model.h */
     int time_levels; /* [-] number of old time levels: 1 or 2 */
     /* r: this step over the one before it; 0 where there is none. */
     struct time_weights (*weights)(double r /* [-] */);

@@ -10,7 +10,7 @@
 #ifndef FLUID_VELOCITY_GRADIENT_H
 #define FLUID_VELOCITY_GRADIENT_H
 
-#include "base/key.h"
+#include "base/model.h"
 #include "mesh/mesh.h"
 
 /* Fills slope, 9 a cell: [9 * c + 3 * k + j] is d u_k / d x_j [1/s]. u: 3 a
@@ -18,11 +18,7 @@
  * likewise the vector from the centre of the cell to where u_b is the velocity;
  * NULL: the middle of the face. */
 struct velocity_gradient_scheme {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS; /* base/model.h */
     void (*fill)(const struct mesh *m, const double *reach, const double *u,
                  const double *u_b, double *slope);
 };

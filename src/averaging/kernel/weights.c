@@ -18,7 +18,7 @@
 enum { RANGES = 16 }; /* [-] more windows would take longer to add up */
 
 /* [-] particles; fewer take less time than starting another thread */
-enum { WORTH_A_THREAD = 128 };
+enum { MIN_PARALLEL_NUMBERS = 128 };
 
 struct cell_range {
     int first, last; /* [-] cells first .. last - 1 */
@@ -176,11 +176,11 @@ int weights_spread(const struct weights *s, int m, const double *q,
     int unsupported = 0;
 
 #pragma omp parallel for schedule(dynamic, 1) reduction(+ : unsupported)            \
-    if (s->h->n > WORTH_A_THREAD)
+    if (s->h->n > MIN_PARALLEL_NUMBERS)
     for (int t = 0; t < RANGES; t++)
         if (!is_empty(s, &s->ranges[t]))
             unsupported += spread_range(s, &s->ranges[t], m, q);
-#pragma omp parallel for schedule(static) if (s->h->n > WORTH_A_THREAD)
+#pragma omp parallel for schedule(static) if (s->h->n > MIN_PARALLEL_NUMBERS)
     for (int c = 0; c < n_cells; c++)
         sum_windows(s, c, m, &field[m * c]);
     return unsupported;
@@ -189,7 +189,8 @@ int weights_spread(const struct weights *s, int m, const double *q,
 void weights_gather(const struct weights *s, int m, const double *field,
                     double *q)
 {
-#pragma omp parallel for schedule(dynamic, 1) if (s->h->n > WORTH_A_THREAD)
+#pragma omp parallel for schedule(dynamic,                                     \
+                                  1) if (s->h->n > MIN_PARALLEL_NUMBERS)
     for (int t = 0; t < RANGES; t++)
         gather_range(s, &s->ranges[t], m, field, q);
 }

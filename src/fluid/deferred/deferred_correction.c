@@ -25,6 +25,7 @@
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
+#include "fluid/deferred/boundary_reach.h"
 #include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
@@ -36,7 +37,7 @@ static void fill_velocity_gradients(struct deferred_terms *d,
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         boundary_face_velocity(fl, b, j, f,
                                &d->u_boundary[3 * (f - m->n_internal)]);
-    fluid_velocity_gradient(fl, u, d->u_boundary, d->slope);
+    boundary_reach_gradient(fl, u, d->u_boundary, d->slope);
 }
 
 /* The explicit part of the convection scheme for component k at face f [m/s].
@@ -171,6 +172,7 @@ static void release(struct deferred *self)
 {
     struct deferred_terms *const d = (struct deferred_terms *)self;
 
+    free(d->hooks.reach);
     free(d->slope);
     free(d->u_boundary);
     free(d->off);
@@ -186,8 +188,9 @@ static struct deferred *create(const struct fluid *fl)
     if (fl->options.convection->deferred == NULL && !m->oblique && !m->skewed)
         return NULL;
     d = alloc_zeroed(1, sizeof *d);
-    d->hooks = (struct deferred){add_to_momentum, add_to_fluxes, set_gradient,
-                                 release};
+    d->hooks =
+        (struct deferred){add_to_momentum, add_to_fluxes, set_gradient, release,
+                          boundary_reach(m, fl->options.boundaries)};
     d->slope = alloc_doubles(9 * m->n_cells);
     d->u_boundary = alloc_doubles(3 * (m->n_faces - m->n_internal));
     d->off = skewness_of(m);

@@ -35,11 +35,11 @@ static void balancing_gradient(const struct fluid *fl, int c, double slope[3])
  * the square of the mesh width. */
 static void oblique_part(const struct fluid *fl, int f, double oblique[3])
 {
-    const double most = 2.0; /* [-] */
+    const double max = 2.0; /* [-] */
 
     mesh_oblique_part(fl->mesh, f, oblique);
     const double square =
-        vector_dot(oblique, oblique) / (most * most * fl->geometry->SS[f]);
+        vector_dot(oblique, oblique) / (max * max * fl->geometry->SS[f]);
     for (int k = 0; k < 3 && square > 1.0; k++)
         oblique[k] /= sqrt(square);
 }

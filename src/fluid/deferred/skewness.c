@@ -22,10 +22,10 @@ static int too_oblique(const struct mesh *m, int f)
 {
     const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
     const double along = vector_dot(S, d);
-    const double least = 0.2; /* [-] squared cosine */
+    const double min = 0.2; /* [-] squared cosine */
 
     return f < m->n_internal &&
-           along * along < least * vector_dot(S, S) * vector_dot(d, d);
+           along * along < min * vector_dot(S, S) * vector_dot(d, d);
 }
 
 double *skewness_of(const struct mesh *m)
@@ -36,11 +36,11 @@ double *skewness_of(const struct mesh *m)
     for (int f = 0; f < m->n_faces; f++) {
         double *const to = &off[3 * f];
         mesh_off_middle(m, f, to);
-        const double most =
+        const double max =
             too_oblique(m, f) ? 0.0 : largest_off * vector_length(&m->d[3 * f]);
-        const double share = fmin(1.0, most / vector_length(to));
-        for (int k = 0; k < 3 && share < 1.0; k++)
-            to[k] *= share;
+        const double factor = fmin(1.0, max / vector_length(to));
+        for (int k = 0; k < 3 && factor < 1.0; k++)
+            to[k] *= factor;
     }
     return off;
 }
@@ -204,7 +204,7 @@ void skewness_add_fluxes(const struct deferred_terms *d, struct fluid *fl)
 
 /* The fraction of linear interpolation in the weights of a scheme of two cells
  * [-]. */
-static double linear_share(const struct fluid *fl, int f, double upwind)
+static double linear_fraction(const struct fluid *fl, int f, double upwind)
 {
     const double w = fl->mesh->w[f];
 
@@ -225,9 +225,9 @@ static double skew_term_upstream(const struct deferred_terms *d,
     const double rise = sign * vector_dot(slope, &m->d[3 * f]);
     const double taken = fl->options.convection->deferred(
         sign * (u[3 * n + k] - u[3 * o + k]), rise, reach);
-    const double share = rise != 0.0 ? taken / (reach * rise) : 0.0;
+    const double limiter = rise != 0.0 ? taken / (reach * rise) : 0.0;
 
-    return fmax(0.0, fmin(share, 1.0)) * vector_dot(slope, &d->off[3 * f]);
+    return fmax(0.0, fmin(limiter, 1.0)) * vector_dot(slope, &d->off[3 * f]);
 }
 
 void skewness_add_convection(const struct deferred_terms *d, struct fluid *fl,
@@ -245,7 +245,7 @@ void skewness_add_convection(const struct deferred_terms *d, struct fluid *fl,
             const double term =
                 fl->options.convection->deferred != NULL
                     ? skew_term_upstream(d, fl, u, f, with, k)
-                    : linear_share(fl, f, with) *
+                    : linear_fraction(fl, f, with) *
                           skew_term(d, fl->mesh, slope + 3 * k, 9, f, o, n);
             const double force = -fl->options.rho * phi * term; /* [N] */
             b[3 * o + k] += force;

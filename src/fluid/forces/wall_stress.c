@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "base/vector.h"
-#include "mesh/face_corners.h"
+#include "mesh/geometry/face_corners.h"
 
 int wall_stress_is_wall(const struct fluid *fl, int patch)
 {

@@ -2,7 +2,7 @@
 #include "fluid/inlets/face_mean.h"
 
 #include "base/vector.h"
-#include "mesh/face_corners.h"
+#include "mesh/geometry/face_corners.h"
 
 enum { MOST_CORNERS = 64 }; /* further ones are left out */
 
