@@ -23,26 +23,20 @@ struct coupling *coupling_create(struct simulation *sim,
     cp->options = *options;
     cp->law = *options->law;
     cp->options.law = &cp->law;
-    cp->report.eps_lowest = cp->report.seen_lowest =
+    cp->report.eps_lowest = cp->report.lowest_interpolated =
         1.0; /* unchanged in one-way coupling */
-    cp->u_f = alloc_doubles(3 * n);
-    cp->eps = alloc_doubles(n);
-    cp->k = alloc_doubles(n);
-    cp->u_mean = alloc_doubles(3 * n);
-    cp->unpaid_impulse = alloc_doubles(3 * n);
+    cp->u_f = particles_new_array(ps, "u_f", "m/s", 3);
+    cp->eps = particles_new_array(ps, "eps", "-", 1);
+    cp->k = particles_new_array(ps, "k", "kg/s", 1);
+    cp->rate = particles_new_array(ps, "rate", "kg/s", 1);
+    cp->u_mean = particles_new_array(ps, "u_mean", "m/s", 3);
+    cp->unpaid_impulse = particles_new_array(ps, "unpaid_impulse", "N s", 3);
     cp->smooth = alloc_doubles(3 * n);
     cp->amount = alloc_doubles(4 * n);
-    cp->rate = alloc_doubles(n);
     cp->field = alloc_doubles(4 * cells);
     if (options->interpolation == interpolation_named("linear"))
         cp->u_b =
             alloc_doubles(3 * (sim->mesh->n_faces - sim->mesh->n_internal));
-    particles_attach(ps, "u_f", "m/s", cp->u_f, 3);
-    particles_attach(ps, "eps", "-", cp->eps, 1);
-    particles_attach(ps, "k", "kg/s", cp->k, 1);
-    particles_attach(ps, "rate", "kg/s", cp->rate, 1);
-    particles_attach(ps, "u_mean", "m/s", cp->u_mean, 3);
-    particles_attach(ps, "unpaid_impulse", "N s", cp->unpaid_impulse, 3);
     if (options->slip_integration == SLIP_INTEGRATION_EXPONENTIAL)
         particles_add_implicit_drag(ps);
     return cp;
@@ -56,7 +50,7 @@ void coupling_free(struct coupling *cp)
     free(cp->k);
     free(cp->rate);
     free(cp->inertia);
-    free(cp->u_then);
+    free(cp->u_before);
     free(cp->u_mean);
     free(cp->unpaid_impulse);
     free(cp->smooth);
@@ -145,8 +139,9 @@ static int run_particles(struct simulation *sim, int steps)
 {
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->mover != NULL && e->effect->mover->along != NULL)
-            return e->effect->mover->along(e->memory, sim, steps);
+        if (e->effect->mover != NULL &&
+            e->effect->mover->move_particles != NULL)
+            return e->effect->mover->move_particles(e->memory, sim, steps);
     }
     return dem_run(sim->dem, steps, &sim->dem_report);
 }
@@ -259,7 +254,7 @@ static void exchange_state(struct simulation *sim, struct state *s)
     state_real(s, "shortest_time", "s", &r->shortest_time);
     state_real(s, "exchange_residual", "-", &r->exchange_residual);
     state_real(s, "eps_lowest", "-", &r->eps_lowest);
-    state_real(s, "seen_lowest", "-", &r->seen_lowest);
+    state_real(s, "lowest_interpolated", "-", &r->lowest_interpolated);
     state_end(s);
 }
 

@@ -55,15 +55,16 @@ struct coupling_options {
 struct coupling_report {
     int substeps;             /* [-] of the last step */
     double shortest_time;     /* [s] smallest m_i / k_i */
-    double exchange_residual; /* [-] |impulse on the fluid + impulse charged to
-                                 the particles| over their sum: rounding, or as
-                                 the tolerance of an implicit diffusion */
+    double exchange_residual; /* [-] |impulse on the fluid - that expected from
+                                 the particles| over the sum of the sizes of
+                                 the latter: rounding, or as the tolerance of
+                                 an implicit diffusion */
     double eps_lowest;        /* [-] smallest fluid fraction of a cell */
-    double seen_lowest; /* [-] and smallest value interpolated to a particle,
-                           which linear interpolation may make smaller */
+    double lowest_interpolated; /* [-] and smallest value at a particle, which
+                                   linear interpolation may make smaller */
 };
 
-/* Of removed particles (population/). */
+/* The exchange of removed particles that is still to act (population/). */
 struct replacement {
     double *unpaid_impulse; /* [N s/m^3] that has not acted on the fluid yet, 3
                                a cell */
@@ -78,13 +79,14 @@ struct coupling {
     /* One row a particle; all follow the particles when these are sorted. */
     double *u_f;    /* [m/s] fluid velocity, 3 */
     double *eps;    /* [-] fluid fraction */
-    double *k;      /* [kg/s] the coefficient that the fluid was charged with */
+    double *k;      /* [kg/s] the coefficient in the fluid's last step */
     double *u_mean; /* [m/s] mean velocity over the sub-steps [XS11 3.20], 3 */
     double *unpaid_impulse; /* [N s] impulse on the particle whose reaction has
                                not acted on the fluid yet, 3 */
-    /* Of effect_force_inertia (effects/); NULL if no effect has called it. */
-    double *inertia; /* [kg] */
-    double *u_then;  /* [m/s] 3 */
+    /* Set by effect_force_inertia (effects/); NULL if no effect has called it.
+     */
+    double *inertia;  /* [kg] */
+    double *u_before; /* [m/s] fluid velocity when it was called, 3 */
     /* Work space. */
     double *u_b;    /* [m/s] fluid velocity on the boundary faces, 3 a face;
                        NULL unless the interpolation is linear */

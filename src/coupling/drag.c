@@ -11,9 +11,9 @@ double drag_reynolds(double rho_f, double mu, double d, double u_r)
     return rho_f * d * u_r / mu; /* [XS11 2.12] */
 }
 
-/* 1 where viscosity no longer matters: the correction to what is left without
- * it is less than 1 / Re. Also where Re is no number, 0 / 0 of a fluid without
- * viscosity that is at rest. */
+/* 1 where viscosity no longer matters: its contribution to the drag is less
+ * than 1 / Re of the rest. Also where Re is not a number, 0 / 0 of a fluid
+ * without viscosity that is at rest. */
 static int is_inviscid(double Re)
 {
     return !(Re < 1e9);

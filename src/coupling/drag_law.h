@@ -9,14 +9,10 @@
 /* One correlation. resistance: eps_f [-], rho_f [kg/m^3], mu [Pa s], d [m],
  * u_r [m/s] -> beta / eps_s [kg/(m^3 s)]. */
 struct drag_law {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
-    double eps_min, eps_max;            /* [-] fluid fractions of its data, */
-    double Re_min, Re_max; /* [-] and eps_f rho_f d u_r / mu; `winnow check`
-                              warns outside of them */
+    MODEL_MEMBERS;           /* base/model.h */
+    double eps_min, eps_max; /* [-] fluid fractions of its data, */
+    double Re_min, Re_max;   /* [-] and eps_f rho_f d u_r / mu; `winnow check`
+                                warns outside of them */
     double (*resistance)(double eps_f, double rho_f, double mu, double d,
                          double u_r);
     /* A law with keys of its own (base/model.h), one of the tables above, has

@@ -3,15 +3,15 @@
  *
  * An effect is one file with one descriptor. An effect that a case does not
  * name allocates nothing, and the time loop, which goes through the list of
- * created effects, does not call it. Its parameters are given as numbers in the
- * order of the descriptor's keys (a vector gives three, a group none), already
- * checked. Its hooks report the force on each particle; their time is measured
- * in effects_call.
+ * created effects, does not call it. Its keys are one table, whose first row is
+ * its own name; its parameters are given as numbers in the order of the rows (a
+ * vector gives three, a group none), already checked. Its hooks report the
+ * force on each particle; their time is measured in effects_call.
  */
 #ifndef COUPLING_EFFECT_H
 #define COUPLING_EFFECT_H
 
-#include "base/key.h"
+#include "base/model.h"
 #include "base/state.h"
 
 struct simulation;
@@ -40,16 +40,12 @@ struct effect_cost {
 };
 
 struct effect {
-    const char *name;       /* as a case spells it in `effects` */
-    const char *what;       /* one line */
-    const char *equations;  /* keys, such as "SX15 11-14" */
-    const char *function;   /* the function that computes it, for `explain` */
-    const struct key *keys; /* ended by a row without a path */
+    MODEL_MEMBERS; /* base/model.h */
     void *(*create)(struct simulation *sim, const double *parameters);
     /* Any of these may be NULL. */
     void (*before_particles)(void *memory, struct simulation *sim);
-    /* For forces that follow the slip: adds to the outside force of particles.h
-     * for the sub-step of the drag that follows. */
+    /* For forces that follow the slip: adds to the external force of
+     * particles.h for the sub-step of the drag that follows. */
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
     const struct effect_mover *mover; /* of what else moves */

@@ -1,4 +1,4 @@
-/* effect_count.h -- how often something has happened in an effect. */
+/* effect_count.h -- the number of events that an effect has counted. */
 #ifndef COUPLING_EFFECT_COUNT_H
 #define COUPLING_EFFECT_COUNT_H
 

@@ -26,18 +26,18 @@ void *effects_memory(const struct simulation *sim, const struct effect *e)
 }
 
 /* Each adds its part to the sum of the forces [LS 5.8, EW18 12]. */
-void effects_call(struct simulation *sim, enum effects_moment when)
+void effects_call(struct simulation *sim, enum effects_stage stage)
 {
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect *const e = sim->effects[i].effect;
         void (*const hook[])(void *, struct simulation *) = {
             e->before_particles, e->before_substep, e->after_particles,
             e->after_step};
-        if (hook[when] == NULL) continue;
+        if (hook[stage] == NULL) continue;
         double clock = clock_now();
-        sim->at_work = &sim->effects[i];
-        hook[when](sim->at_work->memory, sim);
-        clock_add(&sim->at_work->tally.seconds, &clock);
+        sim->running_effect = &sim->effects[i];
+        hook[stage](sim->running_effect->memory, sim);
+        clock_add(&sim->running_effect->tally.seconds, &clock);
     }
 }
 
@@ -50,8 +50,8 @@ static void add(struct effect_tally *t, double size, double share)
 
 void effects_report(struct simulation *sim, const double f[3], double share)
 {
-    if (sim->at_work != NULL)
-        add(&sim->at_work->tally, vector_length(f), share);
+    if (sim->running_effect != NULL)
+        add(&sim->running_effect->tally, vector_length(f), share);
 }
 
 void effects_measure_scale(struct simulation *sim)

@@ -23,17 +23,17 @@ void effects_add(struct simulation *sim, const struct effect *e, void *memory);
 /* The memory of that effect; NULL if it is not active. */
 void *effects_memory(const struct simulation *sim, const struct effect *e);
 
-/* The moments of a step at which effects are called (effect.h). */
-enum effects_moment {
+/* The stages of a step at which effects are called (effect.h). */
+enum effects_stage {
     EFFECTS_BEFORE_PARTICLES,
     EFFECTS_BEFORE_SUBSTEP,
     EFFECTS_AFTER_PARTICLES,
     EFFECTS_AFTER_STEP
 };
 
-/* Calls the effects of a case that have a hook for this moment, in their
- * order, and takes the time. */
-void effects_call(struct simulation *sim, enum effects_moment when);
+/* Calls the effects of a case that have a hook for this stage, in their order,
+ * and measures their time. */
+void effects_call(struct simulation *sim, enum effects_stage stage);
 
 /* Reports the force f [N] on one particle of the effect whose hook runs, for
  * this share of the step [-]. Outside of a hook it has no effect. */

@@ -40,10 +40,11 @@ static void pressure_gradient_free(void *memory)
     free(self);
 }
 
-/* Model B: the fluid returns the force. The fluid carries the weight of the
- * solids in eps_s, so buoyancy is returned for these and not for the volume
- * above a cap. */
-static void charge(struct simulation *sim, int i, double V, double impulse[3])
+/* Model B: the reaction of the force acts on the fluid. The fluid carries the
+ * weight of the solids in eps_s, so the reaction to buoyancy is that of these
+ * and not of the volume above a cap. */
+static void add_reaction(struct simulation *sim, int i, double V,
+                         double impulse[3])
 {
     const double out = 1.0 - averaging_capped_fraction(sim->averaging, i);
     const double rho = sim->fluid->options.rho;
@@ -74,7 +75,7 @@ static void pressure_gradient_before_particles(void *memory,
             impulse[k] = f[k] * sim->dt;
         }
         effects_report(sim, f, 1.0);
-        if (!shared) charge(sim, i, V, impulse);
+        if (!shared) add_reaction(sim, i, V, impulse);
     }
 }
 
@@ -87,7 +88,8 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     const double gradient = k->eps_s * k->drag / V / (1.0 - k->eps_s);
 
     return (struct effect_estimate){
-        V * (gradient + k->push + k->rho_f * k->gravity) / k->force, "", 0};
+        V * (gradient + k->mean_gradient + k->rho_f * k->gravity) / k->force,
+        "", 0};
 }
 
 static const struct key keys[] = {
@@ -101,7 +103,7 @@ const struct effect pressure_gradient_effect = {
     .what = "force of the pressure gradient and buoyancy",
     .equations = "LS 5.1, XS11 2.6, XS11 2.8",
     .function = "pressure_gradient_before_particles",
-    .keys = keys,
+    .keys = {keys},
     .create = pressure_gradient_create,
     .before_particles = pressure_gradient_before_particles,
     .free = pressure_gradient_free,

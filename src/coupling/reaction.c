@@ -9,8 +9,8 @@
 #include "coupling/processes.h"
 #include "coupling/transfer.h"
 
-/* From m fields a cell, of which the first is eps_s and the next, if there are
- * any, are eps_s u_s. */
+/* Sets eps and eps_us from m fields, of which the first is eps_s and the
+ * others, if there are any, are eps_s u_s. */
 static void take_solids(struct simulation *sim, int m)
 {
     struct fluid *const fl = sim->fluid;
@@ -52,14 +52,16 @@ int reaction_average(struct simulation *sim)
     take_solids(sim, m);
     cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
                                      cp->eps);
-    cp->report.seen_lowest = 1.0;
+    cp->report.lowest_interpolated = 1.0;
     for (int i = 0; i < ps->n; i++)
-        cp->report.seen_lowest = fmin(cp->report.seen_lowest, cp->eps[i]);
+        cp->report.lowest_interpolated =
+            fmin(cp->report.lowest_interpolated, cp->eps[i]);
     cp->report.eps_lowest =
         shared_smallest(sim->fluid->options.shared, cp->report.eps_lowest);
-    cp->report.seen_lowest =
-        shared_smallest(sim->fluid->options.shared, cp->report.seen_lowest);
-    return cp->report.eps_lowest <= 0.0 || cp->report.seen_lowest <= 0.0;
+    cp->report.lowest_interpolated = shared_smallest(
+        sim->fluid->options.shared, cp->report.lowest_interpolated);
+    return cp->report.eps_lowest <= 0.0 ||
+           cp->report.lowest_interpolated <= 0.0;
 }
 
 /* The terms of each particle in the next step of the fluid: a coefficient of
@@ -113,7 +115,7 @@ static void add_inertia(struct simulation *sim)
         const double k = inertia_in_advance(sim, i) / sim->dt;
         cp->amount[4 * i] += k;
         for (int a = 0; a < 3; a++)
-            cp->amount[4 * i + 1 + a] += k * cp->u_then[3 * i + a];
+            cp->amount[4 * i + 1 + a] += k * cp->u_before[3 * i + a];
     }
 }
 
@@ -152,8 +154,8 @@ void reaction_drag_terms(struct simulation *sim)
 /* Compares the impulse that the fluid lost to K and F with the sum over the
  * particles. They are equal to rounding if gathering is the adjoint of
  * spreading. */
-static void check_payment(struct simulation *sim, const double charged[3],
-                          double scale)
+static void check_exchange(struct simulation *sim, const double expected[3],
+                           double scale)
 {
     const struct fluid *const fl = sim->fluid;
     const double *const field = sim->coupling->field;
@@ -162,11 +164,12 @@ static void check_payment(struct simulation *sim, const double charged[3],
     double sum[4] = {0.0, 0.0, 0.0, scale}, off = 0.0;
 
     for (int k = 0; k < 3; k++) {
-        double paid = 0.0;
+        double received = 0.0;
         for (int c = 0; c < sim->mesh->n_cells; c++)
-            paid += V[c] * sim->dt *
-                    (field[4 * c] * fl->u[3 * c + k] - field[4 * c + 1 + k]);
-        sum[k] = paid - charged[k];
+            received +=
+                V[c] * sim->dt *
+                (field[4 * c] * fl->u[3 * c + k] - field[4 * c + 1 + k]);
+        sum[k] = received - expected[k];
     }
     processes_sum(sim, 4, sum);
     for (int k = 0; k < 3; k++)
@@ -175,11 +178,11 @@ static void check_payment(struct simulation *sim, const double charged[3],
 }
 
 /* The fluid has received the unpaid impulse of removed particles. */
-static void add_removed(struct replacement *r, int n_cells, double charged[3],
+static void add_removed(struct replacement *r, int n_cells, double expected[3],
                         double *scale)
 {
     for (int k = 0; k < 3; k++) {
-        charged[k] += r->unpaid_sum[k];
+        expected[k] += r->unpaid_sum[k];
         *scale += fabs(r->unpaid_sum[k]);
         r->unpaid_sum[k] = 0.0;
     }
@@ -187,8 +190,8 @@ static void add_removed(struct replacement *r, int n_cells, double charged[3],
            3 * (size_t)n_cells * sizeof *r->unpaid_impulse);
 }
 
-/* What it received of the inertia of effects. */
-static void subtract_inertia(struct simulation *sim, double charged[3],
+/* The same for the part of the inertia of effects that the fluid received. */
+static void subtract_inertia(struct simulation *sim, double expected[3],
                              double *scale)
 {
     struct coupling *const cp = sim->coupling;
@@ -197,8 +200,8 @@ static void subtract_inertia(struct simulation *sim, double charged[3],
         const double m = inertia_in_advance(sim, i);
         for (int a = 0; a < 3; a++) {
             const int j = 3 * i + a;
-            const double estimate = m * (cp->smooth[j] - cp->u_then[j]);
-            charged[a] += estimate;
+            const double estimate = m * (cp->smooth[j] - cp->u_before[j]);
+            expected[a] += estimate;
             *scale += fabs(estimate);
             cp->unpaid_impulse[j] -= estimate;
         }
@@ -208,28 +211,28 @@ static void subtract_inertia(struct simulation *sim, double charged[3],
 
 /* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a
  * particle, with u^new interpolated by the adjoint of the averaging. */
-static void subtract_payment(struct simulation *sim)
+static void subtract_received(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
-    double charged[3] = {0.0, 0.0, 0.0}, scale = 0.0;
+    double expected[3] = {0.0, 0.0, 0.0}, scale = 0.0;
 
     for (int i = 0; i < sim->particles->n; i++)
         for (int k = 0; k < 3; k++) {
             const int j = 3 * i + k;
             const double estimate =
                 sim->dt * cp->k[i] * (cp->smooth[j] - cp->u_mean[j]);
-            charged[k] += estimate + cp->unpaid_impulse[j];
+            expected[k] += estimate + cp->unpaid_impulse[j];
             scale += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
             cp->unpaid_impulse[j] = -estimate;
         }
-    if (cp->inertia != NULL) subtract_inertia(sim, charged, &scale);
+    if (cp->inertia != NULL) subtract_inertia(sim, expected, &scale);
     if (cp->replacement != NULL)
-        add_removed(cp->replacement, sim->mesh->n_cells, charged, &scale);
-    check_payment(sim, charged, scale);
+        add_removed(cp->replacement, sim->mesh->n_cells, expected, &scale);
+    check_exchange(sim, expected, scale);
 }
 
 void reaction_receive(struct simulation *sim)
 {
     averaging_gather(sim->averaging, 3, sim->fluid->u, sim->coupling->smooth);
-    if (sim->fluid->t > 0.0) subtract_payment(sim);
+    if (sim->fluid->t > 0.0) subtract_received(sim);
 }

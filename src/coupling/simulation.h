@@ -63,10 +63,9 @@ struct simulation {
                            this step, 3 a particle */
     struct dem_report dem_report; /* of the last step */
     struct boundary *boundaries;  /* one a patch, of the fluid */
-    double *inlet_series; /* [s], [m/s] times and velocities of the inlets */
     int n_effects;
     struct effect_state *effects;
-    struct effect_state *at_work;    /* the one whose hook runs */
+    struct effect_state *running_effect; /* the one whose hook runs */
     struct effect_tally force_scale; /* what their forces are compared with */
     struct seconds seconds;
     struct processes *processes; /* with the other parts of it; NULL: there is

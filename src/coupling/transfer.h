@@ -39,9 +39,10 @@ double transfer_drag(const struct simulation *sim, int i);
 /* Starts the sums over the sub-steps. */
 void transfer_begin_substeps(struct simulation *sim);
 
-/* Adds the drag of a sub-step to the outside force of each particle, and to the
- * unpaid impulse as far as it is known [XS11 3.18]. The outside force so far is
- * the held one; `steps` particle steps follow, then transfer_end_substep. */
+/* Adds the drag of a sub-step to the external force of each particle, and to
+ * the unpaid impulse as far as it is known [XS11 3.18]. The external force so
+ * far is the held one; `steps` particle steps follow, then
+ * transfer_end_substep. */
 void transfer_begin_substep(struct simulation *sim, int steps);
 void transfer_end_substep(struct simulation *sim, int steps);
 

@@ -18,10 +18,10 @@ struct attraction_law;
 /* A law and its parameters. Parameters that a law does not use are 0. */
 struct attraction {
     const struct attraction_law *law;
-    double range;         /* [m] longest gap at which it acts */
-    double strength;      /* eps_r [-]; A [J]; gamma cos theta [N/m] */
-    double closest;       /* [m] gap below which van der Waals' force stays */
-    int harmonic;         /* [-] 1: R* of a capillary is the harmonic mean */
+    double range;    /* [m] longest gap at which it acts */
+    double strength; /* eps_r [-]; A [J]; gamma cos theta [N/m] */
+    double closest;  /* [m] gap below which van der Waals' force is constant */
+    int harmonic;    /* [-] 1: R* of a capillary is the harmonic mean */
     const double *charge; /* [C] of a sphere, by material; borrowed */
 };
 

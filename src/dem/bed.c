@@ -14,7 +14,7 @@
 #include "base/vector.h"
 #include "dem/bed_settling.h"
 
-static const double closest = 1.02; /* [-] lattice spacing over d */
+static const double lattice_spacing = 1.02; /* [-] over d */
 
 struct lattice {
     int up;          /* direction that gravity points along */
@@ -62,7 +62,7 @@ static int lattice_wrong(const struct lattice *l, const struct bed_options *bed,
 static struct lattice lattice_of(const struct bed_options *bed,
                                  const struct dem_options *dem)
 {
-    const double least = closest * bed->diameter;
+    const double least = lattice_spacing * bed->diameter;
     struct lattice l = {.up = upward(bed, dem)};
     long layer = 1;
 
@@ -107,10 +107,9 @@ struct bed_range bed_range(const struct bed_options *bed)
  * lattice; with a region only on sites where a sphere has room, as far as they
  * reach. Returns the number of spheres. */
 static int fill_lattice(const struct lattice *l, const struct bed_options *bed,
-                        const struct dem_options *dem,
-                        const struct placement_region *region, bed_put *put,
-                        void *to)
+                        const struct dem_options *dem, bed_put *put, void *to)
 {
+    const struct placement_region *const region = &bed->region;
     const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
     const long layer = (long)l->n[a] * l->n[c];
     const double height = dem->hi[l->up] - dem->lo[l->up];
@@ -126,17 +125,18 @@ static int fill_lattice(const struct lattice *l, const struct bed_options *bed,
         long site[3];
         double x[3];
 
-        if (region != NULL && (double)q >= sites) break;
+        if (region->has_room != NULL && (double)q >= sites) break;
         site[a] = q % l->n[a];
         site[c] = q / l->n[a] % l->n[c];
         site[l->up] = q / layer;
         for (int k = 0; k < 3; k++) {
-            const double room = bed->jitter * (l->space[k] - d);
-            const double shift = room * (gsl_rng_uniform(random) - 0.5);
+            const double gap = bed->jitter * (l->space[k] - d);
+            const double shift = gap * (gsl_rng_uniform(random) - 0.5);
             const double at = ((double)site[k] + 0.5) * l->space[k] + shift;
             x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
         }
-        if (region != NULL && !region->has_room(region->state, x, 0.5 * d))
+        if (region->has_room != NULL &&
+            !region->has_room(region->state, x, 0.5 * d))
             continue;
         put(to, i++, x, d);
         d = next_size(bed, sizes);
@@ -155,15 +155,22 @@ static struct bed_options widest_of(const struct bed_options *bed)
     return widest;
 }
 
+/* The lattice ends at the top of the box, or where the region does. */
 int bed_each(const struct bed_options *bed, const struct dem_options *dem,
              bed_put *put, void *to)
 {
     const struct bed_options widest = widest_of(bed);
     const struct lattice l = lattice_of(&widest, dem);
 
-    if (lattice_wrong(&l, &widest, dem)) return 1;
-    fill_lattice(&l, bed, dem, NULL, put, to);
-    return 0;
+    if (bed->region.has_room == NULL && lattice_wrong(&l, &widest, dem))
+        return 1;
+    const int n = fill_lattice(&l, bed, dem, put, to);
+    if (n == bed->count) return 0;
+    fprintf(stderr,
+            "winnow: the bed does not fit: the mesh has room for %d of its %d "
+            "spheres on a lattice\n",
+            n, bed->count);
+    return 1;
 }
 
 /* The particles that a bed is added to. */
@@ -180,30 +187,11 @@ static void put_one(void *to, int i, const double x[3], double d)
     particles_add(f->ps, x, d, f->density);
 }
 
-/* Fills the sites in the region; non-zero after a message if there are too few.
- */
-static int fill_region(struct filling *f, const struct bed_options *bed,
-                       const struct dem_options *dem)
-{
-    const struct bed_options widest = widest_of(bed);
-    const struct lattice l = lattice_of(&widest, dem);
-    const int n = fill_lattice(&l, bed, dem, &bed->region, put_one, f);
-
-    if (n == bed->count) return 0;
-    fprintf(stderr,
-            "winnow: the bed does not fit: the mesh has room for %d of its %d "
-            "spheres on a lattice\n",
-            n, bed->count);
-    return 1;
-}
-
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem)
 {
     struct filling f = {ps, bed->density};
-    const int wrong = bed->region.has_room == NULL
-                          ? bed_each(bed, dem, put_one, &f)
-                          : fill_region(&f, bed, dem);
+    const int wrong = bed_each(bed, dem, put_one, &f);
 
     if (wrong || bed->region.start_wrong == NULL) return wrong;
     return bed->region.start_wrong(bed->region.state, ps);
@@ -211,14 +199,14 @@ int bed_fill(struct particles *ps, const struct bed_options *bed,
 
 int bed_settle(struct particles *ps, const struct bed_options *bed,
                const struct dem_options *dem, struct bed_report *r,
-               struct bed_springs *springs)
+               struct bed_histories *histories)
 {
     int lost = 0;
 
-    *springs = (struct bed_springs){0, NULL};
+    *histories = (struct bed_histories){0, NULL};
     *r = (struct bed_report){.settled = 1};
     if (ps->n > 0 && bed->settle > 0.0 && vector_length(bed->gravity) > 0.0)
-        lost = bed_settling_run(ps, bed, dem, r, springs);
+        lost = bed_settling_run(ps, bed, dem, r, histories);
     bed_measure(ps, bed, dem, r);
     return lost;
 }
@@ -248,26 +236,26 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
                struct bed_report *r)
 {
     const struct bed_store *const store = bed_stores[0];
-    struct bed_springs springs = {0, NULL};
+    struct bed_histories histories = {0, NULL};
     int code = BED_ABSENT;
 
     assert(path == NULL || store != NULL);
     *r = (struct bed_report){.settled = 1};
-    if (path != NULL) code = store->load(path, ps, &springs, bed, dem);
+    if (path != NULL) code = store->load(path, ps, &histories, bed, dem);
     if (code == BED_CREATED) bed_measure(ps, bed, dem, r);
     if (code == BED_ABSENT) {
         if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
-        const int wrong = bed_settle(ps, bed, dem, r, &springs);
+        const int wrong = bed_settle(ps, bed, dem, r, &histories);
         code = r->stopped  ? BED_STOPPED
                : wrong < 0 ? BED_REFUSED
                : wrong > 0 ? BED_LOST
                            : BED_CREATED;
         if (path != NULL && code == BED_CREATED &&
-            store->save(path, ps, &springs, bed, dem) != 0)
+            store->save(path, ps, &histories, bed, dem) != 0)
             code = BED_UNSAVED;
     }
     if (code == BED_CREATED || code == BED_UNSAVED)
-        dem_restore_springs(run, springs.list, springs.n);
-    free(springs.list);
+        dem_restore_histories(run, histories.list, histories.n);
+    free(histories.list);
     return code;
 }

@@ -52,19 +52,19 @@ struct bed_report {
  * it gains by falling this part of its diameter [-]. */
 #define BED_SETTLED_ENERGY 1e-5
 
-/* The springs of a settled bed (dem.h). */
-struct bed_springs {
+/* The contact histories of a settled bed (dem.h). */
+struct bed_histories {
     int n;
-    struct dem_spring *list; /* released with free() */
+    struct dem_history *list; /* released with free() */
 };
 
 /* A kind of file that a settled bed is kept in (population/bed_file.h). */
 struct bed_store {
     int (*save)(const char *path, const struct particles *ps,
-                const struct bed_springs *springs,
+                const struct bed_histories *histories,
                 const struct bed_options *bed, const struct dem_options *dem);
     int (*load)(const char *path, struct particles *ps,
-                struct bed_springs *springs, const struct bed_options *bed,
+                struct bed_histories *histories, const struct bed_options *bed,
                 const struct dem_options *dem);
 };
 
@@ -115,7 +115,7 @@ int bed_each(const struct bed_options *bed, const struct dem_options *dem,
  * is not settled in time is not an error here: see r->settled. */
 int bed_settle(struct particles *ps, const struct bed_options *bed,
                const struct dem_options *dem, struct bed_report *r,
-               struct bed_springs *springs);
+               struct bed_histories *histories);
 
 /* Height and packing of what is in ps. */
 void bed_measure(const struct particles *ps, const struct bed_options *bed,

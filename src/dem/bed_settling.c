@@ -112,11 +112,11 @@ void bed_settling_state(struct bed_settling *b, struct state *s)
 }
 
 /* Non-zero: settling ends here. */
-static int call_saver(struct bed_settling *b, enum bed_moment when)
+static int call_saver(struct bed_settling *b, enum bed_stage stage)
 {
     const struct bed_saver *const k = b->bed->saver;
 
-    if (k != NULL) b->r->stopped = k->visit(k->memory, b, when);
+    if (k != NULL) b->r->stopped = k->visit(k->memory, b, stage);
     return b->r->stopped;
 }
 
@@ -129,7 +129,7 @@ static int run_to_rest(struct bed_settling *b, double least, double factor)
     int lost = 0;
 
     do {
-        if (call_saver(b, BED_MOVES) != 0) break;
+        if (call_saver(b, BED_STAGE_STEPS) != 0) break;
         MODELS_EACH(thread_choices, before_step, threads);
         lost = dem_run(b->run, CHECK_EVERY, &r->dem);
         MODELS_EACH(thread_choices, after_step, threads);
@@ -153,7 +153,7 @@ static int settle_in_parts(struct bed_settling *b)
     const double interval = CHECK_EVERY * b->step;
     int lost = 0;
 
-    if (call_saver(b, BED_BEGINS) != 0) return 0;
+    if (call_saver(b, BED_STAGE_START) != 0) return 0;
     if (b->part == DISSIPATIVE) {
         lost =
             run_to_rest(b, 1.5 * fall, exp(-interval / (settling_drag * fall)));
@@ -163,13 +163,13 @@ static int settle_in_parts(struct bed_settling *b)
     if (b->part == REAL) lost = run_to_rest(b, 0.0, 1.0);
     if (lost || b->r->stopped) return lost;
     b->part = ENDED;
-    call_saver(b, BED_RESTS);
+    call_saver(b, BED_STAGE_END);
     return 0;
 }
 
 int bed_settling_run(struct particles *ps, const struct bed_options *bed,
                      const struct dem_options *o, struct bed_report *r,
-                     struct bed_springs *springs)
+                     struct bed_histories *histories)
 {
     struct dem_options settling = *o;
     struct bed_settling b = {
@@ -184,7 +184,7 @@ int bed_settling_run(struct particles *ps, const struct bed_options *bed,
     set_weight(ps, ps->m, bed->gravity);
     begin_part(&b, DISSIPATIVE);
     const int lost = settle_in_parts(&b);
-    springs->list = dem_springs(b.run, &springs->n);
+    histories->list = dem_histories(b.run, &histories->n);
     dem_free(b.run);
     restore_masses(ps, b.own_mass);
     set_weight(ps, ps->m, (const double[3]){0.0, 0.0, 0.0});

@@ -9,8 +9,8 @@
 
 #include "dem/bed.h"
 
-/* When a saver is called. */
-enum bed_moment { BED_BEGINS, BED_MOVES, BED_RESTS };
+/* The stages of the settling at which a saver is called. */
+enum bed_stage { BED_STAGE_START, BED_STAGE_STEPS, BED_STAGE_END };
 
 struct bed_settling;
 
@@ -26,12 +26,12 @@ struct bed_saver {
     /* Called once before the first step, where a bed that was saved may be
      * loaded; before each fifty steps; and once when the bed is at rest.
      * Settling ends where it returns an exit code that is not 0. */
-    int (*visit)(void *memory, struct bed_settling *b, enum bed_moment when);
+    int (*visit)(void *memory, struct bed_settling *b, enum bed_stage stage);
 };
 
 /* Lets ps settle, as bed_settle does. */
 int bed_settling_run(struct particles *ps, const struct bed_options *bed,
                      const struct dem_options *dem, struct bed_report *r,
-                     struct bed_springs *springs);
+                     struct bed_histories *histories);
 
 #endif

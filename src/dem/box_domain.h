@@ -11,7 +11,7 @@
 
 struct box_domain {
     double lo[3], hi[3]; /* [m] */
-    int periodic[3];     /* [-] 1 where hi is lo again */
+    int periodic[3];     /* [-] 1: hi and lo are the same place */
     double length[3];    /* [m] hi - lo if periodic, else 0 */
     double inverse[3];   /* [1/m] 1 / (hi - lo) if periodic, else 0 */
 };

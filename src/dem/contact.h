@@ -70,11 +70,7 @@ contact_respond(const struct contact_constants *k, double delta, double R_star,
 #define CONTACT_INLINE static inline __attribute__((always_inline, unused))
 
 struct contact_law {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS; /* base/model.h */
     /* Of these the table of its own keys (base/model.h), numbers of a material:
      * "particles.grains.NAME", whose values are in material.own. Where there
      * are rows "particles.materials.NAME" too, other materials have their own,

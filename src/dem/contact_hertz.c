@@ -70,14 +70,14 @@ static double wave_time(const struct material *m, double r, double rho)
 
 /* The constants of each material. */
 const struct key contact_hertz_keys[] = {
-    {"particles.grains.young", KEY_REAL, "Pa", "> 0", KEY_ASKED,
+    {"particles.grains.young", KEY_REAL, "Pa", "> 0", KEY_MODEL_REQUIRED,
      "Young's modulus E", "LS 4.9", ""},
-    {"particles.grains.poisson", KEY_REAL, "-", ">= 0, <= 0.5", KEY_ASKED,
-     "Poisson's ratio nu", "LS 4.9", ""},
-    {"particles.materials.young", KEY_REAL, "Pa", "> 0", KEY_ASKED,
+    {"particles.grains.poisson", KEY_REAL, "-", ">= 0, <= 0.5",
+     KEY_MODEL_REQUIRED, "Poisson's ratio nu", "LS 4.9", ""},
+    {"particles.materials.young", KEY_REAL, "Pa", "> 0", KEY_MODEL_REQUIRED,
      "Young's modulus E", "LS 4.9", ""},
-    {"particles.materials.poisson", KEY_REAL, "-", ">= 0, <= 0.5", KEY_ASKED,
-     "Poisson's ratio nu", "LS 4.9", ""},
+    {"particles.materials.poisson", KEY_REAL, "-", ">= 0, <= 0.5",
+     KEY_MODEL_REQUIRED, "Poisson's ratio nu", "LS 4.9", ""},
     KEY_END};
 
 const struct contact_law contact_hertz = {

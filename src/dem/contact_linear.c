@@ -47,15 +47,15 @@ static double wave_time(const struct material *m, double r, double rho)
     return HUGE_VAL;
 }
 
-/* Its constants; without a ratio the tangential spring is 2/7 of the normal
- * one. A pair of materials may have constants of its own. */
+/* The constants of the law; without a ratio the tangential spring is 2/7 of the
+ * normal one. A pair of materials may have constants of its own. */
 const struct key contact_linear_keys[] = {
-    {"particles.grains.stiffness", KEY_REAL, "N/m", "> 0", KEY_ASKED,
+    {"particles.grains.stiffness", KEY_REAL, "N/m", "> 0", KEY_MODEL_REQUIRED,
      "spring constant k", "LS 4.4", ""},
     {"particles.grains.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
      "tangential spring over k; left out: 2/7", "LS 4.8", ""},
-    {"particles.materials.stiffness", KEY_REAL, "N/m", "> 0", KEY_ASKED,
-     "spring constant k of two grains of it", "LS 4.4", ""},
+    {"particles.materials.stiffness", KEY_REAL, "N/m", "> 0",
+     KEY_MODEL_REQUIRED, "spring constant k of two grains of it", "LS 4.4", ""},
     {"particles.materials.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
      "tangential spring over k; left out: 2/7", "LS 4.8", ""},
     {"particles.pairs.stiffness", KEY_REAL, "N/m", "> 0", KEY_OPTIONAL,

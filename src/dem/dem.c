@@ -175,9 +175,9 @@ void dem_state(struct dem *dem, struct state *s)
     state_end(s);
 }
 
-struct dem_spring *dem_springs(struct dem *dem, int *n)
+struct dem_history *dem_histories(struct dem *dem, int *n)
 {
-    return dem->method->springs(dem, n);
+    return dem->method->histories(dem, n);
 }
 
 /* The index of each id; -1: there is no such particle. */
@@ -192,32 +192,33 @@ static int *indices(const struct particles *ps)
     return index;
 }
 
-static int exists(const struct dem_spring *s, const int *index)
+static int exists(const struct dem_history *h, const int *index)
 {
-    return index[s->id] >= 0 && (s->other < 0 || index[s->other] >= 0);
+    return index[h->id] >= 0 && (h->other < 0 || index[h->other] >= 0);
 }
 
-void dem_restore_springs(struct dem *dem, const struct dem_spring *all, int n)
+void dem_restore_histories(struct dem *dem, const struct dem_history *all,
+                           int n)
 {
-    struct dem_spring *const list = alloc_zeroed((size_t)n, sizeof *list);
+    struct dem_history *const list = alloc_zeroed((size_t)n, sizeof *list);
     int *const index = indices(dem->ps);
     int count = 0;
 
     for (int q = 0; q < n; q++)
         if (exists(&all[q], index)) list[count++] = all[q];
-    dem->method->restore_springs(dem, list, count, index);
+    dem->method->restore_histories(dem, list, count, index);
     free(list);
     free(index);
 }
 
-void dem_remove(struct dem *dem, const int *gone)
+void dem_remove(struct dem *dem, const int *removed)
 {
     int n;
-    struct dem_spring *const springs = dem_springs(dem, &n);
+    struct dem_history *const histories = dem_histories(dem, &n);
 
-    particles_remove(dem->ps, gone);
-    dem_restore_springs(dem, springs, n);
-    free(springs);
+    particles_remove(dem->ps, removed);
+    dem_restore_histories(dem, histories, n);
+    free(histories);
 }
 
 MODEL_NAMED(dem_method)

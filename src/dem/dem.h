@@ -5,7 +5,7 @@
  *                                       [LS 4.1-4.3] [XS11 2.1, 2.2] [SX15 1]
  *
  * with the contact forces F_c and torques T_c of contact.h, to which the
- * attractions of attraction.h are added, and an outside force F (gravity, the
+ * attractions of attraction.h are added, and an external force F (gravity, the
  * fluid) that is constant during a run. The integrator is velocity Verlet
  * unless the options name another (integrator.h); the force is evaluated with
  * the velocity half a step earlier, which needs one evaluation a step and is of
@@ -86,15 +86,15 @@ void dem_changed(struct dem *dem);
  * surfaces and prescribed particles rest at their positions of time 0. */
 void dem_clock(struct dem *dem, long steps);
 
-/* Removes the particles i with gone[i] between two runs. The others keep their
- * tangential displacements. */
-void dem_remove(struct dem *dem, const int *gone);
+/* Removes the particles i with removed[i] between two runs. The others keep
+ * their contact histories. */
+void dem_remove(struct dem *dem, const int *removed);
 
-/* The tangential displacements of all touching pairs: together with the
- * particles they are the whole state. `other` is an id too, or -1 - w for wall
- * w; w = 2 k is the lower and 2 k + 1 the upper wall of direction k, 6 any
- * surface. */
-struct dem_spring {
+/* The contact histories of all touching pairs, tangential displacements and
+ * rolling angles: together with the particles they are the whole state. `other`
+ * is an id too, or -1 - w for wall w; w = 2 k is the lower and 2 k + 1 the
+ * upper wall of direction k, 6 any surface. */
+struct dem_history {
     int id, other;
     double xi[3];         /* [m] of id against other */
     double roll_angle[3]; /* [rad] theta likewise; 0 without rolling friction */
@@ -103,11 +103,12 @@ struct dem_spring {
 };
 
 /* A new list of them, released with free(). */
-struct dem_spring *dem_springs(struct dem *dem, int *n);
+struct dem_history *dem_histories(struct dem *dem, int *n);
 
-/* Starts the next run with these tangential displacements and no others;
+/* Starts the next run with these contact histories and no others;
  * entries of particles that do not exist are ignored. */
-void dem_restore_springs(struct dem *dem, const struct dem_spring *list, int n);
+void dem_restore_histories(struct dem *dem, const struct dem_history *list,
+                           int n);
 
 /* Visits all that the next run depends on besides the particles, which are
  * visited first (state.h). */

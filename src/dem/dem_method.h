@@ -10,15 +10,11 @@
 #ifndef DEM_DEM_METHOD_H
 #define DEM_DEM_METHOD_H
 
-#include "base/key.h"
+#include "base/model.h"
 #include "dem/dem.h"
 
 struct dem_method {
-    const char *name;      /* as a case spells it in particles.list */
-    const char *what;      /* one line */
-    const char *equations; /* keys in chapters/references.md */
-    const char *function;  /* that finds the pairs */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS;   /* base/model.h */
     int no_contacts; /* [-] 1: particles pass through each other */
     /* The option that it does not support, in words; NULL: none. */
     const char *(*unsupported)(const struct dem_options *o);
@@ -38,11 +34,11 @@ struct dem_method {
     /* Visits dem->state (state.h). */
     void (*visit)(struct dem *dem, struct state *s);
     /* A new list of the contact histories (dem.h). */
-    struct dem_spring *(*springs)(struct dem *dem, int *n);
+    struct dem_history *(*histories)(struct dem *dem, int *n);
     /* The next run starts with these histories, whose particles all exist;
      * index: the present index of each id. */
-    void (*restore_springs)(struct dem *dem, const struct dem_spring *list,
-                            int n, const int *index);
+    void (*restore_histories)(struct dem *dem, const struct dem_history *list,
+                              int n, const int *index);
 };
 
 /* All methods, ended by NULL, the default first; dem_method_named: NULL for an

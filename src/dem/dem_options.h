@@ -24,7 +24,7 @@ struct dem_options {
     double step;                         /* [s] */
     double skin;                         /* [m] of the neighbour list; 0: d/3 */
     double lo[3], hi[3];                 /* [m] walls of the box */
-    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
+    int periodic[3]; /* [-] 1: no walls, hi and lo coincide; the box must be at
                         least 2 (d + skin + range) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;

@@ -24,11 +24,11 @@ struct energy {
                                   overlap; less what they gain as it grows */
     double rolled;             /* [J] against rolling friction */
     /* Gains since then. */
-    double work;      /* [J] of the outside forces: gravity, the fluid */
+    double work;      /* [J] of the external forces: gravity, the fluid */
     double attracted; /* [J] work of the attractions, returned on separation
                          where the force is conservative */
-    double walls;     /* [J] of surfaces that move, and of what moves the
-                         particles that move as prescribed */
+    double walls;     /* [J] of moving surfaces, and of the forces that keep
+                         particles in their prescribed motion */
     double added; /* [J] by particles that were inserted, removed or given other
                      velocities between two runs */
 };

@@ -1,7 +1,7 @@
 /* implicit_drag.h -- implicit drag and added mass of particles.
  * Chapter "Which treatment is stable".
  *
- * In addition to contact forces and the outside force F a particle may have a
+ * In addition to contact forces and the external force F a particle may have a
  * drag -k v and an added mass m_a of fluid:
  *
  *   (m + m_a) dv/dt = sum F_c + F - k v                      [XS11 2.1]

@@ -16,14 +16,10 @@
 #ifndef DEM_INTEGRATOR_H
 #define DEM_INTEGRATOR_H
 
-#include "base/key.h"
+#include "base/model.h"
 
 struct integrator {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    MODEL_MEMBERS;      /* base/model.h */
     double first, last; /* [-] of a step that the first and last kick take */
     int predicts;       /* [-] 1: Heun */
 };

@@ -3,9 +3,9 @@
 
 #include <gsl/gsl_math.h>
 
-static const double steps_a_contact = 25.0, least_steps_a_contact = 15.0;
-static const double share_of_rayleigh = 0.1;
-static const double most_over_undamped = 5.0 / 3.0;
+static const double steps_a_contact = 25.0, min_steps_a_contact = 15.0;
+static const double fraction_of_rayleigh = 0.1;
+static const double max_over_undamped = 5.0 / 3.0;
 
 double limits_rayleigh(double r, double rho, double G, double nu)
 {
@@ -30,7 +30,7 @@ static double resolved_time(const struct contact_law *law,
 
     undamped.restitution = 1.0;
     return fmin(limits_contact_time(law, m, d, rho, v),
-                most_over_undamped *
+                max_over_undamped *
                     limits_contact_time(law, &undamped, d, rho, v));
 }
 
@@ -38,12 +38,12 @@ double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v)
 {
     return fmin(resolved_time(law, m, d, rho, v) / steps_a_contact,
-                share_of_rayleigh * law->wave_time(m, 0.5 * d, rho));
+                fraction_of_rayleigh * law->wave_time(m, 0.5 * d, rho));
 }
 
 double limits_longest_step(const struct contact_law *law,
                            const struct material *m, double d, double rho,
                            double v)
 {
-    return resolved_time(law, m, d, rho, v) / least_steps_a_contact;
+    return resolved_time(law, m, d, rho, v) / min_steps_a_contact;
 }

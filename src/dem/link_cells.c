@@ -8,7 +8,7 @@
 #include "base/number.h"
 
 /* A box may be far larger than its particles; then the cells are widened. */
-static int most_cells(int capacity)
+static int max_cells(int capacity)
 {
     return 4 * capacity + 64;
 }
@@ -19,7 +19,7 @@ struct link_cells *link_cells_create(int capacity, const struct box_domain *box)
 
     l->box = *box;
     l->capacity = capacity;
-    l->head = alloc_ints(most_cells(capacity));
+    l->head = alloc_ints(max_cells(capacity));
     l->next = alloc_ints(capacity);
     return l;
 }
@@ -36,7 +36,7 @@ void link_cells_clear(struct link_cells *l, double reach)
 {
     double total = HUGE_VAL;
 
-    for (double width = reach; total > most_cells(l->capacity); width *= 1.25) {
+    for (double width = reach; total > max_cells(l->capacity); width *= 1.25) {
         total = 1.0;
         for (int k = 0; k < 3; k++) {
             const double length = l->box.hi[k] - l->box.lo[k];

@@ -21,7 +21,7 @@ static double in_series(double k_a, double k_b)
 }
 
 /* k_t / k, where 0 stands for 2/7 (contact_linear.h). */
-static double least_ratio(double a, double b)
+static double smaller_ratio(double a, double b)
 {
     return a > 0.0 && b > 0.0 ? fmin(a, b) : fmax(a, b);
 }
@@ -32,20 +32,20 @@ struct material_pair materials_mixed(const struct material *a,
     return (struct material_pair){
         .of = {a, b},
         .stiffness = in_series(a->stiffness, b->stiffness),
-        .tangential = least_ratio(a->tangential, b->tangential),
+        .tangential = smaller_ratio(a->tangential, b->tangential),
         .restitution = fmin(a->restitution, b->restitution),
         .friction = fmin(a->friction, b->friction),
         .rolling = fmin(a->rolling, b->rolling)};
 }
 
 /* A measured value replaces the mixed one. */
-static void take(double measured, double *value)
+static void replace(double measured, double *value)
 {
     if (measured >= 0.0) *value = measured;
 }
 
-static const struct material *number(const struct material *zero,
-                                     const struct materials *all, int a)
+static const struct material *
+material_number(const struct material *zero, const struct materials *all, int a)
 {
     return a == 0 ? zero : &all->further[a - 1];
 }
@@ -53,19 +53,19 @@ static const struct material *number(const struct material *zero,
 struct material_pair materials_pair(const struct material *zero,
                                     const struct materials *all, int a, int b)
 {
-    const struct material *const of_a = number(zero, all, a);
-    struct material_pair p = a == b
-                                 ? materials_same(of_a)
-                                 : materials_mixed(of_a, number(zero, all, b));
+    const struct material *const of_a = material_number(zero, all, a);
+    struct material_pair p =
+        a == b ? materials_same(of_a)
+               : materials_mixed(of_a, material_number(zero, all, b));
 
     for (int k = 0; all != NULL && k < all->n_measured; k++) {
         const struct materials_measured *const m = &all->measured[k];
         if (!(m->a == a && m->b == b) && !(m->a == b && m->b == a)) continue;
-        take(m->stiffness, &p.stiffness);
-        take(m->tangential, &p.tangential);
-        take(m->restitution, &p.restitution);
-        take(m->friction, &p.friction);
-        take(m->rolling, &p.rolling);
+        replace(m->stiffness, &p.stiffness);
+        replace(m->tangential, &p.tangential);
+        replace(m->restitution, &p.restitution);
+        replace(m->friction, &p.friction);
+        replace(m->rolling, &p.rolling);
     }
     return p;
 }

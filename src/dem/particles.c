@@ -9,15 +9,17 @@
 
 #include "base/alloc.h"
 
-enum { MOST_ATTACHED = 128, MOST_WIDTH = 8, OWN = 17 };
+enum { MAX_ATTACHED = 128, MAX_WIDTH = 8, OWN = 17 };
 
 /* All arrays that are sorted with the particles; the first OWN are those of
  * struct particles. */
 struct attachments {
     int n;
-    double *array[MOST_ATTACHED];
-    int width[MOST_ATTACHED];
-    const char *name[MOST_ATTACHED], *unit[MOST_ATTACHED];
+    struct attachment {
+        double *array;
+        int width; /* [-] numbers a particle */
+        const char *name, *unit;
+    } row[MAX_ATTACHED];
     double *copy;  /* of one array, while it is permuted */
     int *int_copy; /* the same for whole numbers */
 };
@@ -39,12 +41,10 @@ struct particles *particles_create(int capacity)
     ps->capacity = capacity;
     ps->id = alloc_ints(capacity);
     ps->attached = alloc_zeroed(1, sizeof *ps->attached);
-    ps->attached->copy = alloc_doubles(MOST_WIDTH * capacity);
+    ps->attached->copy = alloc_doubles(MAX_WIDTH * capacity);
     ps->attached->int_copy = alloc_ints(capacity);
-    for (int a = 0; a < OWN; a++) {
-        *own[a] = alloc_doubles(capacity);
-        particles_attach(ps, named[a][0], named[a][1], *own[a], 1);
-    }
+    for (int a = 0; a < OWN; a++)
+        *own[a] = particles_new_array(ps, named[a][0], named[a][1], 1);
     return ps;
 }
 
@@ -52,7 +52,7 @@ void particles_free(struct particles *ps)
 {
     if (ps == NULL) return;
     for (int a = 0; a < OWN; a++)
-        free(ps->attached->array[a]);
+        free(ps->attached->row[a].array);
     free(ps->drag_coefficient);
     free(ps->added_mass);
     free(ps->drag_impulse);
@@ -67,12 +67,10 @@ void particles_free(struct particles *ps)
 void particles_add_implicit_drag(struct particles *ps)
 {
     if (ps->drag_coefficient != NULL) return;
-    ps->drag_coefficient = alloc_doubles(ps->capacity);
-    ps->added_mass = alloc_doubles(ps->capacity);
-    ps->drag_impulse = alloc_doubles(3 * ps->capacity);
-    particles_attach(ps, "drag_coefficient", "kg/s", ps->drag_coefficient, 1);
-    particles_attach(ps, "added_mass", "kg", ps->added_mass, 1);
-    particles_attach(ps, "drag_impulse", "N s", ps->drag_impulse, 3);
+    ps->drag_coefficient =
+        particles_new_array(ps, "drag_coefficient", "kg/s", 1);
+    ps->added_mass = particles_new_array(ps, "added_mass", "kg", 1);
+    ps->drag_impulse = particles_new_array(ps, "drag_impulse", "N s", 3);
 }
 
 int particles_add(struct particles *ps, const double x[3], double d,
@@ -83,8 +81,8 @@ int particles_add(struct particles *ps, const double x[3], double d,
 
     assert(ps->n <= ps->capacity);
     for (int k = 0; k < a->n; k++) /* a removed particle leaves its values */
-        memset(a->array[k] + a->width[k] * i, 0,
-               (size_t)a->width[k] * sizeof(double));
+        memset(a->row[k].array + a->row[k].width * i, 0,
+               (size_t)a->row[k].width * sizeof(double));
     ps->x[i] = x[0];
     ps->y[i] = x[1];
     ps->z[i] = x[2];
@@ -105,26 +103,27 @@ void particles_attach(struct particles *ps, const char *name, const char *unit,
 {
     struct attachments *const a = ps->attached;
 
-    assert(a->n < MOST_ATTACHED && width <= MOST_WIDTH);
-    a->array[a->n] = array;
-    a->name[a->n] = name;
-    a->unit[a->n] = unit;
-    a->width[a->n++] = width;
+    assert(a->n < MAX_ATTACHED && width <= MAX_WIDTH);
+    a->row[a->n++] = (struct attachment){array, width, name, unit};
+}
+
+double *particles_new_array(struct particles *ps, const char *name,
+                            const char *unit, int width)
+{
+    double *const array = alloc_doubles(width * ps->capacity);
+
+    particles_attach(ps, name, unit, array, width);
+    return array;
 }
 
 void particles_detach(struct particles *ps, const double *array)
 {
     struct attachments *const a = ps->attached;
+    int k = OWN;
 
-    for (int k = OWN; k < a->n; k++)
-        if (a->array[k] == array) {
-            a->n--;
-            a->array[k] = a->array[a->n];
-            a->width[k] = a->width[a->n];
-            a->name[k] = a->name[a->n];
-            a->unit[k] = a->unit[a->n];
-            return;
-        }
+    while (k < a->n && a->row[k].array != array)
+        k++;
+    if (k < a->n) a->row[k] = a->row[--a->n];
 }
 
 static void permute_array(double *array, int width, const int *order, int n,
@@ -148,21 +147,21 @@ void particles_permute(struct particles *ps, const int *order)
     struct attachments *const a = ps->attached;
 
     for (int k = 0; k < a->n; k++)
-        permute_array(a->array[k], a->width[k], order, ps->n, a->copy);
+        permute_array(a->row[k].array, a->row[k].width, order, ps->n, a->copy);
     permute_ints(ps->id, order, ps->n, a->int_copy);
     if (ps->material != NULL)
         permute_ints(ps->material, order, ps->n, a->int_copy);
 }
 
-void particles_remove(struct particles *ps, const int *gone)
+void particles_remove(struct particles *ps, const int *removed)
 {
     int *const order = alloc_ints(ps->n);
-    int stay = 0, go = ps->n;
+    int n_kept = 0, end = ps->n;
 
     for (int i = 0; i < ps->n; i++)
-        order[gone[i] ? --go : stay++] = i;
+        order[removed[i] ? --end : n_kept++] = i;
     particles_permute(ps, order);
-    ps->n = stay;
+    ps->n = n_kept;
     free(order);
 }
 
@@ -172,8 +171,8 @@ static void full_name(const struct attachments *a, int k, char name[64])
     int number = 1;
 
     for (int i = 0; i < k; i++)
-        number += strcmp(a->name[i], a->name[k]) == 0;
-    snprintf(name, 64, number > 1 ? "%s_%d" : "%s", a->name[k], number);
+        number += strcmp(a->row[i].name, a->row[k].name) == 0;
+    snprintf(name, 64, number > 1 ? "%s_%d" : "%s", a->row[k].name, number);
 }
 
 void particles_state(struct particles *ps, struct state *s)
@@ -188,7 +187,8 @@ void particles_state(struct particles *ps, struct state *s)
     for (int k = 0; k < a->n; k++) {
         char name[64];
         full_name(a, k, name);
-        state_reals(s, name, a->unit[k], a->array[k], ps->n, a->width[k]);
+        state_reals(s, name, a->row[k].unit, a->row[k].array, ps->n,
+                    a->row[k].width);
     }
     state_end(s);
 }

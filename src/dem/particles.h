@@ -19,14 +19,14 @@ struct particles {
     double *wx, *wy, *wz;    /* [rad/s] angular velocity */
     double *d;               /* [m] diameter */
     double *m;               /* [kg] mass */
-    double *ex, *ey, *ez;    /* [N] outside force, constant during dem_run */
+    double *ex, *ey, *ez;    /* [N] external force, constant during dem_run */
     double *cfx, *cfy, *cfz; /* [N] of contacts and attractions, at the end of
                                 dem_run */
     int *id;                 /* [-] 0, 1, ... in the order of creation */
     int *material;           /* [-] number of it; NULL: all are of material 0 */
     /* Implicit drag and added mass (implicit_drag.h): NULL unless
      * particles_add_implicit_drag was called. */
-    double *drag_coefficient; /* [kg/s] k of a drag -k v besides the outside
+    double *drag_coefficient; /* [kg/s] k of a drag -k v besides the external
                                  force */
     double *added_mass;       /* [kg] of fluid that accelerates with it */
     double *drag_impulse;     /* [N s] impulse of -k v, summed; 3 a particle */
@@ -55,8 +55,12 @@ void particles_attach(struct particles *ps, const char *name, const char *unit,
                       double *array, int width);
 void particles_detach(struct particles *ps, const double *array);
 
-/* Removes the particles i with gone[i]; the others keep their order. */
-void particles_remove(struct particles *ps, const int *gone);
+/* A new array that is attached, all 0; the caller frees it. */
+double *particles_new_array(struct particles *ps, const char *name,
+                            const char *unit, int width);
+
+/* Removes the particles i with removed[i]; the others keep their order. */
+void particles_remove(struct particles *ps, const int *removed);
 
 /* Puts the particle that was at order[i] to place i, for all arrays. */
 void particles_permute(struct particles *ps, const int *order);

@@ -60,11 +60,11 @@ static void tangential_force(struct contact *c,
                              double dt, struct energy *e)
 {
     const double limit = c->k->friction * fabs(c->F_n);
-    const double out = vector_dot(xi, c->n), k_t = law->k_t;
-    double turned[3];
+    const double normal = vector_dot(xi, c->n), k_t = law->k_t;
+    double projected[3];
 
-    vector_along(xi, -out, c->n, turned);
-    vector_along(turned, dt, c->v_t, xi);
+    vector_along(xi, -normal, c->n, projected);
+    vector_along(projected, dt, c->v_t, xi);
     for (int k = 0; k < 3; k++)
         c->F_t[k] = -k_t * xi[k] - law->eta_t * c->v_t[k];
     const double size = vector_length(c->F_t);
@@ -74,7 +74,7 @@ static void tangential_force(struct contact *c,
         if (slides) c->F_t[k] *= limit / size;
         if (yields) xi[k] = -c->F_t[k] / k_t;
     }
-    const double before = 0.5 * k_t * vector_dot(turned, turned);
+    const double before = 0.5 * k_t * vector_dot(projected, projected);
     const double after = 0.5 * k_t * vector_dot(xi, xi);
     e->tangential += after;
     e->released -= before;

@@ -19,7 +19,7 @@ struct sphere {
     double x[3], v[3], w[3]; /* [m], [m/s], [rad/s] */
     double R, m;             /* [m], [kg] */
     int material;            /* [-] number of it */
-    double outside[3];       /* [N] gravity, the fluid: constant in a run */
+    double external[3];      /* [N] gravity, the fluid: constant in a run */
     double F[3], T[3]; /* [N], [N m] of the contacts and the attractions */
 };
 
@@ -31,8 +31,8 @@ struct history {
     double roll_angle[3]; /* [rad] theta (rolling.h) */
 };
 
-/* Those of sphere i are list[start[i]] ... list[start[i + 1] - 1]. A pair
- * belongs to the sphere with the smaller index. */
+/* The histories of sphere i are list[start[i]] ... list[start[i + 1] - 1]. A
+ * pair belongs to the sphere with the smaller index. */
 struct histories {
     struct history *list;
     int n, capacity;

@@ -10,10 +10,10 @@
 #include "dem/implicit_drag.h"
 #include "dem/reference.h"
 
-/* What dem->state is. */
+/* The state of the method, dem->state. */
 struct run {
     struct reference loop;
-    struct energy unused; /* the budget of a run that needs none */
+    struct energy unused; /* the budget of a run that asks for none */
     int stale;            /* [-] 1: particles were changed from outside */
 };
 
@@ -83,11 +83,11 @@ static void load(struct reference *r, const struct particles *ps)
         const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
-        const double outside[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
+        const double external[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
         memcpy(s->x, x, sizeof x);
         memcpy(s->v, v, sizeof v);
         memcpy(s->w, w, sizeof w);
-        memcpy(s->outside, outside, sizeof outside);
+        memcpy(s->external, external, sizeof external);
         s->R = 0.5 * ps->d[i];
         s->m = ps->m[i];
         s->material = ps->material != NULL ? ps->material[i] : 0;
@@ -122,7 +122,7 @@ static void kick(struct reference *r, const struct particles *ps, double dt)
         const double rate = drag ? ps->drag_coefficient[i] / m : 0.0;
         const double gain = implicit_drag_gain(rate * dt);
         for (int k = 0; k < 3; k++) {
-            const double a = (s->F[k] + s->outside[k]) / m;
+            const double a = (s->F[k] + s->external[k]) / m;
             const double dv = gain * (a - rate * s->v[k]) * dt;
             s->v[k] += dv;
             s->w[k] += s->T[k] / I * dt;
@@ -131,7 +131,7 @@ static void kick(struct reference *r, const struct particles *ps, double dt)
     }
 }
 
-/* x += v dt; the work of the outside forces, less that of an implicit drag. */
+/* x += v dt; the work of the external forces, less that of an implicit drag. */
 static void drift(struct reference *r, const struct particles *ps, double dt)
 {
     for (int i = 0; i < r->n; i++) {
@@ -140,7 +140,7 @@ static void drift(struct reference *r, const struct particles *ps, double dt)
             ps->drag_coefficient != NULL ? ps->drag_coefficient[i] : 0.0;
         vector_along(s->x, dt, s->v, s->x);
         r->energy->work +=
-            dt * (vector_dot(s->outside, s->v) - k * vector_dot(s->v, s->v));
+            dt * (vector_dot(s->external, s->v) - k * vector_dot(s->v, s->v));
     }
 }
 
@@ -182,7 +182,7 @@ static void take_steps(struct reference *r, const struct particles *ps,
         kick(r, ps, k == 0 ? by->first * dt : dt);
         drift(r, ps, dt);
         if (check_lost(r, report) > 0) return;
-        /* reference_forces subtracts what the springs still have */
+        /* reference_forces subtracts the energy that is left in the springs */
         r->energy->released += r->energy->tangential;
         reference_forces(r, dt);
         report->steps++;
@@ -290,11 +290,11 @@ static void visit(struct dem *dem, struct state *s)
 
 /* --- histories ------------------------------------------------------------ */
 
-static struct dem_spring *springs(struct dem *dem, int *n)
+static struct dem_history *histories(struct dem *dem, int *n)
 {
     const struct histories *const now = &((struct run *)dem->state)->loop.now;
     const int *const id = dem->ps->id;
-    struct dem_spring *const list = alloc_zeroed((size_t)now->n, sizeof *list);
+    struct dem_history *const list = alloc_zeroed((size_t)now->n, sizeof *list);
     int i = 0;
 
     *n = now->n;
@@ -312,7 +312,7 @@ static struct dem_spring *springs(struct dem *dem, int *n)
 
 /* Returns the owner of an entry, the sphere with the smaller index, and fills
  * in its history: xi and theta change sign with the owner. */
-static int owner_and_history(const struct dem_spring *spring, const int *index,
+static int owner_and_history(const struct dem_history *spring, const int *index,
                              struct history *history)
 {
     const int i = index[spring->id];
@@ -327,8 +327,8 @@ static int owner_and_history(const struct dem_spring *spring, const int *index,
     return sign < 0.0 ? j : i;
 }
 
-static void restore_springs(struct dem *dem, const struct dem_spring *list,
-                            int n, const int *index)
+static void restore_histories(struct dem *dem, const struct dem_history *list,
+                              int n, const int *index)
 {
     struct run *const run = dem->state;
     struct histories *const now = &run->loop.now;
@@ -355,7 +355,8 @@ static void restore_springs(struct dem *dem, const struct dem_spring *list,
 #define REFERENCE_FUNCTIONS                                                    \
     .unsupported = unsupported, .create = create, .free = release,             \
     .run = run_steps, .changed = changed, .limit_overlap = limit_overlap,      \
-    .visit = visit, .springs = springs, .restore_springs = restore_springs
+    .visit = visit, .histories = histories,                                    \
+    .restore_histories = restore_histories
 
 const struct dem_method reference_all_pairs = {
     .name = "all-pairs",

@@ -27,28 +27,28 @@
 static const double rolling_damping_ratio = 0.3;
 
 /* The moment [N m] on particle i; theta is moved on by dt [s] and cut back
- * where it slips. w: omega_i - omega_j [rad/s]; most: mu_r R* |F_n| [N m]. */
+ * where it slips. w: omega_i - omega_j [rad/s]; limit: mu_r R* |F_n| [N m]. */
 static inline void rolling_moment(double M[3], double theta[3],
                                   const double w[3], const double n[3],
-                                  double k_r, double C_r, double most,
+                                  double k_r, double C_r, double limit,
                                   double dt)
 {
     const double spin = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
-    const double out = theta[0] * n[0] + theta[1] * n[1] + theta[2] * n[2];
-    double size = 0.0, wound2 = 0.0;
+    const double normal = theta[0] * n[0] + theta[1] * n[1] + theta[2] * n[2];
+    double size = 0.0, elastic2 = 0.0;
 
     for (int a = 0; a < 3; a++) {
         const double w_t = w[a] - spin * n[a];
-        theta[a] += w_t * dt - out * n[a];
+        theta[a] += w_t * dt - normal * n[a];
         M[a] = -k_r * theta[a] - C_r * w_t;
         size += M[a] * M[a];
-        wound2 += k_r * theta[a] * k_r * theta[a];
+        elastic2 += k_r * theta[a] * k_r * theta[a];
     }
     size = sqrt(size);
-    if (size <= most) return;
+    if (size <= limit) return;
     for (int a = 0; a < 3; a++) {
-        M[a] *= most / size;
-        if (wound2 > most * most) theta[a] = -M[a] / k_r;
+        M[a] *= limit / size;
+        if (elastic2 > limit * limit) theta[a] = -M[a] / k_r;
     }
 }
 

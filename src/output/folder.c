@@ -20,7 +20,7 @@ static const struct folder_owner *owner(void)
     return folder_owners[0];
 }
 
-struct folder *folder_take(const char *dir)
+struct folder *folder_open(const char *dir)
 {
     void *const own = owner() != NULL ? owner()->take(dir) : NULL;
 
@@ -39,7 +39,7 @@ void folder_free(struct folder *f)
     free(f);
 }
 
-void folder_leave(struct folder *f)
+void folder_abandon(struct folder *f)
 {
     if (owner() != NULL) owner()->leave(f->own);
 }
@@ -49,10 +49,10 @@ int folder_begin(struct folder *f, int quiet)
     return owner() != NULL ? owner()->begin(f->own, quiet) : 0;
 }
 
-char *folder_ahead(struct folder *f)
+char *folder_early_file(struct folder *f)
 {
     const int failed = owner() != NULL && owner()->prepare(f->own) != 0;
-    return failed ? NULL : file_join(f->dir, FOLDER_AHEAD);
+    return failed ? NULL : file_join(f->dir, FOLDER_EARLY_FILE);
 }
 
 void folder_resume(struct folder *f)

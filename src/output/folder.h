@@ -1,6 +1,6 @@
 /* folder.h -- the folder of a run.
  *
- *     struct folder *f = folder_take("out/bed");   before the work
+ *     struct folder *f = folder_open("out/bed");   before the work
  *     if (folder_begin(f, quiet) != 0) ...         before the first file
  *     char *path = folder_file(f, "history.csv");  before each file
  *     folder_free(f);
@@ -19,30 +19,32 @@ struct folder;
  * message if it cannot be written, if another run has locked it, if its
  * manifest is from another program, or if an unlisted file has a name that the
  * run may write. */
-struct folder *folder_take(const char *dir);
+struct folder *folder_open(const char *dir);
 
 /* Releases the folder. */
 void folder_free(struct folder *f);
 
-/* If the folders have an owner: removes those that folder_take made, if nothing
- * was begun and nothing was made ahead. f must still be freed. */
-void folder_leave(struct folder *f);
+/* Removes the folders that folder_open made, unless folder_begin was called or
+ * a file was made before it; only where folders have an owner. f must still be
+ * freed. */
+void folder_abandon(struct folder *f);
 
 /* Removes the files of the previous run, with a message on stderr unless quiet.
  * Non-zero after a message. */
 int folder_begin(struct folder *f, int quiet);
 
 /* The path of the one file that a run may make before folder_begin, as a new
- * string; no list has it, and as long as it is there the folder stays when it
- * is left. NULL after a message. */
-#define FOLDER_AHEAD "checkpoint.ahead"
-char *folder_ahead(struct folder *f);
+ * string. It is not listed, and while it exists folder_abandon removes nothing.
+ * NULL after a message. */
+#define FOLDER_EARLY_FILE "checkpoint.ahead"
+char *folder_early_file(struct folder *f);
 
-/* Instead of folder_begin, for a run that goes on: the files stay, and what is
- * listed is not added again, until the state is loaded. */
+/* In place of folder_begin, for a run that is resumed: the files stay, and
+ * listed files are not listed again, until the state is loaded. */
 void folder_resume(struct folder *f);
 
-/* When it is loaded, what was listed later is removed (state.h). */
+/* Visits the list of files (state.h): when it is loaded, files that were listed
+ * later are removed. */
 void folder_state(struct folder *f, struct state *s);
 
 /* Lists a file to be made; its path DIR/NAME is a new string. NULL after a
@@ -55,8 +57,8 @@ int folder_make(struct folder *f, const char *name);
 /* Lists a path that begins with DIR/; non-zero after a message. */
 int folder_list(struct folder *f, const char *path);
 
-/* A new table in it, or that of a run that goes on (table.h); NULL after a
- * message. */
+/* A new table in the folder, or the table of a resumed run (table.h); NULL
+ * after a message. */
 struct table *folder_table(struct folder *f, const char *name, int n_columns,
                            const char *const *columns);
 

@@ -16,11 +16,11 @@
 
 struct series {
     char *name, *suffix;
-    char *pvd;    /* DIR/NAME.pvd */
-    char *file;   /* NAME/NAME_000000.SUFFIX, as listed in the collection */
-    char *path;   /* DIR/NAME/NAME_000000.SUFFIX */
-    int n, room;  /* files listed; capacity of time */
-    double *time; /* [s] of each file, ascending */
+    char *pvd;       /* DIR/NAME.pvd */
+    char *file;      /* NAME/NAME_000000.SUFFIX, as listed in the collection */
+    char *path;      /* DIR/NAME/NAME_000000.SUFFIX */
+    int n, capacity; /* files listed; length of time */
+    double *time;    /* [s] of each file, ascending */
 };
 
 /* A copy of text with `extra` unused bytes after it. */
@@ -31,8 +31,8 @@ static char *copied(const char *text, size_t extra)
     return memcpy(alloc_zeroed(length + extra + 1, 1), text, length);
 }
 
-/* Allocates the path DIR/NAME/NAME_<number>.SUFFIX. */
-static size_t file_room(const struct series *s)
+/* The length of NAME/NAME_<number>.SUFFIX, at most. */
+static size_t file_length(const struct series *s)
 {
     return 2 * strlen(s->name) + strlen(s->suffix) + 16;
 }
@@ -40,7 +40,7 @@ static size_t file_room(const struct series *s)
 /* Writes the name of file i to `file`. */
 static void name_file(const struct series *s, int i, char *file)
 {
-    snprintf(file, file_room(s), "%s/%s_%06d.%s", s->name, s->name, i,
+    snprintf(file, file_length(s), "%s/%s_%06d.%s", s->name, s->name, i,
              s->suffix);
 }
 
@@ -55,11 +55,11 @@ struct series *series_create(const char *dir, const char *name,
     s->suffix = copied(suffix, 0);
     s->pvd = copied(folder, 4);
     strcat(s->pvd, ".pvd");
-    s->file = alloc_zeroed(file_room(s), 1);
-    s->path = copied(dir, 1 + file_room(s));
+    s->file = alloc_zeroed(file_length(s), 1);
+    s->path = copied(dir, 1 + file_length(s));
     strcat(s->path, "/");
-    s->room = 64;
-    s->time = alloc_doubles(s->room);
+    s->capacity = 64;
+    s->time = alloc_doubles(s->capacity);
     free(folder);
     if (!failed) return s;
     series_free(s);
@@ -80,12 +80,9 @@ void series_free(struct series *s)
 
 static void append(struct series *s, double time)
 {
-    if (s->n == s->room) {
-        double *const longer = alloc_doubles(2 * s->room);
-        memcpy(longer, s->time, (size_t)s->n * sizeof s->time[0]);
-        free(s->time);
-        s->time = longer;
-        s->room *= 2;
+    if (s->n == s->capacity) {
+        s->capacity *= 2;
+        s->time = alloc_grown(s->time, s->n, s->capacity, sizeof *s->time);
     }
     s->time[s->n++] = time;
 }

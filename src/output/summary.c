@@ -16,8 +16,8 @@ struct summary {
     int first; /* [-] 1: the next entry is the first of its group */
 };
 
-/* Bytes of the UTF-8 letter that begins at p, or 0 if none does. */
-static int letter_length(const char *p)
+/* Bytes of the UTF-8 character that begins at p, or 0 if none does. */
+static int character_length(const char *p)
 {
     const unsigned char c = (unsigned char)p[0];
     const int length = c < 0x80                ? 1
@@ -31,13 +31,13 @@ static int letter_length(const char *p)
     return length;
 }
 
-/* Text in quotes. Bytes that are no UTF-8, as in a title in another
- * encoding, become the sign for an unknown letter. */
+/* Writes the text in quotes. Bytes that are not UTF-8, as in a title in another
+ * encoding, become the sign for an unknown character. */
 static void put_text(FILE *out, const char *text)
 {
     fputc('"', out);
     for (const char *p = text; *p;) {
-        const int length = letter_length(p);
+        const int length = character_length(p);
 
         if (length == 0)
             fputs("\\ufffd", out);

@@ -20,7 +20,7 @@ struct table {
     char *row;    /* buffer for the text of one row */
 };
 
-static int complaint(const char *what, const char *path)
+static int report_failure(const char *what, const char *path)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));
     return 1;
@@ -47,7 +47,7 @@ static void put_head(FILE *out, int n, const char *const *names)
     }
 }
 
-static size_t row_room(int n)
+static size_t row_size(int n)
 {
     return (size_t)n * NUMBER_LENGTH + 1;
 }
@@ -73,7 +73,7 @@ int table_write(const char *path, int n_columns, const char *const *names,
     struct file *const f = file_create(path);
 
     if (f == NULL) return 1;
-    char *const text = alloc_zeroed(row_room(n_columns), 1);
+    char *const text = alloc_zeroed(row_size(n_columns), 1);
     put_head(file_stream(f), n_columns, names);
     for (int i = 0; i < n_rows; i++) {
         const double *const row = values + (size_t)i * (size_t)n_columns;
@@ -89,7 +89,7 @@ static struct table *opened(const char *path, int n_columns)
     const int file = open(path, O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
 
     if (file < 0) {
-        complaint("write", path);
+        report_failure("write", path);
         return NULL;
     }
     struct table *const t = alloc_zeroed(1, sizeof *t);
@@ -97,7 +97,7 @@ static struct table *opened(const char *path, int n_columns)
     t->file = file;
     t->n_columns = n_columns;
     t->length = lseek(file, 0, SEEK_END);
-    t->row = alloc_zeroed(row_room(n_columns), 1);
+    t->row = alloc_zeroed(row_size(n_columns), 1);
     return t;
 }
 
@@ -126,11 +126,11 @@ static int head_wrong(const char *path, const char *head)
 {
     FILE *const in = fopen(path, "r");
     char *line = NULL;
-    size_t room = 0;
+    size_t size = 0;
 
-    if (in == NULL) return complaint("read", path);
+    if (in == NULL) return report_failure("read", path);
     const int differs =
-        getline(&line, &room, in) < 0 || strcmp(line, head) != 0;
+        getline(&line, &size, in) < 0 || strcmp(line, head) != 0;
     if (differs)
         fprintf(stderr, "winnow: %s has other columns than this run\n", path);
     free(line);
@@ -153,7 +153,7 @@ void table_state(struct table *t, struct state *s)
     long length = (long)t->length;
 
     if (!s->loading && fsync(t->file) != 0)
-        s->failed = complaint("write", t->path);
+        s->failed = report_failure("write", t->path);
     state_long(s, "bytes", "-", &length);
     if (!s->loading || s->failed) return;
     if (length > (long)t->length) {
@@ -163,7 +163,7 @@ void table_state(struct table *t, struct state *s)
                 t->path, (long)t->length, length);
         s->failed = 1;
     } else if (ftruncate(t->file, (off_t)length) != 0)
-        s->failed = complaint("cut", t->path);
+        s->failed = report_failure("cut", t->path);
     t->length = (off_t)length;
 }
 
@@ -188,8 +188,8 @@ int table_add(struct table *t, const double *row)
     }
     if (errno == 0)
         errno = ENOSPC; /* a part was written before the disk was full */
-    complaint("write", t->path);
+    report_failure("write", t->path);
     if (written > 0 && ftruncate(t->file, t->length) != 0)
-        complaint("take half a row off", t->path);
+        report_failure("remove half a row from", t->path);
     return 1;
 }

@@ -55,7 +55,7 @@ int vtk_write_particles(struct vtk_file *f, const char *path, int n,
                         const double *const x[3], double time, int n_arrays,
                         const struct vtk_array *arrays)
 {
-    /* with n = 0 there may be no arrays; the type is real all the same */
+    /* with n = 0 there may be no arrays; the type is still Float64 */
     static const double none;
     const struct vtk_array centres = {
         .name = "position",

@@ -21,7 +21,7 @@ struct vtk_array {
     const double *split[3];     /* one array a component; or */
     const int *ints;            /* whole numbers, side by side, Int32; or */
     const unsigned char *bytes; /* small ones, UInt8; or */
-    int from;   /* none of these: from, from + 1, ... as Int32 */
+    int from;   /* if all are NULL: from, from + 1, ... as Int32 */
     int single; /* [-] 1: Float32 */
 };
 

@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* An array whose bytes are still to be written. */
-struct announced {
+struct pending {
     struct vtk_array array;
     int n;    /* [-] points or cells */
     off_t at; /* [bytes] position of its offset in the file */
@@ -23,8 +23,8 @@ struct vtk_file {
     struct file *file;
     FILE *out;
     const char *kind;
-    int n_announced;
-    struct announced announced[VTK_FILE_ARRAYS];
+    int n_pending;
+    struct pending pending[VTK_FILE_ARRAYS];
 };
 
 /* The number of bytes, and then the numbers. */
@@ -85,7 +85,7 @@ int vtk_file_begin(struct vtk_file *f, const char *path, const char *kind,
     if (f->file == NULL) return 1;
     f->out = file_stream(f->file);
     f->kind = kind;
-    f->n_announced = 0;
+    f->n_pending = 0;
     fprintf(f->out,
             "<?xml version=\"1.0\"?>\n"
             "<VTKFile type=\"%s\" version=\"1.0\" byte_order=\"%s\" "
@@ -103,16 +103,16 @@ FILE *vtk_file_stream(struct vtk_file *f)
 
 void vtk_file_array(struct vtk_file *f, const struct vtk_array *a, int n)
 {
-    assert(f->n_announced < VTK_FILE_ARRAYS);
+    assert(f->n_pending < VTK_FILE_ARRAYS);
     assert(a->components >= 1 && a->components <= 9);
-    struct announced *const next = &f->announced[f->n_announced++];
+    struct pending *const next = &f->pending[f->n_pending++];
 
     fprintf(f->out, "<DataArray type=\"%s\" Name=\"", vtk_array_type(a));
     xml_put(f->out, a->name);
     fprintf(f->out,
             "\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"",
             a->components);
-    *next = (struct announced){*a, n, ftello(f->out)};
+    *next = (struct pending){*a, n, ftello(f->out)};
     fprintf(f->out, "%016d\"/>\n", 0);
 }
 
@@ -140,8 +140,8 @@ int vtk_file_end(struct vtk_file *f)
     fprintf(f->out, "</%s>\n<AppendedData encoding=\"raw\">\n_", f->kind);
     const off_t start = ftello(f->out);
 
-    for (int i = 0; i < f->n_announced; i++) {
-        const struct announced *const a = &f->announced[i];
+    for (int i = 0; i < f->n_pending; i++) {
+        const struct pending *const a = &f->pending[i];
         const off_t here = ftello(f->out);
 
         fseeko(f->out, a->at, SEEK_SET);

@@ -2,24 +2,24 @@
 #include "output/xml.h"
 
 static const struct entity {
-    char letter;
+    char character;
     const char *name;
 } entities[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
 
 enum { N_ENTITIES = sizeof entities / sizeof entities[0] };
 
-static void put_letter(FILE *out, char letter)
+static void put_character(FILE *out, char c)
 {
     for (int i = 0; i < N_ENTITIES; i++)
-        if (letter == entities[i].letter) {
+        if (c == entities[i].character) {
             fputs(entities[i].name, out);
             return;
         }
-    fputc(letter, out);
+    fputc(c, out);
 }
 
 void xml_put(FILE *out, const char *text)
 {
     for (const char *p = text; *p; p++)
-        put_letter(out, *p);
+        put_character(out, *p);
 }

@@ -39,7 +39,7 @@ void bodies_effect_free(void *memory)
 }
 
 static const struct effect_mover mover = {.move = bodies_effect_move,
-                                          .trouble = bodies_effect_trouble,
+                                          .failure = bodies_effect_trouble,
                                           .momentum = bodies_effect_momentum};
 
 const struct effect bodies_effect = {

@@ -13,10 +13,8 @@ void body_cells_each(const struct solid_bodies *b, const struct mesh *m, int i,
 
     body_shape_extent(shape, extent);
     const struct cell_window w = cell_window_around(m, x, extent);
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(m, at, x, r);
-                act(by, i, c, r, body_shape_distance(shape, r));
-            }
+    CELL_WINDOW_EACH (at, w) {
+        const int c = cell_window_cell(m, at, x, r);
+        act(by, i, c, r, body_shape_distance(shape, r));
+    }
 }

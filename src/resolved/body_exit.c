@@ -106,17 +106,25 @@ static void take_out(struct solid_bodies *b, int i, int w)
     if (b->dem != NULL) dem_changed(b->dem);
 }
 
+/* One that reaches out without moving out is free still: it may have turned. */
+static void look_at(struct solid_bodies *b, int i, int w)
+{
+    const double v[3] = {b->ps->vx[i], b->ps->vy[i], b->ps->vz[i]};
+    const double out = beyond(b, i, w);
+    double extent[3];
+
+    body_shape_extent(&b->shape[i], extent);
+    if (b->motion[i] == BODY_FREE && out + 2.0 * extent[w / 2] > 0.0 &&
+        (w % 2 ? v[w / 2] : -v[w / 2]) > 0.0)
+        keep_velocity(b, i);
+    if (b->motion[i] == BODY_PRESCRIBED && out > 0.0) take_out(b, i, w);
+}
+
 void body_exit_look(struct solid_bodies *b)
 {
     for (int i = 0; i < b->ps->n; i++)
-        for (int w = 0; w < 6; w++) {
-            double extent[3];
-            body_shape_extent(&b->shape[i], extent);
-            const double out = b->exit->open[w] ? beyond(b, i, w) : -HUGE_VAL;
-            if (b->motion[i] == BODY_FREE && out + 2.0 * extent[w / 2] > 0.0)
-                keep_velocity(b, i);
-            if (b->motion[i] == BODY_PRESCRIBED && out > 0.0) take_out(b, i, w);
-        }
+        for (int w = 0; w < 6; w++)
+            if (b->exit->open[w]) look_at(b, i, w);
 }
 
 void body_exit_state(struct solid_bodies *b, struct state *s)

@@ -4,7 +4,7 @@
  * An outlet is no wall to a body. What acts on the part of it that is outside
  * is not known: so, while it passes, it goes on with the velocity and spin that
  * it came with. Once it is wholly outside it has left: it is at rest, and
- * touches nothing.
+ * touches nothing. One that only turns out of it is moved by what is inside.
  */
 #ifndef RESOLVED_BODY_EXIT_H
 #define RESOLVED_BODY_EXIT_H

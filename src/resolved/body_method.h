@@ -8,11 +8,7 @@
 struct solid_bodies;
 
 struct body_method {
-    const char *name;                    /* as a case spells it */
-    const char *what;                    /* one line */
-    const char *equations;               /* keys in chapters/references.md */
-    const char *function;                /* the one that computes it */
-    const struct key *keys[KEY_TABLES];  /* tables of the keys it reads */
+    MODEL_MEMBERS;                       /* base/model.h */
     void (*set)(struct solid_bodies *b); /* its place in a step of the fluid */
 };
 

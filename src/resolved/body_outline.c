@@ -3,12 +3,15 @@
 
 #include <stdlib.h>
 
+const int body_outline_row[6] = {0, 0, 0, 1, 1, 2},
+          body_outline_column[6] = {0, 1, 2, 1, 2, 2};
+
 /* C = <(x - c)(x - c)^T>, and the moments over the mass are tr C - C. */
 void body_outline_set_moments(struct body_outline *o, double V,
                               const double first[3], const double second[6])
 {
-    static const int row[6] = {0, 0, 0, 1, 1, 2},
-                     column[6] = {0, 1, 2, 1, 2, 2};
+    const int *const row = body_outline_row, *const column =
+                                                 body_outline_column;
     double C[6];
 
     o->volume = V;

@@ -31,8 +31,11 @@ struct body_outline {
     double (*corner)[3][3]; /* [m]; borrowed from the shape */
 };
 
+/* Which numbers of a symmetric matrix its six are: xx, xy, xz, yy, yz, zz. */
+extern const int body_outline_row[6], body_outline_column[6];
+
 /* Volume, centroid and gyration from the integrals over the shape of 1, x, and
- * x x^T (xx, xy, xz, yy, yz, zz), where it was given [m^3, m^4, m^5]. */
+ * x x^T, where it was given [m^3, m^4, m^5]. */
 void body_outline_set_moments(struct body_outline *o, double V,
                               const double first[3], const double second[6]);
 void body_outline_free(struct body_outline *o); /* NULL: nothing */

@@ -3,11 +3,17 @@
 
 #include <math.h>
 
-/* Index of the cell of a direction at x [m]; equal cells. */
+#include "base/number.h"
+
+enum { farthest = 1 << 29 }; /* a cell that no body reaches */
+
+/* Index of the cell of a direction at x [m]; equal cells, which go on beyond
+ * the mesh. */
 static int index_at(const struct box *b, int k, double x)
 {
     const double width = (b->edge[k][b->n[k]] - b->edge[k][0]) / b->n[k];
-    return (int)floor((x - b->edge[k][0]) / width);
+    return number_clamped(floor((x - b->edge[k][0]) / width), -farthest,
+                          farthest);
 }
 
 struct cell_window cell_window_around(const struct mesh *m, const double x[3],
@@ -20,8 +26,7 @@ struct cell_window cell_window_around(const struct mesh *m, const double x[3],
         const int n = m->box.n[k], here = index_at(&m->box, k, x[k]);
         w.first[k] = index_at(&m->box, k, x[k] - extent[k]) - 1;
         w.last[k] = index_at(&m->box, k, x[k] + extent[k]) + 1;
-        if (m->box.periodic[k] && (2.0 * extent[k] >= edge[n] - edge[0] ||
-                                   w.last[k] - w.first[k] >= n)) {
+        if (m->box.periodic[k] && 2.0 * extent[k] >= edge[n] - edge[0]) {
             w.first[k] = here - n / 2; /* from end to end: each cell once */
             w.last[k] = w.first[k] + n - 1;
         }

@@ -19,8 +19,9 @@ struct cell_window {
         for (at[1] = (w).first[1]; at[1] <= (w).last[1]; at[1]++)              \
             for (at[0] = (w).first[0]; at[0] <= (w).last[0]; at[0]++)
 
-/* The cells with a part within `extent` [m] of x [m], and one more layer; each
- * cell at most once. */
+/* The cells with a part within `extent` [m] of x [m], and one more layer. A
+ * cell beside both ends of an extent that nearly meets itself across the period
+ * is there twice; where the extent is a period long or longer, each is once. */
 struct cell_window cell_window_around(const struct mesh *m, const double x[3],
                                       const double extent[3]);
 

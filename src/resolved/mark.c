@@ -79,6 +79,29 @@ static void add_link(struct solid_bodies *b, int i, int cell, double hold,
         .r = {r[0], r[1], r[2]}};
 }
 
+/* 1 if body i may come nearer to a wall across axis k. */
+static int approaches(const struct solid_bodies *b, int i, int k)
+{
+    const struct particles *const ps = b->ps;
+    const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+
+    if (b->motion[i] == BODY_SPRING) return b->spring[3 * i + k] > 0.0;
+    if (b->motion[i] == BODY_PRESCRIBED)
+        return v[k] != 0.0 || w[(k + 1) % 3] != 0.0 || w[(k + 2) % 3] != 0.0;
+    return b->motion[i] == BODY_FREE;
+}
+
+static int approaches_wall(const struct solid_bodies *b, int i,
+                           const double S[3])
+{
+    int k = 0;
+
+    while (k < 2 && S[k] == 0.0)
+        k++;
+    return approaches(b, i, k) && !body_exit_is_open(b->exit, S);
+}
+
 /* 1 if body i squeezes the fluid out of the cell, which is its own, against a
  * wall or a body that moves otherwise. */
 static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
@@ -87,9 +110,7 @@ static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         if (f >= m->n_internal) {
-            if (b->motion[i] != BODY_FIXED &&
-                !body_exit_is_open(b->exit, &m->S[3 * f]))
-                return 1;
+            if (approaches_wall(b, i, &m->S[3 * f])) return 1;
             continue;
         }
         const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];

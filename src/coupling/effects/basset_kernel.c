@@ -4,6 +4,8 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
+#include "base/number.h"
+
 /* How long the past counts, over the step: what is older has faded in the
  * slowest term. */
 static const double longest = 1e6;
@@ -17,7 +19,8 @@ struct basset_kernel basset_kernel_create(double dt, double tolerance)
     const double q = M_PI * M_PI / log(2.0 / half);
     const double low = log(gsl_pow_2(half) * M_PI / (4.0 * longest * dt));
     const double high = log(log(2.0 / half) / dt);
-    struct basset_kernel k = {.n = 1 + (int)ceil((high - low) / q)};
+    const double terms = 1.0 + ceil((high - low) / q);
+    struct basset_kernel k = {.n = number_clamped(terms, 1, BASSET_TERMS)};
 
     for (int i = 0; i < k.n; i++) {
         const double y = low + i * q;

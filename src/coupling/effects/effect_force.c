@@ -22,9 +22,9 @@ void effect_force_inertia(struct simulation *sim)
 
     if (cp->inertia != NULL) return;
     cp->inertia = alloc_doubles(sim->particles->capacity);
-    cp->u_then = alloc_doubles(3 * sim->particles->capacity);
+    cp->u_before = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, "inertia", "kg", cp->inertia, 1);
-    particles_attach(sim->particles, "u_then", "m/s", cp->u_then, 3);
+    particles_attach(sim->particles, "u_before", "m/s", cp->u_before, 3);
 }
 
 void effect_force_charge(struct simulation *sim, int i, double m)
@@ -36,5 +36,5 @@ void effect_force_charge(struct simulation *sim, int i, double m)
         return;
     cp->inertia[i] += m;
     for (int a = 0; a < 3; a++)
-        cp->u_then[3 * i + a] = cp->u_f[3 * i + a];
+        cp->u_before[3 * i + a] = cp->u_f[3 * i + a];
 }

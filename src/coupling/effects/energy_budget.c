@@ -30,6 +30,6 @@ const struct effect energy_budget_effect = {
     .what = "energy budget of the particles",
     .equations = "LS 4.16",
     .function = "budget_collect",
-    .keys = keys,
+    .keys = {keys},
     .create = energy_budget_create,
 };

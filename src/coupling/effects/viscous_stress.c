@@ -23,6 +23,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
+#include "fluid/deferred/boundary_reach.h"
 
 struct viscous_stress {
     double *force; /* [N/m^3] div tau, 3 a cell */
@@ -69,7 +70,7 @@ static void add_oblique(struct viscous_stress *self, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    fluid_velocity_gradient(fl, fl->u, self->u_b, self->slope);
+    boundary_reach_gradient(fl, fl->u, self->u_b, self->slope);
     for (int f = 0; f < m->n_internal; f++) {
         const int o = m->owner[f], n = m->neighbour[f];
         double rest[3];
@@ -139,7 +140,8 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
 
     return (struct effect_estimate){
-        V * (k->mu * k->slip / (k->length * k->length) + k->push) / k->force,
+        V * (k->mu * k->slip / (k->length * k->length) + k->mean_gradient) /
+            k->force,
         "", 0};
 }
 
@@ -154,7 +156,7 @@ const struct effect viscous_stress_effect = {
     .what = "force of the viscous stress of the undisturbed flow",
     .equations = "LS 5.1, XS11 2.6",
     .function = "viscous_stress_before_particles",
-    .keys = keys,
+    .keys = {keys},
     .create = viscous_stress_create,
     .before_particles = viscous_stress_before_particles,
     .free = viscous_stress_free,

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "fluid/fluid.h"
+#include "fluid/deferred/boundary_reach.h"
 
 struct vorticity *vorticity_create(struct simulation *sim, const char *name)
 {
@@ -37,7 +37,7 @@ void vorticity_update(void *memory, struct simulation *sim)
     const struct fluid *const fl = sim->fluid;
 
     fluid_boundary_velocity(fl, v->u_b);
-    fluid_velocity_gradient(fl, fl->u, v->u_b, v->gradient);
+    boundary_reach_gradient(fl, fl->u, v->u_b, v->gradient);
     for (int c = 0; c < fl->mesh->n_cells; c++) {
         const double *const g =
             &v->gradient[9 * c]; /* d u_k/d x_j at 3 k + j */

@@ -26,6 +26,7 @@
 #include <gsl/gsl_sort_double.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/state.h"
 #include "coupling/effect.h"
 #include "coupling/effect_columns.h"
@@ -68,7 +69,7 @@ static void *mixing_create(struct simulation *sim, const double *parameters)
     mark(self, sim->particles, &parameters[1]);
     for (int k = 0; k < 3; k++) {
         const double n = (m->hi[k] - m->lo[k]) / parameters[0];
-        self->n[k] = (int)fmin(1000.0, fmax(1.0, floor(n + 0.5)));
+        self->n[k] = number_clamped(n + 0.5, 1, 1000);
         samples *= self->n[k];
     }
     self->all = alloc_doubles(samples);
@@ -95,8 +96,7 @@ static int sample_at(const struct mixing *self, const struct mesh *m,
 
     for (int k = 0; k < 3; k++) {
         const double part = (x[k] - m->lo[k]) / (m->hi[k] - m->lo[k]);
-        const int i = (int)(part * self->n[k]);
-        at[k] = i < 0 ? 0 : i > self->n[k] - 1 ? self->n[k] - 1 : i;
+        at[k] = number_clamped(part * self->n[k], 0, self->n[k] - 1);
     }
     return at[0] + self->n[0] * (at[1] + self->n[1] * at[2]);
 }
@@ -178,7 +178,7 @@ const struct effect mixing_effect = {
     .what = "mixing index of two halves of the particles",
     .equations = "",
     .function = "mixing_row",
-    .keys = keys,
+    .keys = {keys},
     .create = mixing_create,
     .columns = &columns,
     .state = mixing_state,

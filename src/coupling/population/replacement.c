@@ -66,6 +66,37 @@ static void start_fluid_velocity(struct simulation *sim, int first)
            3 * n * sizeof *cp->u_f);
 }
 
+/* Particles were put into the fluid or taken out of it at rest: eps has changed
+ * from eps_before by that alone. Particles and fluid replace each other in
+ * place, so that there is no flow: the old values of eps change as well, and
+ * the displaced fluid is removed with its velocity. Returns the lowest old eps
+ * [-]: not above 0 if the inserted solid volume exceeds the fluid volume.
+ *
+ * The displaced momentum is rho eps u of the latest time level. A two-step
+ * scheme also has the gain of momentum since the level before, which changes as
+ * well. */
+static double replace_fluid(struct fluid *fl, const double *eps_before)
+{
+    double lowest = 1.0;
+
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double change = fl->eps[c] - eps_before[c];
+        const double mass =
+            fl->options.rho * fl->mesh->V[c] * change; /* [kg] */
+        fl->eps_n[c] += change;
+        fl->eps_nm1[c] += change;
+        lowest = fmin(lowest, fmin(fl->eps_n[c], fl->eps_nm1[c]));
+        fl->replaced -= mass;
+        for (int k = 0; k < 3; k++) {
+            const double u = fl->u[3 * c + k];
+            fl->replaced_momentum[k] -= mass * u;
+            if (fl->u_older != NULL)
+                fl->momentum_gained[k] += mass * (u - fl->u_older[3 * c + k]);
+        }
+    }
+    return lowest;
+}
+
 int replacement_apply(struct simulation *sim, int first)
 {
     const int n_cells = sim->mesh->n_cells;
@@ -78,7 +109,7 @@ int replacement_apply(struct simulation *sim, int first)
     if (transfer_average(sim) != 0) return 1;
     if (cp->options.two_way) {
         cp->report.eps_lowest =
-            fmin(cp->report.eps_lowest, fluid_replace(sim->fluid, eps_before));
+            fmin(cp->report.eps_lowest, replace_fluid(sim->fluid, eps_before));
         if (cp->report.eps_lowest <= 0.0) return 1;
     }
     start_fluid_velocity(sim, first);

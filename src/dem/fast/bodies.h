@@ -19,7 +19,7 @@ struct bodies {
     const struct contact_law *law;
     double (*position_radius)[4]; /* [m] x, y, z, R */
     double (*velocity)[8]; /* v [m/s], 1/R [1/m], R omega [m/s], 1/m [1/kg] */
-    double (*acceleration)[4]; /* [m/s^2] of the outside force; 0 */
+    double (*acceleration)[4]; /* [m/s^2] of the external force; 0 */
     double (
         *position_at_rebuild)[3]; /* [m] x, y, z when the list was last made */
     /* Of particles with an implicit drag (implicit_drag.h); else NULL. */

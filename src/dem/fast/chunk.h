@@ -75,7 +75,7 @@ struct chunk_energy {
     double slid;               /* [J] by friction where it slides */
     double released;           /* [J] by tangential springs */
     double rolled;             /* [J] against rolling friction */
-    double work;               /* [J] of the outside forces */
+    double work;               /* [J] of the external forces */
     double attracted;          /* [J] work of the attractions */
     double prescribed;         /* [J] by particles that move as prescribed */
 };
@@ -173,8 +173,8 @@ void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
 /* Power of the loads of this chunk on the particles [W]. */
 double chunk_power(const struct chunk *s, const struct bodies *b);
 
-/* Adds to the energy budget the work of the outside forces during a drift of dt
- * of the particles begin ... end - 1. */
+/* Adds to the energy budget the work of the external forces during a drift of
+ * dt of the particles begin ... end - 1. */
 void chunk_add_work(struct chunk *s, const struct bodies *b, int begin, int end,
                     double dt);
 

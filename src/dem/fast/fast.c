@@ -208,5 +208,5 @@ const struct dem_method fast_verlet = {
     .changed = changed,
     .limit_overlap = limit_overlap,
     .visit = fast_state,
-    .springs = fast_springs,
-    .restore_springs = fast_restore_springs};
+    .histories = fast_histories,
+    .restore_histories = fast_restore_histories};

@@ -29,8 +29,8 @@ void fast_move(struct dem *dem, int steps);
 void fast_state(struct dem *dem, struct state *s);
 
 /* The contact histories as a list, and back (dem_method.h). */
-struct dem_spring *fast_springs(struct dem *dem, int *n);
-void fast_restore_springs(struct dem *dem, const struct dem_spring *list, int n,
-                          const int *index);
+struct dem_history *fast_histories(struct dem *dem, int *n);
+void fast_restore_histories(struct dem *dem, const struct dem_history *list,
+                            int n, const int *index);
 
 #endif

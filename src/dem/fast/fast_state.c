@@ -10,7 +10,7 @@ void fast_state(struct dem *dem, struct state *s)
     neighbours_state(fast_of(dem)->neighbours, s);
 }
 
-struct dem_spring *fast_springs(struct dem *dem, int *n)
+struct dem_history *fast_histories(struct dem *dem, int *n)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct particles *const ps = nb->history_given ? NULL : nb->ps;
@@ -18,7 +18,7 @@ struct dem_spring *fast_springs(struct dem *dem, int *n)
     const struct contact_history *const kept =
         neighbours_contact_history(nb, n);
     const int more = surface_history_list(nb->surfaces, ps, NULL);
-    struct dem_spring *const list =
+    struct dem_history *const list =
         alloc_zeroed((size_t)*n + (size_t)more, sizeof *list);
 
     for (int q = 0; q < *n; q++) {
@@ -35,8 +35,8 @@ struct dem_spring *fast_springs(struct dem *dem, int *n)
     return list;
 }
 
-void fast_restore_springs(struct dem *dem, const struct dem_spring *list, int n,
-                          const int *index)
+void fast_restore_histories(struct dem *dem, const struct dem_history *list,
+                            int n, const int *index)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const int own = n - surface_history_restore(nb->surfaces, list, n);

@@ -28,7 +28,7 @@ enum { KICKS = 3 };
 struct free_particle {
     double x[3], v[3]; /* [m], [m/s] */
     double R, m;       /* [m]; [kg] with the added mass */
-    double a[3];       /* [m/s^2] of the outside force */
+    double a[3];       /* [m/s^2] of the external force */
     double rate;       /* [1/s] k/m of an implicit drag */
     double gain[KICKS];
     double restitution; /* [-] at a wall */
@@ -273,14 +273,14 @@ static void nothing_to_visit(struct dem *dem, struct state *s)
     (void)dem, (void)s;
 }
 
-static struct dem_spring *no_springs(struct dem *dem, int *n)
+static struct dem_history *no_histories(struct dem *dem, int *n)
 {
     (void)dem;
     *n = 0;
     return NULL;
 }
 
-static void no_springs_back(struct dem *dem, const struct dem_spring *list,
+static void no_springs_back(struct dem *dem, const struct dem_history *list,
                             int n, const int *index)
 {
     (void)dem, (void)list, (void)n, (void)index;
@@ -299,5 +299,5 @@ const struct dem_method no_contacts_method = {
     .changed = nothing,
     .limit_overlap = nothing,
     .visit = nothing_to_visit,
-    .springs = no_springs,
-    .restore_springs = no_springs_back};
+    .histories = no_histories,
+    .restore_histories = no_springs_back};

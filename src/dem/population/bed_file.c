@@ -113,7 +113,7 @@ static void columns(const struct particles *ps, double *column[COLUMNS])
 }
 
 static void write_bed(FILE *f, const struct particles *ps,
-                      const struct bed_springs *springs, int with_roll)
+                      const struct bed_histories *histories, int with_roll)
 {
     double *column[COLUMNS];
 
@@ -125,9 +125,9 @@ static void write_bed(FILE *f, const struct particles *ps,
             fprintf(f, " %a", column[k][i]);
         fprintf(f, "\n");
     }
-    fprintf(f, "springs %d\n", springs->n);
-    for (int q = 0; q < springs->n; q++) {
-        const struct dem_spring *const s = &springs->list[q];
+    fprintf(f, "springs %d\n", histories->n);
+    for (int q = 0; q < histories->n; q++) {
+        const struct dem_history *const s = &histories->list[q];
         fprintf(f, "%d %d %a %a %a", s->id, s->other, s->xi[0], s->xi[1],
                 s->xi[2]);
         for (int k = 0; with_roll && k < 3; k++)
@@ -151,7 +151,7 @@ static void last_line(char line[LAST_LINE + 1], const char *bytes, size_t n)
 }
 
 int bed_file_save(const char *path, const struct particles *ps,
-                  const struct bed_springs *springs,
+                  const struct bed_histories *histories,
                   const struct bed_options *bed, const struct dem_options *dem)
 {
     char text[FACTS][LINE], last[LAST_LINE + 1], *bytes;
@@ -163,7 +163,7 @@ int bed_file_save(const char *path, const struct particles *ps,
     const int count = facts(text, bed, dem);
     for (int n = 0; n < count; n++)
         fputs(text[n], out);
-    write_bed(out, ps, springs, rolls(dem));
+    write_bed(out, ps, histories, rolls(dem));
     fclose(out);
     last_line(last, bytes, length);
     fwrite(bytes, 1, length, file_stream(file));
@@ -259,8 +259,9 @@ static const char *read_particles(FILE *f, struct particles *ps,
 }
 
 /* Those against surfaces come last. */
-static int spring_fits(const struct dem_spring *s, const struct dem_spring *old,
-                       int count, const struct dem_options *dem)
+static int spring_fits(const struct dem_history *s,
+                       const struct dem_history *old, int count,
+                       const struct dem_options *dem)
 {
     const int least = dem->n_surfaces > 0 ? SURFACE_SPRING : -6;
     const int late = old != NULL && old->other == SURFACE_SPRING;
@@ -272,7 +273,7 @@ static int spring_fits(const struct dem_spring *s, const struct dem_spring *old,
            isfinite(s->roll_angle[0] + s->roll_angle[1] + s->roll_angle[2]);
 }
 
-static const char *read_spring(FILE *f, struct dem_spring *s, int with_roll)
+static const char *read_spring(FILE *f, struct dem_history *s, int with_roll)
 {
     if (fscanf(f, "%d %d %la %la %la", &s->id, &s->other, &s->xi[0], &s->xi[1],
                &s->xi[2]) != 5)
@@ -285,8 +286,9 @@ static const char *read_spring(FILE *f, struct dem_spring *s, int with_roll)
 }
 
 /* Sixty contacts a sphere, and some with walls, are more than any bed has. */
-static const char *read_springs(FILE *f, int count, struct bed_springs *springs,
-                                const struct dem_options *dem, int *line)
+static const char *read_histories(FILE *f, int count,
+                                  struct bed_histories *histories,
+                                  const struct dem_options *dem, int *line)
 {
     const int with_roll = rolls(dem);
     int n = -1;
@@ -295,10 +297,10 @@ static const char *read_springs(FILE *f, int count, struct bed_springs *springs,
     if (fscanf(f, " springs %d", &n) != 1) return incomplete;
     if (n < 0 || n > 100L * count + 100)
         return "there are more contacts than the bed can have";
-    springs->n = n;
-    springs->list = alloc_zeroed((size_t)n, sizeof *springs->list);
+    histories->n = n;
+    histories->list = alloc_zeroed((size_t)n, sizeof *histories->list);
     for (int q = 0; q < n; q++) {
-        struct dem_spring *const s = &springs->list[q];
+        struct dem_history *const s = &histories->list[q];
         ++*line;
         const char *const wrong = read_spring(f, s, with_roll);
         if (wrong != NULL) return wrong;
@@ -321,8 +323,8 @@ static const char *damage(const char *bytes, size_t length)
 }
 
 int bed_file_load(const char *path, struct particles *ps,
-                  struct bed_springs *springs, const struct bed_options *bed,
-                  const struct dem_options *dem)
+                  struct bed_histories *histories,
+                  const struct bed_options *bed, const struct dem_options *dem)
 {
     const char *why, *wrong = NULL;
     size_t length;
@@ -341,7 +343,7 @@ int bed_file_load(const char *path, struct particles *ps,
     if (line > 0) {
         wrong = read_particles(f, ps, bed, dem, &line);
         if (wrong == NULL)
-            wrong = read_springs(f, bed->count, springs, dem, &line);
+            wrong = read_histories(f, bed->count, histories, dem, &line);
         if (wrong == NULL) wrong = damage(bytes, length);
         if (wrong != NULL)
             fprintf(stderr,

@@ -117,15 +117,18 @@ static char *table_of(char *text)
     return found;
 }
 
-/* The columns of x, y, z and the size, and what makes the size a diameter;
- * non-zero if one is missing. */
+/* The columns of x, y, z, or of a dump xu, yu, zu, which go on across periods;
+ * that of the size, and what makes it a diameter. Non-zero if one is missing.
+ */
 static int find_columns(const struct csv *t, int column[4], double *factor)
 {
     static const char *const sizes[] = {"d", "diameter", "radius"};
-    static const char *const axes[] = {"x", "y", "z"};
+    static const char *const axes[] = {"x", "y", "z", "xu", "yu", "zu"};
 
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         column[k] = csv_column(t, axes[k]);
+        if (column[k] < 0) column[k] = csv_column(t, axes[3 + k]);
+    }
     column[3] = -1;
     for (int k = 0; k < 3 && column[3] < 0; k++) {
         column[3] = csv_column(t, sizes[k]);

@@ -337,3 +337,11 @@ struct insertion_sphere *insertion_read(const char *path, long *n)
     free(list);
     return NULL;
 }
+
+void insertion_move(struct insertion_sphere *list, long n, const double by[3],
+                    const struct box_domain *box)
+{
+    for (long i = 0; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            list[i].x[k] = box_domain_inside(box, k, list[i].x[k] + by[k]);
+}

@@ -6,8 +6,7 @@
  * the k-th sphere are drawn from random numbers that depend on the seed and on
  * k alone. A large sphere without a free position waits, and all later ones
  * wait with it, because otherwise the inserted sizes would not follow the
- * distribution. The state of a source consists of two numbers, which are all
- * that a resumed run needs.
+ * distribution. A resumed run needs two numbers of a source.
  */
 #ifndef DEM_POPULATION_INSERTION_H
 #define DEM_POPULATION_INSERTION_H
@@ -36,20 +35,18 @@ struct insertion_options {
     double rate;               /* [1/s]; 0: all at once */
     double start;              /* [s] time of the first */
     unsigned long seed;
-    struct placement_region
-        region; /* positions outside of it count as attempts */
-    const struct insertion_sphere *list; /* borrowed; count of them, instead of
-                                         chance; or NULL */
-    double overlap; /* [-] over the mean diameter, that spheres of a list may
-                       have with others */
+    struct placement_region region; /* places outside count as attempts */
+    /* So many, borrowed, instead of chance; NULL: none. They may overlap others
+     * by `overlap` of the mean diameter [-]. */
+    const struct insertion_sphere *list;
+    double overlap;
 };
 
 struct insertion {
     struct insertion_options options;
     long n_inserted; /* [-] spheres inserted so far */
     long n_attempts; /* [-] places tried for the next one */
-    /* Data borrowed by the options that are released with the source; else
-     * NULL. */
+    /* What the options borrow and the source releases; else NULL. */
     struct sizes *own_sizes;
     struct insertion_sphere *own_list;
 };
@@ -64,17 +61,20 @@ void insertion_place(const struct insertion_options *o, long k, long attempt,
 int insertion_step(struct insertion *in, struct particles *ps,
                    const struct box_domain *box, double t);
 
-/* 1 if two spheres of the list overlap by more than this fraction of their mean
- * diameter, so that they cannot be inserted together; `who` are their numbers.
- */
+/* 1 if two spheres of the list, number who[0] and who[1], overlap by more than
+ * this share of their mean diameter, and cannot be inserted together. */
 int insertion_overlap(const struct insertion_options *o,
                       const struct box_domain *box, double share, int who[2]);
 
 /* Number of spheres due by then [-]. */
 long insertion_count_due(const struct insertion *in, double t);
 
-/* The list in a file, "x y z d" a line, # for a remark; released with free().
- * NULL after a message that names the line. */
+/* The list in a file, to be freed; NULL after a message that names the line. */
 struct insertion_sphere *insertion_read(const char *path, long *n);
+
+/* Adds `by` [m] to the places of a list, and brings those back that are then
+ * outside a periodic direction. */
+void insertion_move(struct insertion_sphere *list, long n, const double by[3],
+                    const struct box_domain *box);
 
 #endif

@@ -19,13 +19,9 @@ struct sizes_options;
 
 /* One kind of distribution. */
 struct sizes_law {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
-    const struct key *own_keys;         /* of these the one whose numbers are in
-                                           options.own (base/model.h); NULL: none */
+    MODEL_MEMBERS;              /* base/model.h */
+    const struct key *own_keys; /* of these the one whose numbers are in
+                                   options.own (base/model.h); NULL: none */
     /* What is wrong with the options, as the end of a sentence; or NULL. */
     const char *(*wrong)(const struct sizes_options *o);
     void (*shape)(struct sizes *s, const struct sizes_options *o);

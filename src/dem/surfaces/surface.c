@@ -110,14 +110,14 @@ const struct key surface_axis_keys[] = {
     KEY_END};
 
 const struct key surface_radius_keys[] = {
-    {"particles.surfaces.radius", KEY_REAL, "m", "> 0", KEY_ASKED,
+    {"particles.surfaces.radius", KEY_REAL, "m", "> 0", KEY_MODEL_REQUIRED,
      "distance of the surface from its axis", "", ""},
     {"particles.surfaces.particles", KEY_NAME, "", "inside | outside", "inside",
      "on which side of it they are", "", ""},
     KEY_END};
 
 static const struct key file_keys[] = {
-    {"particles.surfaces.file", KEY_FILE, "", "", KEY_ASKED,
+    {"particles.surfaces.file", KEY_FILE, "", "", KEY_MODEL_REQUIRED,
      "STL file, text or binary; beside the case unless it begins with /", "",
      ""},
     {"particles.surfaces.scale", KEY_REAL, "m", "> 0", "1.0",

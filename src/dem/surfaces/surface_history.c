@@ -7,7 +7,7 @@
 enum { SURFACE_SPRING = -7 };
 
 int surface_history_list(struct surfaces *sf, const struct particles *ps,
-                         struct dem_spring *list)
+                         struct dem_history *list)
 {
     int n = 0;
 
@@ -27,7 +27,7 @@ int surface_history_list(struct surfaces *sf, const struct particles *ps,
     return n;
 }
 
-int surface_history_restore(struct surfaces *sf, const struct dem_spring *list,
+int surface_history_restore(struct surfaces *sf, const struct dem_history *list,
                             int n)
 {
     int many = 0;

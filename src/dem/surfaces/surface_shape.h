@@ -19,13 +19,9 @@ struct surface_hit {
 };
 
 struct surface_shape {
-    const char *name;                   /* as a case spells it */
-    const char *what;                   /* one line */
-    const char *equations;              /* keys in chapters/references.md */
-    const char *function;               /* the one that computes it */
-    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
-    const struct key *own_keys;         /* of these the one whose numbers are in
-                                           surface.own (base/model.h); NULL: none */
+    MODEL_MEMBERS;              /* base/model.h */
+    const struct key *own_keys; /* of these the one whose numbers are in
+                                   surface.own (base/model.h); NULL: none */
     /* The nearest point to y [m], in the frame of the surface, as at time 0;
      * NULL: the shape is made of triangles. */
     struct surface_hit (*nearest)(const struct surface *s, const double y[3]);

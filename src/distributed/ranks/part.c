@@ -203,10 +203,12 @@ static void add_fluid(struct part *part, const struct settings *s,
     struct simulation *const sim = part->sim;
     int local;
 
-    sim->boundaries = build_boundaries(s, sim->mesh, &sim->inlet_series);
+    sim->boundaries = build_boundaries(s, sim->mesh);
     for (int i = 0; i < sim->mesh->n_patches; i++)
-        if (cut_off[i])
+        if (cut_off[i]) {
+            boundary_release(&sim->boundaries[i]);
             sim->boundaries[i] = (struct boundary){.kind = BOUNDARY_SLIP};
+        }
     struct fluid_options o = build_fluid_options(s, sim);
     o.shared = solve_shared(part->solve);
     sim->fluid = fluid_create(sim->mesh, &o);

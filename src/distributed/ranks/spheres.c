@@ -199,7 +199,7 @@ static int pull(struct spheres *q)
     return there - ps->n;
 }
 
-/* The outside force, and what is kept, to LAMMPS. */
+/* The external force, and what is kept, to LAMMPS. */
 static void push(struct spheres *q)
 {
     const struct particles *const ps = q->dem->ps;

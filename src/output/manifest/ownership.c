@@ -19,7 +19,7 @@
 #include <unistd.h>
 
 static const char manifest[] = "manifest.txt";
-static const char ahead[] = FOLDER_AHEAD;
+static const char ahead[] = FOLDER_EARLY_FILE;
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {

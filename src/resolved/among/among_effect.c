@@ -37,8 +37,8 @@ static int move(void *memory, struct simulation *sim)
 }
 
 static const struct effect_mover mover = {.move = move,
-                                          .along = along,
-                                          .trouble = bodies_effect_trouble,
+                                          .move_particles = along,
+                                          .failure = bodies_effect_trouble,
                                           .momentum = momentum};
 
 const struct effect among_effect = {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 #include "resolved/body_cells.h"
 
@@ -113,7 +114,7 @@ static double weigh(const struct mirrors *all, const double x[3],
     for (int k = 0; k < 3; k++) {
         const double h = (b->edge[k][b->n[k]] - b->edge[k][0]) / b->n[k];
         const double at = (x[k] - b->edge[k][0]) / h - 0.5;
-        low[k] = (int)floor(at);
+        low[k] = number_clamped(floor(at), -b->n[k], 2 * b->n[k]);
         share[k] = at - low[k];
     }
     one->n = 0;

@@ -82,8 +82,8 @@ static void spread_of(const struct body_shape *shape, double C[3][3])
 
 static void set_moments(struct block *b)
 {
-    static const int row[6] = {0, 0, 0, 1, 1, 2},
-                     column[6] = {0, 1, 2, 1, 2, 2};
+    const int *const row = body_outline_row, *const column =
+                                                 body_outline_column;
     const double V = body_shape_volume(&b->shape), at_0[3] = {0.0, 0.0, 0.0};
     double C[3][3], second[6];
 

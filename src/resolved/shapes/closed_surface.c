@@ -82,8 +82,8 @@ static void release(struct body_outline *o)
 /* Of the tetrahedra between the origin and each triangle, with their signs. */
 static void set_moments(struct body_outline *o, int n, double (*corner)[3][3])
 {
-    static const int row[6] = {0, 0, 0, 1, 1, 2},
-                     column[6] = {0, 1, 2, 1, 2, 2};
+    const int *const row = body_outline_row, *const column =
+                                                 body_outline_column;
     double V = 0.0, first[3] = {0}, second[6] = {0};
 
     for (int t = 0; t < n; t++) {

@@ -6,10 +6,11 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 
 /* Points along the longest side of a body [-], at most: for thin plates. */
-static const double most_along = 48.0;
+enum { most_along = 48 };
 
 /* A point nearer to another one than this share of the spacing is left out. */
 static const double least_apart = 0.5;
@@ -51,7 +52,8 @@ static double longest_side(double t[3][3])
  * spacing [m]. Those of the triangle itself come with i or j or both 0. */
 static void put_triangle(struct cloud *all, double t[3][3], double spacing)
 {
-    const int n = (int)ceil(longest_side(t) / spacing * (1.0 - 1e-9));
+    const int n = number_clamped(ceil(longest_side(t) / spacing * (1.0 - 1e-9)),
+                                 1, 2 * most_along);
 
     for (int i = 0; i <= n; i++)
         for (int j = 0; j <= n - i; j++) {
