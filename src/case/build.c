@@ -16,11 +16,9 @@
 
 static double bandwidth_of(const struct settings *s)
 {
-    if (settings_has(s, "averaging.delta_05"))
-        return averaging_bandwidth(settings_real(s, "averaging.delta_05"));
-    return settings_has(s, "averaging.bandwidth")
-               ? settings_real(s, "averaging.bandwidth")
-               : 0.0;
+    return settings_has(s, "averaging.delta_05")
+               ? averaging_bandwidth(settings_real(s, "averaging.delta_05"))
+               : settings_real_or(s, "averaging.bandwidth", 0.0);
 }
 
 struct averaging_options build_averaging_options(const struct settings *s)
@@ -34,9 +32,7 @@ struct averaging_options build_averaging_options(const struct settings *s)
                      ? settings_int(s, "averaging.steps")
                      : 0, /* the default of the methods */
         .tolerance = settings_real(s, "averaging.tolerance"),
-        .cap = settings_has(s, "averaging.cap")
-                   ? settings_real(s, "averaging.cap")
-                   : 0.0,
+        .cap = settings_real_or(s, "averaging.cap", 0.0),
         .vary = settings_text(s, "averaging.bandwidth_variation"),
         .fields = 4};
     if (method->own_keys != NULL)
@@ -47,7 +43,7 @@ struct averaging_options build_averaging_options(const struct settings *s)
 static int create_averaging(const struct settings *s, struct simulation *sim)
 {
     struct averaging_options o = build_averaging_options(s);
-    struct averaging_region region[BUILD_MOST_REGIONS];
+    struct averaging_region region[BUILD_MAX_REGIONS];
 
     o.n_regions = settings_length(s, "averaging.regions");
     o.regions = region;
@@ -97,14 +93,14 @@ void build_effects(const struct settings *s, struct simulation *sim)
 
     for (int i = 0; effects[i] != NULL; i++) {
         const struct effect *const e = effects[i];
-        if (!settings_has(s, e->keys[0].path)) continue;
-        table_numbers(s, e->keys, numbers, 16);
+        if (!settings_has(s, e->keys[0]->path)) continue;
+        table_numbers(s, e->keys[0], numbers, 16);
         effects_add(sim, e, e->create(sim, numbers));
     }
 }
 
-static struct simulation *build(const struct settings *s, int with_bed,
-                                const struct bed_saver *saver, int *code)
+struct simulation *build_for_run(const struct settings *s, int with_bed,
+                                 const struct bed_saver *saver, int *code)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
@@ -130,16 +126,5 @@ static struct simulation *build(const struct settings *s, int with_bed,
 
 struct simulation *build_simulation(const struct settings *s, int *code)
 {
-    return build(s, 1, NULL, code);
-}
-
-struct simulation *build_with_saver(const struct settings *s,
-                                    const struct bed_saver *saver, int *code)
-{
-    return build(s, 1, saver, code);
-}
-
-struct simulation *build_to_resume(const struct settings *s, int *code)
-{
-    return build(s, 0, NULL, code);
+    return build_for_run(s, 1, NULL, code);
 }

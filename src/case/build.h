@@ -11,14 +11,13 @@ struct bed_saver;
 /* The simulation that the case describes, its bed settled. NULL after a
  * message; *code is then 2, 3 (the bed did not settle) or 4. */
 struct simulation *build_simulation(const struct settings *s, int *code);
-/* The same; the saver, borrowed or NULL, saves the bed while it settles and may
- * end the settling with a code of its own (dem/bed_settling.h). */
-struct simulation *build_with_saver(const struct settings *s,
-                                    const struct bed_saver *saver, int *code);
-/* The same with room for a bed, whose state will be loaded. */
-struct simulation *build_to_resume(const struct settings *s, int *code);
+/* The same for a run. If with_bed is 0, there is only memory for the bed, whose
+ * state will be loaded. The saver, borrowed or NULL, saves the bed while it
+ * settles and may end the settling with a code of its own (bed_settling.h). */
+struct simulation *build_for_run(const struct settings *s, int with_bed,
+                                 const struct bed_saver *saver, int *code);
 
-enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
+enum { BUILD_MAX_REGIONS = 32 }; /* of averaging.regions */
 
 /* The averaging and the drag law that the case chooses. */
 struct averaging_options build_averaging_options(const struct settings *s);

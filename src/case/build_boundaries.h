@@ -7,19 +7,19 @@
 #include "mesh/mesh.h"
 #include "case/settings.h"
 
-/* One boundary a patch, of a whole mesh; the times and velocities of all inlets
- * are in *series. Both are freed by build_boundaries_free. */
+/* One boundary a patch, of a whole mesh; NULL after a message. Freed by
+ * build_boundaries_free. */
 struct boundary *build_boundaries(const struct settings *s,
-                                  const struct mesh *m, double **series);
-void build_boundaries_free(struct boundary *all, int n, double *series);
+                                  const struct mesh *m);
+void build_boundaries_free(struct boundary *all, int n);
 
 /* 1 if the case gives a key of a patch, whose path this makes. */
 enum { BUILD_BOUNDARIES_PATH = 128 };
 int build_boundaries_has(const struct settings *s, const struct patch *p,
                          const char *key, char path[BUILD_BOUNDARIES_PATH]);
 
-/* What a folder adds to the boundary of a patch, where the case gives this key
- * of it; `build` gets the boundary as it is without, and returns 0, or 2 after
+/* How a folder changes the boundary of a patch for which the case gives this
+ * key: `build` gets the boundary without that change, and returns 0, or 2 after
  * a message. */
 struct boundary_builder {
     const char *key; /* "profile" */

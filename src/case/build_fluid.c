@@ -13,8 +13,8 @@ int build_two_way(const struct settings *s)
                         settings_text(s, "exchange.coupling"));
 }
 
-/* What drives a flow through periodic ends. */
-static void take_drive(const struct settings *s, struct fluid_options *o)
+/* The mean gradient or the mean flow in periodic directions. */
+static void read_mean_flow(const struct settings *s, struct fluid_options *o)
 {
     if (settings_has(s, "fluid.mean_gradient"))
         settings_vector(s, "fluid.mean_gradient", o->mean_gradient);
@@ -31,8 +31,7 @@ struct fluid_options build_fluid_options(const struct settings *s,
         .rho = settings_real(s, "fluid.density"),
         .mu = settings_real(s, "fluid.viscosity"),
         .dt = sim->dt,
-        .cfl =
-            settings_has(s, "fluid.cfl") ? settings_real(s, "fluid.cfl") : 0.0,
+        .cfl = settings_real_or(s, "fluid.cfl", 0.0),
         .convection =
             convection_scheme_named(settings_text(s, "fluid.convection")),
         .time = time_scheme_named(settings_text(s, "fluid.time")),
@@ -55,13 +54,13 @@ struct fluid_options build_fluid_options(const struct settings *s,
             build_two_way(s) && shared &&
             models_value(coupling_forms, settings_text(s, "exchange.model")),
         .boundaries = sim->boundaries};
-    take_drive(s, &o);
+    read_mean_flow(s, &o);
     return o;
 }
 
 int build_fluid(const struct settings *s, struct simulation *sim)
 {
-    sim->boundaries = build_boundaries(s, sim->mesh, &sim->inlet_series);
+    sim->boundaries = build_boundaries(s, sim->mesh);
     if (sim->boundaries == NULL) return 2;
     const struct fluid_options o = build_fluid_options(s, sim);
     sim->fluid = fluid_create(sim->mesh, &o);

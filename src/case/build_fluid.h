@@ -12,7 +12,7 @@ int build_two_way(const struct settings *s);
 struct fluid_options build_fluid_options(const struct settings *s,
                                          const struct simulation *sim);
 
-/* Sets sim->fluid, boundaries and inlet_series; sim->mesh and dt must be set.
+/* Sets sim->fluid and boundaries; sim->mesh and dt must be set.
  * Non-zero after a message. */
 int build_fluid(const struct settings *s, struct simulation *sim);
 

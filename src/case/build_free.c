@@ -25,8 +25,7 @@ void build_free(struct simulation *sim)
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     build_boundaries_free(sim->boundaries,
-                          sim->mesh != NULL ? sim->mesh->n_patches : 0,
-                          sim->inlet_series);
+                          sim->mesh != NULL ? sim->mesh->n_patches : 0);
     free(sim->held_force);
     mesh_free(sim->mesh);
     free(sim);

@@ -25,8 +25,8 @@ static int bed_lost(const struct bed_report *r)
     return 3;
 }
 
-static int leave_room(const struct settings *s, struct simulation *sim,
-                      const struct dem_options *o)
+static int allocate_bed(const struct settings *s, struct simulation *sim,
+                        const struct dem_options *o)
 {
     const int n = settings_int(s, "particles.bed.count");
 
@@ -38,21 +38,22 @@ static int leave_room(const struct settings *s, struct simulation *sim,
 static void print_settled(const struct settings *s, const struct bed_report *r,
                           int in_box, const char *cached)
 {
-    const char *const rest =
+    const char *const warning =
         r->settled ? "" : ": NOT AT REST, raise particles.bed.settle";
 
     if (settings_quiet(s) || (r->steps == 0 && cached == NULL)) return;
     if (r->steps == 0)
-        fprintf(stderr, "the bed was settled before: %s (--fresh: anew)\n",
+        fprintf(stderr,
+                "the bed was settled before: %s (--fresh settles it anew)\n",
                 cached);
     else if (in_box)
         fprintf(stderr,
                 "settled in %.3g s: height %.4g m, solid fraction %.3f, "
                 "kinetic energy %.1g m g d%s\n",
-                r->time, r->height, r->packing, r->kinetic, rest);
+                r->time, r->height, r->packing, r->kinetic, warning);
     else
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
-                r->time, r->kinetic, rest);
+                r->time, r->kinetic, warning);
 }
 
 /* The bed from the file `path`, or made anew and kept there; NULL: it is not
@@ -74,8 +75,8 @@ static int make_bed(const struct settings *s, struct simulation *sim,
     return found;
 }
 
-/* The file of a bed that another run has kept is damaged: it is removed, and
- * the bed is settled again. */
+/* Where the file in which another run has kept the bed is damaged, it is
+ * removed and the bed is settled again. */
 static int remake_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o,
                       const struct bed_saver *saver, const char *path,
@@ -218,10 +219,10 @@ int build_particles_check(const struct settings *s)
 
 void build_particles_limit(const struct settings *s, struct simulation *sim)
 {
-    const double most = settings_real(s, "particles.max_overlap");
+    const double max = settings_real(s, "particles.max_overlap");
     const double expected = settings_real(s, "particles.expected_overlap");
 
-    dem_limit_overlap(sim->dem, fmin(expected, most), most);
+    dem_limit_overlap(sim->dem, fmin(expected, max), max);
 }
 
 int build_particles(const struct settings *s, struct simulation *sim,
@@ -233,7 +234,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
         code =
-            with_bed ? create_bed(s, sim, &o, saver) : leave_room(s, sim, &o);
+            with_bed ? create_bed(s, sim, &o, saver) : allocate_bed(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;
@@ -241,7 +242,6 @@ int build_particles(const struct settings *s, struct simulation *sim,
     build_particles_limit(s, sim);
     MODELS_UNTIL(code, case_parts, add, s, sim);
     if (code != 0) return code;
-    sim->held_force = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
+    sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;
 }

@@ -7,7 +7,7 @@
 #include "case/settings.h"
 
 /* Sets sim->particles, dem and held_force; sim->mesh, dt and dem_steps must be
- * set. If with_bed is 0, there is only room for the particles of the bed. The
+ * set. If with_bed is 0, there is only memory for the particles of the bed. The
  * saver may be NULL. Returns the exit code, after a message if it is not 0. */
 int build_particles(const struct settings *s, struct simulation *sim,
                     int with_bed, const struct bed_saver *saver);

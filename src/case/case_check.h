@@ -1,10 +1,10 @@
 /* case_check.h -- the hooks by which folders check a case.
  *
  * A case is read key by key by the files of src/case (schema_check.h). Whether
- * what it says is possible is checked by the folders checks/ and text/: without
- * them a case is taken at its word. A descriptor is named in the models.txt of
- * its folder, and each function may be NULL. It returns 0, or the exit code
- * after one message.
+ * the values together are possible is checked by the folders checks/ and text/:
+ * without them only the single values are. A descriptor is named in the
+ * models.txt of its folder, and each function may be NULL. It returns 0, or the
+ * exit code after one message.
  */
 #ifndef CASE_CASE_CHECK_H
 #define CASE_CASE_CHECK_H

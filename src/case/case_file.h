@@ -5,7 +5,7 @@
 #include "base/key.h"
 #include "case/settings.h"
 
-enum { CASE_FILE_TABLES = 128 }; /* room for the core and every model */
+enum { CASE_FILE_TABLES = 128 }; /* at most, of the core and all models */
 
 /* All tables of keys: the core and those of the models, ended by NULL. */
 void case_file_tables(const struct key *tables[CASE_FILE_TABLES]);

@@ -13,22 +13,14 @@ static const char first[] = "grains", list[] = "particles.materials",
                   wall[] = "particles.walls.material",
                   of_grains[] = "particles.grains.";
 
-/* A number of the i-th group of a list, or what stands for its absence. */
-static double item_or(const struct settings *s, const char *of, int i,
-                      const char *key, double absent)
-{
-    return settings_item_has(s, of, i, key) ? settings_item_real(s, of, i, key)
-                                            : absent;
-}
-
-/* The same for a material: number 0 is a group of its own. */
+/* A number of a material, 0 if not given; number 0 is a group of its own. */
 static double value(const struct settings *s, int number, const char *key)
 {
     char path[64];
 
-    if (number > 0) return item_or(s, list, number - 1, key, 0.0);
+    if (number > 0) return settings_item_real_or(s, list, number - 1, key, 0.0);
     snprintf(path, sizeof path, "particles.%s.%s", first, key);
-    return settings_has(s, path) ? settings_real(s, path) : 0.0;
+    return settings_real_or(s, path, 0.0);
 }
 
 int case_materials_number(const struct settings *s, const char *name)
@@ -88,11 +80,13 @@ struct materials_measured case_materials_pair(const struct settings *s, int k)
     return (struct materials_measured){
         .a = number_in_pair(s, k, "between"),
         .b = number_in_pair(s, k, "and"),
-        .stiffness = item_or(s, pairs, k, "stiffness", -1.0),
-        .tangential = item_or(s, pairs, k, "tangential_ratio", -1.0),
-        .restitution = item_or(s, pairs, k, "restitution", -1.0),
-        .friction = item_or(s, pairs, k, "friction", -1.0),
-        .rolling = item_or(s, pairs, k, "rolling_friction", -1.0)};
+        .stiffness = settings_item_real_or(s, pairs, k, "stiffness", -1.0),
+        .tangential =
+            settings_item_real_or(s, pairs, k, "tangential_ratio", -1.0),
+        .restitution = settings_item_real_or(s, pairs, k, "restitution", -1.0),
+        .friction = settings_item_real_or(s, pairs, k, "friction", -1.0),
+        .rolling =
+            settings_item_real_or(s, pairs, k, "rolling_friction", -1.0)};
 }
 
 /* One block: the struct, the materials, the pairs. */

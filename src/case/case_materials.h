@@ -20,7 +20,7 @@ double case_materials_density(const struct settings *s, int number);
 /* All but number 0, to be released with free(); NULL if there is no other. */
 struct materials *case_materials_create(const struct settings *s);
 
-/* What is measured for the k-th pair of them. */
+/* The measured properties of the k-th pair of materials. */
 struct materials_measured case_materials_pair(const struct settings *s, int k);
 
 #endif

@@ -27,7 +27,8 @@ static struct mesh *create(const struct settings *s,
         const struct box_spec spec = case_mesh_box(s);
         return make(&spec);
     }
-    memcpy(&own, &kept, sizeof own); /* one more holds it; none changes it */
+    memcpy(&own, &kept,
+           sizeof own); /* a further reference; nobody changes the mesh */
     return mesh_retain(own);
 }
 

@@ -16,11 +16,11 @@ struct box_spec case_mesh_box(const struct settings *s);
 /* The mesh, which the caller releases by mesh_free. */
 struct mesh *case_mesh_create(const struct settings *s);
 
-/* The same, but of a box only the outline, which costs nothing. */
+/* The same; of a box only the outline is made, which costs nothing. */
 struct mesh *case_mesh_outline(const struct settings *s);
 
-/* Where particles can be at all: the smallest box around the mesh, or what a
- * period makes one of it; and in which directions it is periodic. */
+/* The ends of the box of the particles [m]: the smallest box around the mesh,
+ * in periodic directions one period; and the directions that are periodic. */
 void case_mesh_ends(const struct settings *s, double lo[3], double hi[3]);
 void case_mesh_periodic(const struct settings *s, int periodic[3]);
 

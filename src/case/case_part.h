@@ -24,15 +24,15 @@ struct case_part {
     int mesh_walls; /* [-] 1: it makes walls for particles of the boundary of
                        any mesh */
 
-    /* Whether what the case says is possible. */
+    /* Whether the particles that the case describes are possible. */
     int (*check)(const struct settings *s);
-    /* The same of any case, with particles or without. */
+    /* The same for any case, with particles or without. */
     int (*check_any)(const struct settings *s);
     /* Changes the options of dem, before anything is created. */
     void (*dem_options)(const struct settings *s, struct dem_options *o);
     /* The sizes of the bed, where they are not all equal. */
     void (*bed_sizes)(const struct settings *s, struct bed_options *b);
-    /* How many particles may come after the start. */
+    /* How many particles may be inserted after the start. */
     int (*count_later)(const struct settings *s);
     /* Their diameters, of one material or, if it is negative, of all. */
     struct case_diameters (*later_diameters)(const struct settings *s,
@@ -44,13 +44,14 @@ struct case_part {
     int (*complete)(const struct settings *s, struct simulation *sim,
                     struct dem_options *o);
     void (*free)(struct simulation *sim);
+    /* The same, after the `complete` of all parts. */
     int (*complete_last)(const struct settings *s, struct simulation *sim,
-                         struct dem_options *o); /* once all have */
+                         struct dem_options *o);
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
-    /* Where a bed is kept for which the case names no file; 0: nowhere. */
-    int (*bed_file)(const struct settings *s, char *path, size_t room);
+    /* The file that keeps a bed for which the case names none; 0: no file. */
+    int (*bed_file)(const struct settings *s, char *path, size_t size);
     /* After the particles and their dem have been created. */
     int (*add)(const struct settings *s, struct simulation *sim);
     /* After all else has been created. */
@@ -60,7 +61,7 @@ struct case_part {
 /* All of them, ended by NULL. */
 extern const struct case_part *const case_parts[];
 
-/* How many particles may come after the start, by all parts. */
+/* How many particles may be inserted after the start, by all parts. */
 int case_part_count_later(const struct settings *s);
 
 #endif

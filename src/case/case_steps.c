@@ -18,8 +18,8 @@ static int has_population(const struct settings *s)
            settings_has(s, "particles.sinks");
 }
 
-/* [s] of a step of the loop, before it is made whole particle steps, and the
- * key that decides it. */
+/* [s] of a step of the loop, before it is rounded to whole particle steps, and
+ * the key that gives it. */
 static double interval(const struct settings *s, const char **key)
 {
     static const char *const written[] = {"output.history", "output.every"};
@@ -38,17 +38,9 @@ static double interval(const struct settings *s, const char **key)
     return shortest;
 }
 
-static const char *length_key(const struct settings *s)
-{
-    const char *key;
-
-    interval(s, &key);
-    return key;
-}
-
 /* Without a fluid a step is the whole number of particle steps that is nearest
  * to the shortest time between two rows or pictures, or to the end if that
- * comes first. So what is written does not change how the particles move. */
+ * comes first. Thus the output does not change the motion. */
 double case_steps_length(const struct settings *s)
 {
     const char *key;
@@ -107,25 +99,26 @@ long case_steps_between_rows(const struct settings *s)
 int case_steps_check(const struct settings *s)
 {
     const double dt = case_steps_length(s);
+    const char *key;
     int particle_steps;
     long steps;
 
+    interval(s, &key);
     if (number_long(until_end(s), &steps) != 0)
         return settings_wrong(s, end_key,
                               "%g s are %.3g steps of %g s, by %s; no more "
                               "than 9e15 steps can be counted",
-                              settings_real(s, end_key), until_end(s), dt,
-                              length_key(s));
+                              settings_real(s, end_key), until_end(s), dt, key);
     if (steps < 1)
         return settings_wrong(s, end_key,
                               "%g s is less than half of one step of %g s, by "
                               "%s: nothing would be computed",
-                              settings_real(s, end_key), dt, length_key(s));
+                              settings_real(s, end_key), dt, key);
     if (number_int(within(s), &particle_steps) != 0)
         return settings_wrong(s, "particles.step",
                               "%g s would be %.3g particle steps in one step "
                               "of %g s, by %s; expected at most %d",
                               settings_real(s, "particles.step"), within(s), dt,
-                              length_key(s), INT_MAX);
+                              key, INT_MAX);
     return 0;
 }

@@ -3,8 +3,8 @@
  * The steps of the loop are the fluid's, which the particles divide. Without a
  * fluid they are 20 particle steps where particles are inserted or removed, for
  * that happens between two steps of the loop; else the whole number of particle
- * steps that comes nearest to the shorter of the times between two rows of the
- * history and two pictures. So what is written does not change the motion.
+ * steps that is nearest to the shorter of the times between two rows of the
+ * history and two pictures. Thus the output does not change the motion.
  * Results are written after whole numbers of steps of the loop; `winnow check`
  * says where these are not what the case asks for.
  */

@@ -7,7 +7,7 @@
 #ifndef CASE_COMMAND_H
 #define CASE_COMMAND_H
 
-/* What follows the name of the command: words, and the values of options. */
+/* The arguments of the command: words, and the values of options. */
 struct command_line {
     int n_words, n_overrides;
     const char **words, **overrides;
@@ -24,7 +24,7 @@ struct command {
     const char *options; /* first letters of those it takes, - for --quiet, r
                             for --resume, f for --fresh, t for --to; NULL: all
                             that follows is words */
-    int least, most;     /* words after the name; most < 0: any number */
+    int min_words, max_words; /* after the name; max_words < 0: any number */
     /* Returns the exit code, after a message if it is not 0. */
     int (*act)(const struct command_line *l);
 };

@@ -36,7 +36,8 @@ struct series *field_output_series(struct folder *f, const char *name,
     return made;
 }
 
-/* The first form that holds the mesh; NULL, for a box, if none does. */
+/* The cells in the first form that can hold this mesh; NULL if none can, as for
+ * a box. */
 static void *create_cells(struct field_output *p)
 {
     void *made = NULL;
@@ -85,7 +86,8 @@ void field_output_free(struct field_output *p)
     free(p);
 }
 
-/* The path of the next file of a series, listed; NULL after a message. */
+/* The path of the next file of a series, which is then listed in the folder;
+ * NULL after a message. */
 static const char *next_of(struct field_output *p, struct series *s)
 {
     const char *const path = series_next(s);

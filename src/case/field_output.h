@@ -10,7 +10,7 @@
 
 struct field_output;
 
-/* The collections of the phases that there are; NULL after a message. */
+/* The collections of the phases of the simulation; NULL after a message. */
 struct field_output *field_output_create(const struct simulation *sim,
                                          struct folder *folder);
 void field_output_free(struct field_output *p);
@@ -19,7 +19,8 @@ void field_output_free(struct field_output *p);
 struct series *field_output_series(struct folder *f, const char *name,
                                    const char *suffix);
 
-/* What the files contain besides cells and centres; return how many arrays. */
+/* The arrays of the files besides cells and centres. Both return their number.
+ */
 enum { FIELD_OUTPUT_ARRAYS = 16 };
 int field_output_of_fluid(const struct simulation *sim,
                           const struct snapshot *s,

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/vector.h"
 #include "case/history_sums.h"
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
@@ -53,8 +54,7 @@ HISTORY_VALUE(rebuilds, (double)sim->dem_report.rebuilds)
 
 static double relabelled(const struct simulation *sim)
 {
-    const double *const r = sim->fluid->relabelled;
-    return sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+    return vector_length(sim->fluid->relabelled);
 }
 
 static double shortest_time(const struct simulation *sim)

@@ -44,7 +44,7 @@ struct history_table {
 /* All of them, in the order of the row, ended by NULL. */
 extern const struct history_table *const history_tables[];
 
-/* Walks over all columns; t is the table of column c. */
+/* Loops over all columns; t is the table of column c. */
 #define HISTORY_EACH(t, c)                                                     \
     for (const struct history_table *const *at_##t = history_tables, *t;       \
          (t = *at_##t) != NULL; at_##t++)                                      \

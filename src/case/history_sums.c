@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/history_sums.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 
+#include "base/vector.h"
 #include "coupling/processes.h"
 
-/* Of kind: what enters by its own pressure is an inlet. */
+/* The first patch of this kind, or else the one of this name; a patch at which
+ * the fluid enters at a given pressure is an inlet. */
 static const struct patch *patch_of(const struct simulation *sim,
                                     enum boundary_kind kind, const char *name)
 {
@@ -17,7 +18,7 @@ static const struct patch *patch_of(const struct simulation *sim,
     while (i < m->n_patches &&
            (b[i].enters ? BOUNDARY_INLET : b[i].kind) != kind)
         i++;
-    i = -processes_largest(sim, -i); /* a part need not have one there */
+    i = -processes_largest(sim, -i); /* the first in any process */
     return i < m->n_patches ? &m->patches[i] : mesh_patch(m, name);
 }
 
@@ -49,17 +50,15 @@ static double per_section(const struct simulation *sim, double *g)
     const struct mesh *const m = sim->mesh;
     double volume = 1.0, along = 0.0;
 
-    *g = 0.0;
+    *g = vector_length(sim->gravity);
     for (int k = 0; k < 3; k++) {
         const double length = m->hi[k] - m->lo[k];
         volume *= length;
         along += fabs(sim->gravity[k]) * length;
-        *g += sim->gravity[k] * sim->gravity[k];
     }
     if (m->face_centre != NULL) volume = 0.0;
     for (int c = 0; c < m->n_cells && m->face_centre != NULL; c++)
         volume += m->V[c];
-    *g = sqrt(*g);
     return *g > 0.0 ? along / (*g * volume) : 0.0;
 }
 
@@ -80,7 +79,7 @@ double history_buoyant_weight(const struct simulation *sim)
     const double section = per_section(sim, &g);
 
     for (int i = 0; i < ps->n; i++)
-        volume += M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+        volume += particles_volume(ps, i);
     return history_bed_weight(sim) -
            sim->fluid->options.rho * processes_total(sim, volume) * g * section;
 }
@@ -109,7 +108,7 @@ double history_spin_energy(const struct simulation *sim)
     return 0.5 * processes_total(sim, sum);
 }
 
-/* All particles. */
+/* The number of particles of all processes. */
 static double count(const struct simulation *sim)
 {
     return processes_total(sim, sim->particles->n);
@@ -150,8 +149,7 @@ double history_mean_fall(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const double *const g = sim->gravity;
-    const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const double n = count(sim);
+    const double size = vector_length(g), n = count(sim);
     double sum = 0.0;
 
     for (int i = 0; i < ps->n; i++)

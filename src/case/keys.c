@@ -173,8 +173,9 @@ const struct key keys_core[] = {
     {"exchange.substeps", KEY_INT, "-", "auto | >= 1", "auto",
      "drag updates in a fluid step, N_s", "XS11 3.18-3.20", ""},
     {"exchange.model", KEY_NAME, "", "", "A",
-     "A: the particles take their share of the pressure gradient from the "
-     "fluid's equation; B: the fluid keeps it, and they return it as a force",
+     "A: the fluid's equation has the fluid's share of the pressure gradient; "
+     "B: it has the whole gradient, and the reaction of the force on the "
+     "particles",
      "XS11 2.4-2.8, SX15 2b", ""},
     {"exchange.coupling", KEY_NAME, "", "", "two-way",
      "one-way: particles do not act on the fluid", "LS 5", ""},

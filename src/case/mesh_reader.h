@@ -7,10 +7,11 @@
 #include <libconfig.h>
 
 struct mesh_reader {
-    /* Before a case is checked: where its mesh comes from files, tables with
-     * its patches take the place of those of the tables that have sides of the
-     * box. *made has these at their places in the list, each to be released
-     * with free(), and so is the list; NULL: none. 0, or 2 after a message. */
+    /* Is called before a case is checked. Where the mesh is read from files,
+     * the tables that have keys of the sides of the box are replaced by tables
+     * with the patches of the mesh. *made has the new tables at their places in
+     * the list; each is released with free(), and so is the list; NULL: none.
+     * 0, or 2 after a message. */
     int (*patches)(const struct settings *s, const config_t *tree,
                    const struct key **tables, struct key ***made);
     /* Reads or makes the mesh, which is kept in the settings; nothing for a

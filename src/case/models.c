@@ -53,23 +53,8 @@ MODELS_KIND(models_patch, boundary_kinds, "patch",
             "boundary conditions on a side of the box", "fluid.<patch>", NULL)
 MODELS_KIND(models_profile, inlet_profiles, "profile",
             "velocity profiles of an inlet", "fluid.<patch>.profile", "fluid")
-
-/* The keys of an effect are a table of its own. */
-static int effect_row(int i, struct model *m)
-{
-    for (int k = 0; k <= i; k++)
-        if (effects[k] == NULL) return 0;
-    *m = (struct model){.name = effects[i]->name,
-                        .what = effects[i]->what,
-                        .equations = effects[i]->equations,
-                        .function = effects[i]->function,
-                        .keys = {effects[i]->keys}};
-    return 1;
-}
-
-const struct kind models_effect = {"effect",
-                                   "further effects, each on where it is named",
-                                   "effects", NULL, effect_row};
+MODELS_KIND(models_effect, effects, "effect",
+            "further effects, each on where it is named", "effects", NULL)
 
 const struct kind *models_kind(const char *name)
 {
@@ -78,7 +63,7 @@ const struct kind *models_kind(const char *name)
     return NULL;
 }
 
-int models_tables(const struct key **tables, int room)
+int models_tables(const struct key **tables, int max)
 {
     struct model m;
     int n = 0;
@@ -87,9 +72,9 @@ int models_tables(const struct key **tables, int room)
         for (int i = 0; (*k)->model(i, &m); i++)
             for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++) {
                 int known = 0;
-                for (int j = 0; j < n && j < room; j++)
+                for (int j = 0; j < n && j < max; j++)
                     known |= tables[j] == m.keys[t];
-                if (!known && n < room) tables[n] = m.keys[t];
+                if (!known && n < max) tables[n] = m.keys[t];
                 n += !known;
             }
     return n;
@@ -103,23 +88,17 @@ int models_reads(const struct model *m, const char *path)
     return 0;
 }
 
-/* 1 if the path is that of the kind's key, with any patch for <patch>. */
+/* "fluid.<patch>" itself is no pattern: the other keys of the fluid match it.
+ */
 static int is_chosen_by(const struct kind *kind, const struct key *key)
 {
-    static const char placeholder[] = "<patch>";
-    const char *const at = strstr(kind->key, placeholder);
+    const int is_patch = key->type == KEY_PATCH;
 
-    if (at == NULL) return strcmp(kind->key, key->path) == 0;
-    const size_t before = (size_t)(at - kind->key);
-    const char *const after = at + strlen(placeholder);
-    const size_t length = strlen(key->path);
-    if (after[0] == '\0') return key->type == KEY_PATCH;
-    return strncmp(key->path, kind->key, before) == 0 &&
-           length > before + strlen(after) &&
-           strcmp(key->path + length - strlen(after), after) == 0;
+    return is_patch == (kind == &models_patch) &&
+           (is_patch || key_matches(kind->key, key->path));
 }
 
-void models_words(const struct key *key, char *text, size_t room)
+void models_words(const struct key *key, char *text, size_t size)
 {
     struct model m;
     size_t used = 0;
@@ -128,10 +107,10 @@ void models_words(const struct key *key, char *text, size_t room)
     for (const struct kind *const *k = kinds; *k != NULL; k++)
         for (int i = 0; is_chosen_by(*k, key) && (*k)->model(i, &m); i++) {
             if (key->type == KEY_PATCH && m.keys[0] != NULL) continue;
-            const int wrote = snprintf(text + used, room - used, "%s%s",
+            const int wrote = snprintf(text + used, size - used, "%s%s",
                                        used > 0 ? " | " : "", m.name);
             used += (size_t)wrote;
-            assert(used < room);
+            assert(used < size);
         }
 }
 
@@ -148,7 +127,7 @@ static int patch_reads(const struct model *m, const char *name)
     char path[128];
     struct model other;
 
-    snprintf(path, sizeof path, "fluid.<patch>.%s", name);
+    snprintf(path, sizeof path, "fluid." KEY_ANY_PATCH ".%s", name);
     if (models_reads(m, path)) return 1;
     for (const struct kind *const *k = kinds; *k != NULL; k++)
         for (int i = 0; models_reads(m, (*k)->key) && (*k)->model(i, &other);

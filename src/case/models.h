@@ -16,7 +16,7 @@ struct kind {
     const char *name;  /* "drag" */
     const char *what;  /* "drag laws" */
     const char *key;   /* that chooses: "exchange.drag" */
-    const char *group; /* at work where the case has it; NULL: the key's own */
+    const char *group; /* with which it is in use; NULL: that of the key */
     /* The i-th model; 0 past the last. */
     int (*model)(int i, struct model *m);
 };
@@ -43,16 +43,16 @@ extern const struct kind *const kinds[];
 /* The kind of that name, or NULL. */
 const struct kind *models_kind(const char *name);
 
-/* The tables of keys of all models, each once: how many, and those that there
- * is room for. */
-int models_tables(const struct key **tables, int room);
+/* The tables of keys of all models, each once. Returns how many there are; at
+ * most `max` are stored. */
+int models_tables(const struct key **tables, int max);
 
 /* 1 if one of the tables of the model has the key. */
 int models_reads(const struct model *m, const char *path);
 
 /* The names that a key allows, "a | b"; "" if it chooses no model. Of a side
  * those without keys, which a case writes as a word. */
-void models_words(const struct key *key, char *text, size_t room);
+void models_words(const struct key *key, char *text, size_t size);
 
 /* 1 if a group with these n keys is one patch: one of them is the first of a
  * kind of patch, and each other belongs to it or to a model that it chooses. */

@@ -4,13 +4,13 @@
 #include <ctype.h>
 #include <string.h>
 
-static int least(int a, int b)
+static int min(int a, int b)
 {
     return a < b ? a : b;
 }
 
 /* Upper and lower case count as equal. */
-static int alike(char a, char b)
+static int is_same(char a, char b)
 {
     return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
@@ -32,11 +32,11 @@ int nearest_edits(const char *a, const char *b)
 
         now[0] = i;
         for (int j = 1; j <= m; j++) {
-            const int same = alike(a[i - 1], b[j - 1]);
-            now[j] = least(last[j - 1] + !same, 1 + least(last[j], now[j - 1]));
-            if (i > 1 && j > 1 && alike(a[i - 1], b[j - 2]) &&
-                alike(a[i - 2], b[j - 1]))
-                now[j] = least(now[j], before[j - 2] + 1);
+            const int same = is_same(a[i - 1], b[j - 1]);
+            now[j] = min(last[j - 1] + !same, 1 + min(last[j], now[j - 1]));
+            if (i > 1 && j > 1 && is_same(a[i - 1], b[j - 2]) &&
+                is_same(a[i - 2], b[j - 1]))
+                now[j] = min(now[j], before[j - 2] + 1);
         }
     }
     return row[n % 3][m];

@@ -38,7 +38,7 @@ static config_setting_t *copy(config_setting_t *parent, const char *name,
     return to;
 }
 
-/* A word that needs no quotes: a name or a path. */
+/* 1 for a word that needs no quotes: a name or a path. */
 static int is_bare(const char *value)
 {
     if (!isalpha((unsigned char)*value) && *value != '.' && *value != '/')
@@ -87,7 +87,7 @@ void override_default(config_setting_t *group, const char *name,
     config_destroy(&tree);
 }
 
-static int refuse(const char *text, const char *why)
+static int report_wrong(const char *text, const char *why)
 {
     fprintf(stderr, "winnow: option -s %s: %s\n", text, why);
     return 2;
@@ -113,17 +113,18 @@ static int put(config_setting_t *group, const char *name, const char *text,
     config_setting_t *s;
 
     if (!config_setting_is_group(group))
-        return refuse(text, "only a key of a group can be set");
+        return report_wrong(text, "only a key of a group can be set");
     config_setting_remove(group, name);
     s = copy(group, name, value);
-    if (s == NULL) return refuse(text, "not a name that a key can have");
+    if (s == NULL) return report_wrong(text, "not a name that a key can have");
     config_setting_set_hook(s, (void *)text);
     return 0;
 }
 
-/* Walks to the group that holds the last name of the path, making groups. */
-static config_setting_t *walk(config_t *tree, const char *text, char *path,
-                              char **last)
+/* The group of the last name of the path; missing groups are created. NULL if
+ * the path leads through something else. */
+static config_setting_t *group_of(config_t *tree, const char *text, char *path,
+                                  char **last)
 {
     config_setting_t *at = config_root_setting(tree);
 
@@ -152,13 +153,13 @@ static int set(config_setting_t *group, const char *name, const char *text,
     int code;
 
     MODELS_UNTIL(wrong, case_checks, text, value);
-    if (wrong != NULL) return refuse(text, wrong);
+    if (wrong != NULL) return report_wrong(text, wrong);
     if (read_value(&tree, value))
         code = put(group, name, text, config_lookup(&tree, "value"));
     else
-        code = refuse(text,
-                      "the text after = is not one value of a case file; quote "
-                      "a text with blanks, write all numbers of a list alike");
+        code = report_wrong(
+            text, "the text after = is not one value of a case file; quote "
+                  "a text with blanks, write all numbers of a list alike");
     config_destroy(&tree);
     return code;
 }
@@ -171,13 +172,14 @@ int override_apply(config_t *tree, const char *text)
     int code;
 
     if (equal == NULL || equal == text)
-        return refuse(text, "expected path.to.key=value");
+        return report_wrong(text, "expected path.to.key=value");
     path = strndup(text, (size_t)(equal - text));
-    group = walk(tree, text, path, &last);
-    code = group != NULL
-               ? set(group, last, text, equal + 1)
-               : refuse(text,
-                        "a part of the path does not exist or is not a group");
+    group = group_of(tree, text, path, &last);
+    code =
+        group != NULL
+            ? set(group, last, text, equal + 1)
+            : report_wrong(
+                  text, "a part of the path does not exist or is not a group");
     free(path);
     return code;
 }

@@ -8,9 +8,10 @@
 
 #include <libconfig.h>
 
-/* Applies an override; its text is borrowed for the life of the tree. A value
- * that is a bare word is a text. Groups on the way are made; a group of a list
- * is named by its number, counted from 0. 0, or 2 after a message. */
+/* Applies an override; its text is borrowed for as long as the tree exists. A
+ * value that is a bare word is a text. Missing groups of the path are created;
+ * a group of a list is named by its number, counted from 0. 0, or 2 after a
+ * message. */
 int override_apply(config_t *tree, const char *text);
 
 /* Adds a key that the group leaves out. */

@@ -16,11 +16,6 @@ int particle_options_gravity(const struct settings *s, double g[3])
     return 1;
 }
 
-static double real_or_zero(const struct settings *s, const char *path)
-{
-    return settings_has(s, path) ? settings_real(s, path) : 0.0;
-}
-
 struct dem_options particle_options_dem(const struct settings *s, double step)
 {
     struct dem_options o = {
@@ -30,7 +25,7 @@ struct dem_options particle_options_dem(const struct settings *s, double step)
             integrator_named(settings_text(s, "particles.integrator")),
         .method = dem_method_named(settings_text(s, "particles.list")),
         .step = step,
-        .skin = real_or_zero(s, "particles.skin")};
+        .skin = settings_real_or(s, "particles.skin", 0.0)};
 
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
@@ -42,7 +37,7 @@ struct bed_options particle_options_bed(const struct settings *s)
 {
     struct bed_options b = {
         .count = settings_int(s, "particles.bed.count"),
-        .diameter = real_or_zero(s, "particles.bed.diameter"),
+        .diameter = settings_real_or(s, "particles.bed.diameter", 0.0),
         .density = settings_real(s, "particles.grains.density"),
         .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
         .jitter = settings_real(s, "particles.bed.jitter"),

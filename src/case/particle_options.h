@@ -1,5 +1,5 @@
-/* particle_options.h -- what a case says about its particles, in the numbers
- * that dem and its bed are created from.
+/* particle_options.h -- the particles of a case as the options from which dem
+ * and its bed are created.
  */
 #ifndef CASE_PARTICLE_OPTIONS_H
 #define CASE_PARTICLE_OPTIONS_H
@@ -10,14 +10,16 @@
 /* Gravity [m/s^2]; returns whether the case has any. */
 int particle_options_gravity(const struct settings *s, double g[3]);
 
-/* For particle steps of that length [s]. */
+/* The options of dem for particle steps of this length [s]. */
 struct dem_options particle_options_dem(const struct settings *s, double step);
 
-/* Of the bed, where the case has one; its sizes are released. */
+/* The options of the bed, where the case has one; the second function releases
+ * its sizes. */
 struct bed_options particle_options_bed(const struct settings *s);
 void particle_options_release(struct bed_options *b);
 
-/* How deep a placed sphere may be in a wall of the box, over its diameter [-]:
+/* The largest overlap of a placed sphere with a wall of the box, over its
+ * diameter [-]:
  * 0.01, and up to its centre where particles.overlaps is "allow". */
 double particle_options_wall_overlap(const struct settings *s);
 

@@ -11,6 +11,7 @@
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/file.h"
+#include "base/number.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
 #include "coupling/effect_columns.h"
@@ -57,7 +58,7 @@ static void update_extremes(struct recorder *r)
 static int add_row(struct recorder *r)
 {
     const struct effect_state *const effects = r->sim->effects;
-    double row[MOST_COLUMNS];
+    double row[MAX_COLUMNS];
     int n = r->n_own;
 
     for (int i = 0; i < r->n_own; i++)
@@ -94,8 +95,8 @@ int recorder_sample(struct recorder *r)
     if (step % r->row_every == 0) {
         recorder_take_snapshots(r);
         processes_join(r->sim, PROCESSES_ROW);
-        /* The means of a part are sums over all processes: a row that could
-         * not be written must not keep this one from them. */
+        /* The means of the parts are sums over all processes, so they are
+         * computed even if the row could not be written. */
         const int unwritten = add_row(r);
         int failed = 0;
         MODELS_UNTIL(failed, r->parts.part, row, r->parts.state[i_model]);
@@ -192,6 +193,13 @@ static void write_counts(struct summary *f, const struct recorder *r)
     }
 }
 
+static void summarize_count(struct summary *f, const char *key, double n)
+{
+    long count = 0;
+
+    if (number_long(n, &count) == 0) summary_count(f, key, count);
+}
+
 /* The exit code of a run that has not ended: null in the summary. */
 enum { STILL_RUNNING = -1 };
 
@@ -209,8 +217,8 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
         summary_count(f, "seed",
                       settings_int(r->settings, "particles.bed.seed"));
     summary_count(f, "threads", omp_get_max_threads());
-    summary_count(f, "cells", (long)processes_cells(sim));
-    summary_count(f, "particles", (long)processes_particles(sim));
+    summarize_count(f, "cells", processes_cells(sim));
+    summarize_count(f, "particles", processes_particles(sim));
     MODELS_EACH(history_tables, summarize, sim, f);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
@@ -227,16 +235,23 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
 
 /* --- the beginning -------------------------------------------------------- */
 
+/* The place of one more column. */
+static int next_column(struct recorder *r)
+{
+    assert(r->n_columns < MAX_COLUMNS);
+    return r->n_columns++;
+}
+
 static struct table *create_history(struct recorder *r)
 {
-    const char *names[MOST_COLUMNS];
+    const char *names[MAX_COLUMNS];
 
     HISTORY_EACH(t, c)
-    if (history_applies(t, c, r->sim)) r->column[r->n_columns++] = c;
+    if (history_applies(t, c, r->sim)) r->column[next_column(r)] = c;
     for (int i = 0; r->parts.part[i] != NULL; i++)
         for (const struct history_column *c = r->parts.part[i]->columns;
              c != NULL && c->name != NULL; c++)
-            r->column[r->n_columns++] = c;
+            r->column[next_column(r)] = c;
     for (int i = 0; i < r->n_columns; i++)
         names[i] = r->column[i]->name;
     r->n_own = r->n_columns;
@@ -244,9 +259,8 @@ static struct table *create_history(struct recorder *r)
         const struct effect_columns *const more =
             r->sim->effects[i].effect->columns;
         for (int k = 0; more != NULL && more->names[k] != NULL; k++)
-            names[r->n_columns++] = more->names[k];
+            names[next_column(r)] = more->names[k];
     }
-    assert(r->n_columns <= MOST_COLUMNS);
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
@@ -274,7 +288,7 @@ static int create_parts(struct recorder *r)
 {
     const struct recorder_view view = {.settings = r->settings,
                                        .sim = r->sim,
-                                       .seen = r->seen,
+                                       .drawn = r->drawn,
                                        .snapshot = r->snapshot,
                                        .whole = r->whole,
                                        .folder = r->folder};
@@ -300,10 +314,10 @@ struct recorder *recorder_create(const struct settings *s,
     r->picture_every = case_steps_between(s, "output.every");
     r->row_every = case_steps_between_rows(s);
     r->snapshot = r->whole = snapshot_create(sim);
-    r->seen = sim;
+    r->drawn = sim;
     if (sim->processes != NULL && sim->processes->whole != NULL) {
-        r->seen = sim->processes->whole;
-        r->whole = snapshot_create(r->seen);
+        r->drawn = sim->processes->whole;
+        r->whole = snapshot_create(r->drawn);
     }
     if (begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
@@ -316,8 +330,8 @@ struct recorder *recorder_create(const struct settings *s,
 
 /* --- the end -------------------------------------------------------------- */
 
-/* The summary comes last: what it calls done is there. Where writing has failed
- * before, nothing but the summary is tried. */
+/* The summary is written last, so that all files exist when it says "done".
+ * Where writing has failed before, only the summary is tried. */
 int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();

@@ -1,8 +1,8 @@
 /* recorder.h -- the recorder: all output of a run.
  *
- * DIR/history.csv and DIR/probes.csv a row at a time, DIR/fluid.pvd and
- * DIR/particles.pvd with their files a picture at a time, DIR/profiles/ at the
- * end, DIR/summary.json at the beginning and at the end.
+ * It writes DIR/history.csv and DIR/probes.csv row by row, DIR/fluid.pvd and
+ * DIR/particles.pvd with their files picture by picture, DIR/profiles/ at the
+ * end, and DIR/summary.json at the beginning and at the end.
  */
 #ifndef CASE_RECORDER_H
 #define CASE_RECORDER_H
@@ -33,21 +33,22 @@ int recorder_begin(const struct recorder *r);
  * failed. */
 int recorder_sample(struct recorder *r);
 
-/* The state at the end as a row, where none is due there; after the state has
- * been saved, since a run that goes on to a later end has no such row. It
- * counts in no mean of the run, for it stands for a shorter time than the
- * others. A simulation of several processes has none. */
+/* Writes the state at the end as a row, if no row is due there. It is called
+ * after the state has been saved, because a run that is continued to a later
+ * end has no such row. The row does not count in means over the run, because it
+ * stands for a shorter time than the others. A simulation of several processes
+ * has none. */
 int recorder_last_row(struct recorder *r);
 
-/* The last good state, in a picture of its own if it has none yet. */
+/* Writes the last good state as a picture, if it has none yet. */
 int recorder_last_state(struct recorder *r);
 
 /* How the summary of a run that could not write says so. */
 #define RECORDER_NOT_WRITTEN "output could not be written"
 enum { RECORDER_NOT_WRITTEN_CODE = 4 };
 
-/* Profiles, picture and summary; reason: "done", "interrupted", what broke
- * down. Non-zero after a message. */
+/* Writes profiles, picture and summary; reason: "done", "interrupted", or what
+ * broke down. Non-zero after a message. */
 int recorder_finish(struct recorder *r, const char *reason, int exit_code);
 
 /* Prints a summary on stdout. */

@@ -8,18 +8,18 @@
 #include "case/recorder_part.h"
 #include "output/table.h"
 
-enum { MOST_COLUMNS = 128 };
+enum { MAX_COLUMNS = 128 };
 
 struct recorder {
     const struct settings *settings;
     const struct simulation *sim;
-    const struct simulation *seen; /* the whole of it, or what is drawn */
-    struct folder *folder;         /* borrowed */
-    double began;                  /* [s] wall clock */
-    double ended;                  /* [s] the same; 0 while the run goes on */
+    const struct simulation *drawn; /* what pictures show: all processes */
+    struct folder *folder;          /* borrowed */
+    double began;                   /* [s] wall clock */
+    double ended;                   /* [s] the same; 0 while the run goes on */
     int n_columns; /* [-] of the table; those of effects follow the others */
     int n_own;     /* [-] the others */
-    const struct history_column *column[MOST_COLUMNS];
+    const struct history_column *column[MAX_COLUMNS];
     struct table *history;
     struct snapshot *snapshot;
     struct snapshot *whole; /* of what is drawn; the same on one machine */

@@ -16,13 +16,13 @@
 #include "output/summary.h"
 
 /* What a part can read; all is borrowed. Where several processes compute the
- * simulation, `sim` is the share of this one, and `seen` and `whole` have what
- * is drawn of all of it; on one machine they are the same. */
+ * simulation, `sim` is the part of this process, and `drawn` and `whole` are
+ * what pictures show of all processes; in one process they are the same. */
 struct recorder_view {
     const struct settings *settings;
-    const struct simulation *sim, *seen;
+    const struct simulation *sim, *drawn;
     struct snapshot *snapshot;    /* of sim; a part may add fields to it */
-    const struct snapshot *whole; /* of seen */
+    const struct snapshot *whole; /* of drawn */
     struct folder *folder;
 };
 
@@ -50,11 +50,11 @@ struct recorder_part {
 /* All of them, ended by NULL. */
 extern const struct recorder_part *const recorder_parts[];
 
-/* Those that this simulation has something of, ended by NULL. */
-enum { RECORDER_PART_MOST = 32 };
+/* Those that this simulation uses, ended by NULL. */
+enum { RECORDER_PART_MAX = 32 };
 struct recorder_part_list {
-    const struct recorder_part *part[RECORDER_PART_MOST + 1];
-    void *state[RECORDER_PART_MOST];
+    const struct recorder_part *part[RECORDER_PART_MAX + 1];
+    void *state[RECORDER_PART_MAX];
 };
 /* Non-zero after a message: a file cannot be written. */
 int recorder_part_create(struct recorder_part_list *l,

@@ -20,8 +20,8 @@ static void sums_state(struct recorder *r, struct state *s)
     state_long(s, "capped_steps", "-", &r->capped_steps);
 }
 
-/* The folder comes last: only when all files are found to be there, it removes
- * later ones. */
+/* The folder is visited last: it removes later files only after all others have
+ * been found. */
 void recorder_state(struct recorder *r, struct state *s)
 {
     state_begin(s, "recorder");

@@ -50,7 +50,7 @@ static int step(struct simulation *sim, void *threads)
     return failed;
 }
 
-/* All that a run consists of; borrowed but for the recorder. */
+/* The parts of a run; all but the recorder are borrowed. */
 struct run {
     const struct settings *settings;
     const struct run_options *options;
@@ -61,7 +61,7 @@ struct run {
     void *memory;              /* of the saver */
     void *part[RUN_PARTS];     /* what the parts have created */
     int resumes;               /* [-] 1: it had begun, and goes on */
-    char why[RUN_PART_TEXT];   /* it broke down */
+    char why[RUN_PART_TEXT];   /* the computation broke down */
 };
 
 static int broke_down(struct run *run)
@@ -111,7 +111,7 @@ static int advance(struct run *run, void *threads)
     return 0;
 }
 
-static int go(struct run *run)
+static int run_steps(struct run *run)
 {
     void *const threads = thread_choice_create();
 
@@ -120,7 +120,7 @@ static int go(struct run *run)
             run->part[i] = run_parts[i]->create(run->settings, run->sim);
     int code = advance(run, threads);
     MODELS_EACH(thread_choices, free, threads);
-    if (code == INTERRUPTED) interrupt_take();
+    if (code == INTERRUPTED) interrupt_discard();
     MODELS_EACH(run_parts, after_run, run->part[i_model], run->sim);
     return code;
 }
@@ -149,7 +149,7 @@ static void print_last_line(const struct run *run, int code)
         recorder_print(run->recorder);
 }
 
-/* The state is saved before the last picture and what else only an end has. */
+/* The state is saved before the last picture and the other files of the end. */
 static int finish(struct run *run, int code)
 {
     struct recorder *const r = run->recorder;
@@ -166,8 +166,8 @@ static int finish(struct run *run, int code)
     return code;
 }
 
-/* Everything after the simulation is built. A run that cannot be resumed leaves
- * the folder as it was. */
+/* The run after the simulation is built. A run that cannot be resumed does not
+ * change the folder. */
 static int run_simulation(struct run *run)
 {
     if (run->saver != NULL && run->saver->before(run->memory) != 0)
@@ -175,41 +175,42 @@ static int run_simulation(struct run *run)
     run->recorder =
         recorder_create(run->settings, run->sim, run->folder, run->resumes);
     if (run->recorder == NULL) {
-        if (!run->resumes) folder_leave(run->folder); /* if it was not begun */
+        if (!run->resumes)
+            folder_abandon(run->folder); /* if it was not begun */
         return NOT_WRITTEN;
     }
     int code = start(run);
-    if (code == 0) code = go(run);
+    if (code == 0) code = run_steps(run);
     if (code == 0 || !run->resumes || run->sim->steps > 0)
         code = finish(run, code);
     recorder_free(run->recorder);
     return code;
 }
 
-/* The files that are removed if the run does not begin. */
-struct beginning {
+/* What is removed if the program ends while the simulation is built. */
+struct building {
     const struct run *run;
     struct folder *folder;
     const char *bed; /* the file that a bed is kept in; or NULL */
     struct interrupt_watch watch;
 };
 
-static void leave(void *of)
+static void clean_up(void *data)
 {
-    const struct beginning *const b = of;
+    const struct building *const b = data;
 
-    folder_leave(b->folder);
+    folder_abandon(b->folder);
     if (b->bed != NULL) file_remove_part(b->bed);
 }
 
 /* A signal that arrives while a bed settles waits until the bed is saved. */
-static int settle(void *of, struct bed_settling *bed, enum bed_moment when)
+static int settle(void *data, struct bed_settling *bed, enum bed_stage stage)
 {
-    struct beginning *const b = of;
+    struct building *const b = data;
 
-    if (when == BED_BEGINS) interrupt_watch_end(&b->watch);
-    const int code = b->run->saver->settle(b->run->memory, bed, when);
-    if (when == BED_RESTS) interrupt_watch_begin(&b->watch, leave, b);
+    if (stage == BED_STAGE_START) interrupt_watch_end(&b->watch);
+    const int code = b->run->saver->settle(b->run->memory, bed, stage);
+    if (stage == BED_STAGE_END) interrupt_watch_begin(&b->watch, clean_up, b);
     return code;
 }
 
@@ -219,20 +220,19 @@ static struct simulation *build(const struct run *run, int *code)
     const struct settings *const s = run->settings;
 
     static const char bed[] = "particles.bed.file";
-    struct beginning b = {.run = run,
-                          .folder = run->folder,
-                          .bed = settings_has(s, bed) ? settings_text(s, bed)
-                                                      : NULL};
+    struct building b = {.run = run,
+                         .folder = run->folder,
+                         .bed = settings_has(s, bed) ? settings_text(s, bed)
+                                                     : NULL};
     const struct bed_saver saver = {&b, settle};
 
-    interrupt_watch_begin(&b.watch, leave, &b);
+    interrupt_watch_begin(&b.watch, clean_up, &b);
     struct simulation *const sim =
         processes_engines[0] != NULL
             ? processes_engines[0]->build(s, run->options->dir, run->resumes,
                                           code)
-        : run->resumes
-            ? build_to_resume(s, code)
-            : build_with_saver(s, run->saver != NULL ? &saver : NULL, code);
+            : build_for_run(s, !run->resumes,
+                            run->saver != NULL ? &saver : NULL, code);
     interrupt_watch_end(&b.watch);
     return sim;
 }
@@ -260,21 +260,21 @@ int run_case(const struct settings *s, const struct run_options *o)
     MODELS_UNTIL(code, case_checks, run, s);
     if (code != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
-    run.folder = folder_take(o->dir); /* before settling */
+    run.folder = folder_open(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;
     code = create_saver(&run);
     if (code == 0) run.sim = build(&run, &code);
     const int built = run.sim != NULL;
     if (built) code = run_simulation(&run);
     if (run.memory != NULL) run.saver->free(run.memory);
-    if (!built) folder_leave(run.folder);
+    if (!built) folder_abandon(run.folder);
     build_free(run.sim);
     folder_free(run.folder);
     return code;
 }
 
-/* out/NAME for a case some/where/NAME.cfg, as a new string. A name that begins
- * with a dot stays whole, because it would become that of another folder. */
+/* out/NAME for a case some/where/NAME.cfg, as a new string. Of a name that
+ * begins with a dot nothing is cut off, because ".cfg" would become "". */
 static char *default_dir(const char *file)
 {
     const char *const slash = strrchr(file, '/');

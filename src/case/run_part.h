@@ -1,5 +1,9 @@
-/* run_part.h -- messages that a folder adds to a run. Its descriptor is named
- * in the models.txt of the folder, and each function may be NULL. */
+/* run_part.h -- what a folder does with a run: messages on its progress and its
+ * end, and whether its last step counts.
+ *
+ * Its descriptor is named in the models.txt of the folder, and each function
+ * may be NULL.
+ */
 #ifndef CASE_RUN_PART_H
 #define CASE_RUN_PART_H
 
@@ -14,7 +18,8 @@ struct run_part {
     void (*after_step)(void *part, const struct simulation *sim);
     /* After the last step; releases the part. */
     void (*after_run)(void *part, const struct simulation *sim);
-    /* 1 if the last step must not count, because a signal has changed it. */
+    /* 1 if the last step must not count, because a signal has ended it early.
+     */
     int (*is_cut_short)(const struct simulation *sim);
     /* Why the computation broke down: where, when, what, and a remedy, in one
      * paragraph; 0: it does not know. */

@@ -18,7 +18,7 @@ struct saver {
     int (*is_of_run)(const void *memory);
     /* While a bed settles (bed_settling.h). Returns the exit code if the run is
      * to end there. */
-    int (*settle)(void *memory, struct bed_settling *b, enum bed_moment when);
+    int (*settle)(void *memory, struct bed_settling *b, enum bed_stage stage);
     /* Before the files of an earlier run are removed; non-zero after a message.
      */
     int (*before)(void *memory);

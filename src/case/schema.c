@@ -13,9 +13,7 @@ const char *const schema_patches[] = {
     "left",  "right", "bottom",     "top",        "back",
     "front", "sides", "bottom_top", "front_back", NULL};
 
-static const char placeholder[] = "<patch>";
-
-enum { SCHEMA_WORDS = 1024 }; /* room for all names of a kind */
+enum { SCHEMA_WORDS = 1024 }; /* bytes of all names of a kind, at most */
 
 static int is_patch(const char *name, size_t length)
 {
@@ -29,15 +27,11 @@ static int is_patch(const char *name, size_t length)
 /* 1 if the path is the row's, with any side of the box for <patch>. */
 static int matches(const char *row, const char *path)
 {
-    const char *const at = strstr(row, placeholder);
-    size_t before, length;
+    const char *const at = strstr(row, KEY_ANY_PATCH);
+    const char *const name = at != NULL ? path + (at - row) : NULL;
 
-    if (at == NULL) return strcmp(row, path) == 0;
-    before = (size_t)(at - row);
-    if (strncmp(row, path, before) != 0) return 0;
-    length = strcspn(path + before, ".");
-    return is_patch(path + before, length) &&
-           strcmp(at + strlen(placeholder), path + before + length) == 0;
+    return key_matches(row, path) &&
+           (at == NULL || is_patch(name, strcspn(name, ".")));
 }
 
 const struct key *schema_find(const struct key *const *tables, const char *path)
@@ -85,7 +79,8 @@ static const char *allowed(const struct key *key, char text[SCHEMA_WORDS])
 
 int schema_is_required(const struct key *key)
 {
-    return key->fallback == NULL || strcmp(key->fallback, KEY_ASKED) == 0;
+    return key->fallback == NULL ||
+           strcmp(key->fallback, KEY_MODEL_REQUIRED) == 0;
 }
 
 int schema_has_default(const struct key *key)
@@ -229,7 +224,7 @@ static void beside(const char *path, const char *name, char text[SCHEMA_TEXT])
 
 static void offer_row(struct nearest *n, const char *name)
 {
-    if (strcmp(name, placeholder) != 0)
+    if (strcmp(name, KEY_ANY_PATCH) != 0)
         nearest_offer(n, name);
     else
         for (int i = 0; schema_patches[i] != NULL; i++)
@@ -240,14 +235,14 @@ static void offer_row(struct nearest *n, const char *name)
  * <patch>. */
 static void as_written(const struct key *key, char text[SCHEMA_TEXT])
 {
-    const char *const at = strstr(key->path, placeholder);
+    const char *const at = strstr(key->path, KEY_ANY_PATCH);
     const int before = at == NULL ? 0 : (int)(at - key->path);
 
     if (at == NULL)
         snprintf(text, SCHEMA_TEXT, "%s", key->path);
     else
         snprintf(text, SCHEMA_TEXT, "%.*s%s%s", before, key->path, "bottom",
-                 at + strlen(placeholder));
+                 at + strlen(KEY_ANY_PATCH));
 }
 
 /* The first row of that name, in whatever group. */

@@ -2,8 +2,8 @@
  *
  * A list of tables, ended by NULL, is searched as if it were one table. The
  * condition of a row is its text: "> 0, <= 1" are comparisons that all hold,
- * "a | b" are words of which one stands, "auto | >= 1" is either. A row without
- * a text that chooses a model allows the names of its kind (models.h).
+ * "a | b" are words of which one is given, "auto | >= 1" is either. A row
+ * without a text that chooses a model allows the names of its kind (models.h).
  */
 #ifndef CASE_SCHEMA_H
 #define CASE_SCHEMA_H
@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-enum { SCHEMA_TEXT = 512 }; /* room for a path or a phrase */
+enum { SCHEMA_TEXT = 512 }; /* bytes of a path or a phrase, at most */
 
 /* What <patch> stands for in a path: the sides of the box, as in
  * mesh_sides, and the three pairs of opposite sides. Ended by NULL. */
@@ -26,7 +26,7 @@ const struct key *schema_find(const struct key *const *tables,
  */
 int schema_knows(const struct key *const *tables, const char *path);
 
-/* Walks over the rows of all tables. */
+/* Loops over the rows of all tables. */
 #define SCHEMA_EACH(found, tables)                                             \
     for (const struct key *const *table_of_##found = (tables);                 \
          *table_of_##found != NULL; table_of_##found++)                        \
@@ -37,11 +37,11 @@ int schema_knows(const struct key *const *tables, const char *path);
  * group, else NULL. The group "" is the whole case. */
 const char *schema_member(const struct key *key, const char *group);
 
-/* 1 if the row is that of the path or stands in the group of that path, at any
+/* 1 if the row is that of the path or is in the group of that path, at any
  * depth. */
 int schema_is_within(const struct key *key, const char *path);
 
-/* 1 if the name, or one of a row's words, is allowed. */
+/* 1 if the number fulfils the conditions, or the word is one of the row. */
 int schema_allow_number(const struct key *key, double value);
 int schema_allow_word(const struct key *key, const char *word);
 
@@ -53,7 +53,7 @@ int schema_is_required(const struct key *key);
 /* The default as a case would write it; there is one. */
 void schema_default(const struct key *key, char text[SCHEMA_TEXT]);
 
-/* What the row expects, as a phrase: "a number > 0 [kg/m^3]". */
+/* The expected value of the row as a phrase: "a number > 0 [kg/m^3]". */
 void schema_expected(const struct key *key, char text[SCHEMA_TEXT]);
 
 /* The row nearest to an unknown path, among the keys of its group and then

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_PATCH_KEYS = 8 };
+enum { MAX_PATCH_KEYS = 8 };
 
 static int is_real(const struct key *key, const config_setting_t *s)
 {
@@ -87,13 +87,13 @@ static int is_series(const struct key *key, const config_setting_t *s)
  * keys of that model. */
 static int is_patch(const struct key *key, const config_setting_t *s)
 {
-    const char *name[MOST_PATCH_KEYS];
+    const char *name[MAX_PATCH_KEYS];
     const int n = config_setting_is_group(s) ? config_setting_length(s) : 0;
 
     if (!config_setting_is_group(s)) return is_word(key, s);
-    for (int i = 0; i < n && i < MOST_PATCH_KEYS; i++)
+    for (int i = 0; i < n && i < MAX_PATCH_KEYS; i++)
         name[i] = config_setting_name(config_setting_get_elem(s, (unsigned)i));
-    return n <= MOST_PATCH_KEYS && models_make_patch(n, name);
+    return n <= MAX_PATCH_KEYS && models_make_patch(n, name);
 }
 
 static int fits(const struct key *key, const config_setting_t *s)
@@ -143,8 +143,8 @@ static int is_count_as_real(const struct key *key, const config_setting_t *s)
 }
 
 /* A key, or a word in its place, of a folder that is not built. */
-static int left_out(const config_setting_t *s, const char *path,
-                    const char *word)
+static int report_left_out(const config_setting_t *s, const char *path,
+                           const char *word)
 {
     const int is_key = word == path;
 
@@ -153,14 +153,14 @@ static int left_out(const config_setting_t *s, const char *path,
                         left_out_folder(word));
 }
 
-static int misfit(const struct key *key, const char *path,
-                  const config_setting_t *s)
+static int report_misfit(const struct key *key, const char *path,
+                         const config_setting_t *s)
 {
     char expected[SCHEMA_TEXT], found[SOURCE_TEXT], nearest[SCHEMA_TEXT];
     const int is_text = config_setting_type(s) == CONFIG_TYPE_STRING;
 
     if (is_text && left_out_folder(config_setting_get_string(s)) != NULL)
-        return left_out(s, path, config_setting_get_string(s));
+        return report_left_out(s, path, config_setting_get_string(s));
     schema_expected(key, expected);
     source_value(s, found);
     if (is_count_as_real(key, s))
@@ -175,14 +175,14 @@ static int misfit(const struct key *key, const char *path,
     return source_wrong(s, "%s: expected %s, found %s", path, expected, found);
 }
 
-static int unknown(const struct key *const *tables, const char *path,
-                   const config_setting_t *s)
+static int report_unknown(const struct key *const *tables, const char *path,
+                          const config_setting_t *s)
 {
     char nearest[SCHEMA_TEXT], expected[SCHEMA_TEXT];
     const struct key *const key = schema_nearest(tables, path, nearest);
     const char *const dot = strrchr(path, '.');
 
-    if (left_out_folder(path) != NULL) return left_out(s, path, path);
+    if (left_out_folder(path) != NULL) return report_left_out(s, path, path);
     if (key == NULL)
         return source_wrong(s, "%s: no such key; see winnow list keys%s%.*s",
                             path, dot != NULL ? " " : "",
@@ -192,9 +192,9 @@ static int unknown(const struct key *const *tables, const char *path,
                         nearest, expected);
 }
 
-/* The first required key of the group that is not there. */
-static int missing(const struct key *const *tables, const char *path,
-                   const config_setting_t *group)
+/* 2 after a message for the first required key that the group leaves out. */
+static int check_required(const struct key *const *tables, const char *path,
+                          const config_setting_t *group)
 {
     char expected[SCHEMA_TEXT];
 
@@ -224,9 +224,9 @@ static int has_one_of(const config_setting_t *s, char *groups)
     return found;
 }
 
-/* The first of the groups a row needs that the case does not have, or that it
- * excludes, as "!group", and that the case has. */
-static int unmet(const struct key *key, const config_setting_t *s)
+/* 2 after a message for the first group that a row needs and the case does not
+ * have, or that the row excludes, as "!group", and the case has. */
+static int check_needs(const struct key *key, const config_setting_t *s)
 {
     const char *rest = key->needs;
     char group[SCHEMA_TEXT];
@@ -253,22 +253,24 @@ static int check_setting(const struct key *const *tables, const char *path,
     const struct key *const key = schema_find(tables, path);
     int code = 0;
 
-    if (key == NULL) return unknown(tables, path, s);
-    /* Of the group of a patch first its keys, each by itself. */
-    const int later = key->type == KEY_PATCH && config_setting_is_group(s);
-    if (!later && !fits(key, s)) return misfit(key, path, s);
-    if ((code = unmet(key, s)) != 0) return code;
+    if (key == NULL) return report_unknown(tables, path, s);
+    /* The keys of the group of a patch are checked before the group. */
+    const int is_patch_group =
+        key->type == KEY_PATCH && config_setting_is_group(s);
+    if (!is_patch_group && !fits(key, s)) return report_misfit(key, path, s);
+    if ((code = check_needs(key, s)) != 0) return code;
     if (key->type != KEY_LIST)
         MODELS_UNTIL(code, case_checks, value, key, path, s);
     if (code != 0) return code;
     if (config_setting_is_group(s)) code = check_group(tables, path, s);
-    if (later && code == 0 && !fits(key, s)) return misfit(key, path, s);
+    if (is_patch_group && code == 0 && !fits(key, s))
+        return report_misfit(key, path, s);
     if (key->type == KEY_LIST)
         for (int i = 0; i < config_setting_length(s) && code == 0; i++) {
             const config_setting_t *const one =
                 config_setting_get_elem(s, (unsigned)i);
             code = config_setting_is_group(one) ? check_group(tables, path, one)
-                                                : misfit(key, path, one);
+                                                : report_misfit(key, path, one);
         }
     return code;
 }
@@ -286,7 +288,7 @@ static int check_group(const struct key *const *tables, const char *path,
                  path[0] != '\0' ? "." : "", config_setting_name(s));
         code = check_setting(tables, child, s);
     }
-    return code != 0 ? code : missing(tables, path, group);
+    return code != 0 ? code : check_required(tables, path, group);
 }
 
 int schema_check_check(config_t *tree, const struct key *const *tables)

@@ -18,20 +18,20 @@ struct settings {
     config_t tree;
     const struct key **tables; /* a copy of the list, the tables borrowed */
     size_t n_tables;
-    struct key **patches; /* those of them that are ours, where they stand in
+    struct key **patches; /* the tables that are freed here, at their places in
                              the list; NULL without a mesh from files */
     char *file;
     struct mesh *mesh; /* NULL for a box */
-    int quiet;         /* [-] 1: no progress is told */
+    int quiet;         /* [-] 1: no progress is printed */
 };
 
 void settings_beside(const struct settings *s, const char *file, char *path,
-                     size_t room)
+                     size_t size)
 {
     const char *const at = s->file, *const end = strrchr(at, '/');
     const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
 
-    snprintf(path, room, "%.*s%s", folder, at, file);
+    snprintf(path, size, "%.*s%s", folder, at, file);
 }
 
 struct settings *settings_create(const char *file, int n_overrides,
@@ -92,7 +92,7 @@ int settings_quiet(const struct settings *s)
     return s->quiet;
 }
 
-/* A name may be a word, any text, or a file. */
+/* A text is read of keys for a word, for any text, and for a file. */
 static int type_fits(const struct key *key, enum key_type type)
 {
     if (key == NULL || key->type == type) return key != NULL;
@@ -113,11 +113,11 @@ static const struct key *row_of(const struct settings *s, const char *path)
     return schema_find(s->tables, row);
 }
 
-const char *settings_item(char room[SETTINGS_ITEM_ROOM], const char *list,
+const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
                           int i, const char *key)
 {
-    snprintf(room, SETTINGS_ITEM_ROOM, "%s.[%d].%s", list, i, key);
-    return room;
+    snprintf(path, SETTINGS_ITEM_SIZE, "%s.[%d].%s", list, i, key);
+    return path;
 }
 
 /* The setting of a path whose row must have the type. A setting that is not
@@ -130,19 +130,6 @@ static const config_setting_t *find(const struct settings *s, const char *path,
     assert(type_fits(row_of(s, path), type) && found != NULL);
     (void)type;
     return found;
-}
-
-/* A word in its place is 0. */
-static int whole(const config_setting_t *s)
-{
-    const int is_whole = config_setting_type(s) == CONFIG_TYPE_INT;
-    return is_whole ? config_setting_get_int(s) : 0;
-}
-
-static void vector(const config_setting_t *s, double v[3])
-{
-    for (unsigned i = 0; i < 3; i++)
-        v[i] = source_number(config_setting_get_elem(s, i));
 }
 
 int settings_has(const struct settings *s, const char *path)
@@ -165,7 +152,13 @@ double settings_real(const struct settings *s, const char *path)
 
 int settings_int(const struct settings *s, const char *path)
 {
-    return whole(find(s, path, KEY_INT));
+    return config_setting_get_int(find(s, path, KEY_INT)); /* of a word: 0 */
+}
+
+double settings_real_or(const struct settings *s, const char *path,
+                        double absent)
+{
+    return settings_has(s, path) ? settings_real(s, path) : absent;
 }
 
 int settings_bool(const struct settings *s, const char *path)
@@ -185,7 +178,10 @@ const char *settings_text(const struct settings *s, const char *path)
 
 void settings_vector(const struct settings *s, const char *path, double v[3])
 {
-    vector(find(s, path, KEY_VECTOR), v);
+    const config_setting_t *const found = find(s, path, KEY_VECTOR);
+
+    for (unsigned i = 0; i < 3; i++)
+        v[i] = source_number(config_setting_get_elem(found, i));
 }
 
 void settings_counts(const struct settings *s, const char *path, int v[3])
@@ -204,36 +200,26 @@ void settings_flags(const struct settings *s, const char *path, int v[3])
         v[i] = config_setting_get_bool_elem(found, i);
 }
 
-/* A constant is a series of one point, at time 0. */
-static int series_length(const config_setting_t *found)
-{
-    return config_setting_is_list(found) ? config_setting_length(found) : 1;
-}
-
-static void series_point(const config_setting_t *found, int i, double *time,
-                         double *value)
-{
-    assert(i >= 0 && i < series_length(found));
-    if (!config_setting_is_list(found)) {
-        *time = 0.0;
-        *value = source_number(found);
-        return;
-    }
-    const config_setting_t *const point =
-        config_setting_get_elem(found, (unsigned)i);
-    *time = source_number(config_setting_get_elem(point, 0));
-    *value = source_number(config_setting_get_elem(point, 1));
-}
-
 int settings_points(const struct settings *s, const char *path)
 {
-    return series_length(find(s, path, KEY_SERIES));
+    const config_setting_t *const found = find(s, path, KEY_SERIES);
+    return config_setting_is_list(found) ? config_setting_length(found) : 1;
 }
 
 void settings_point(const struct settings *s, const char *path, int i,
                     double *time, double *value)
 {
-    series_point(find(s, path, KEY_SERIES), i, time, value);
+    const config_setting_t *const found = find(s, path, KEY_SERIES);
+    const config_setting_t *const point =
+        config_setting_is_list(found)
+            ? config_setting_get_elem(found, (unsigned)i)
+            : NULL;
+
+    assert(point != NULL || i == 0);
+    *time =
+        point != NULL ? source_number(config_setting_get_elem(point, 0)) : 0.0;
+    *value = source_number(point != NULL ? config_setting_get_elem(point, 1)
+                                         : found);
 }
 
 int settings_is_list(const struct settings *s, const char *path)

@@ -49,6 +49,9 @@ int settings_is_set(const struct settings *s, const char *path);
 
 double settings_real(const struct settings *s, const char *path);
 int settings_int(const struct settings *s, const char *path); /* word: 0 */
+/* The same where the case names the key, else `absent`. */
+double settings_real_or(const struct settings *s, const char *path,
+                        double absent);
 int settings_bool(const struct settings *s, const char *path);
 const char *settings_text(const struct settings *s, const char *path);
 void settings_vector(const struct settings *s, const char *path, double v[3]);
@@ -68,15 +71,17 @@ int settings_length(const struct settings *s, const char *list);
 
 /* The path of a key of the i-th group of a list, for the functions above, and
  * these with such a path. */
-enum { SETTINGS_ITEM_ROOM = 128 };
-const char *settings_item(char room[SETTINGS_ITEM_ROOM], const char *list,
+enum { SETTINGS_ITEM_SIZE = 128 };
+const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
                           int i, const char *key);
 #define SETTINGS_ITEM(list, i, key)                                            \
-    settings_item((char[SETTINGS_ITEM_ROOM]){0}, list, i, key)
+    settings_item((char[SETTINGS_ITEM_SIZE]){0}, list, i, key)
 #define settings_item_has(s, l, i, k) settings_has(s, SETTINGS_ITEM(l, i, k))
 #define settings_item_is_set(s, l, i, k)                                       \
     settings_is_set(s, SETTINGS_ITEM(l, i, k))
 #define settings_item_real(s, l, i, k) settings_real(s, SETTINGS_ITEM(l, i, k))
+#define settings_item_real_or(s, l, i, k, absent)                              \
+    settings_real_or(s, SETTINGS_ITEM(l, i, k), absent)
 #define settings_item_int(s, l, i, k) settings_int(s, SETTINGS_ITEM(l, i, k))
 #define settings_item_text(s, l, i, k) settings_text(s, SETTINGS_ITEM(l, i, k))
 #define settings_item_points(s, l, i, k)                                       \
@@ -90,23 +95,23 @@ const char *settings_item(char room[SETTINGS_ITEM_ROOM], const char *list,
  * mesh: "fluid.left" or "fluid.sides" for "left"; NULL if it does not. */
 const char *settings_side(const struct settings *s, const char *patch);
 
-/* The i-th of all keys of sides or patches that there could be; NULL after the
- * last. */
+/* The i-th of all keys of sides or patches that a case could have; NULL after
+ * the last. */
 const char *settings_any_side(const struct settings *s, int i);
 
 /* Every file or folder that a case names lies beside the case, unless it begins
  * with /. */
 enum { SETTINGS_PATH = 4096 };
 void settings_beside(const struct settings *s, const char *file, char *path,
-                     size_t room);
+                     size_t size);
 
 /* The mesh of a case that is no plain box, kept here and freed with it; NULL
  * for a box. */
 void settings_keep_mesh(struct settings *s, struct mesh *m);
 const struct mesh *settings_mesh(const struct settings *s);
 
-/* Says on stderr what is wrong with a key, with the place where the case sets
- * it. Returns 2. For what only the builder of the simulation can see. */
+/* Prints on stderr what is wrong with a key, with the place where the case sets
+ * it. Returns 2. For errors that only the builder of the simulation finds. */
 int settings_wrong(const struct settings *s, const char *path,
                    const char *format, ...)
     __attribute__((format(printf, 3, 4)));

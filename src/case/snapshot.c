@@ -10,58 +10,68 @@
 #include "coupling/processes.h"
 #include "coupling/transfer.h"
 
-static void create_particles(struct snapshot *s, int capacity)
+/* The arrays of real numbers: those of the fluid and of the solids, a row for
+ * each cell, and those with a row for each particle. */
+enum { OF_FLUID = 3, OF_CELLS = OF_FLUID + 2, ARRAYS = OF_CELLS + 11 };
+struct array {
+    double **at;
+    const char *name, *unit;
+    int width; /* [-] numbers a cell or particle */
+};
+
+static void list_arrays(struct snapshot *s, struct array list[ARRAYS])
 {
-    for (int k = 0; k < 3; k++) {
-        s->x[k] = alloc_doubles(capacity);
-        s->v[k] = alloc_doubles(capacity);
-        s->w[k] = alloc_doubles(capacity);
-    }
-    s->d = alloc_doubles(capacity);
-    s->speed = alloc_doubles(capacity);
-    s->id = alloc_ints(capacity);
-    s->capacity = capacity;
+    const struct array all[ARRAYS] = {
+        {&s->eps, "eps", "-", 1},     {&s->u, "u", "m/s", 3},
+        {&s->p, "p", "Pa", 1},        {&s->eps_s, "eps_s", "-", 1},
+        {&s->u_s, "u_s", "m/s", 3},   {&s->x[0], "x", "m", 1},
+        {&s->x[1], "y", "m", 1},      {&s->x[2], "z", "m", 1},
+        {&s->v[0], "vx", "m/s", 1},   {&s->v[1], "vy", "m/s", 1},
+        {&s->v[2], "vz", "m/s", 1},   {&s->w[0], "wx", "rad/s", 1},
+        {&s->w[1], "wy", "rad/s", 1}, {&s->w[2], "wz", "rad/s", 1},
+        {&s->d, "d", "m", 1},         {&s->speed, "speed", "m/s", 1}};
+
+    memcpy(list, all, sizeof all);
+}
+
+static void create(struct snapshot *s, int first, int last, int n)
+{
+    struct array list[ARRAYS];
+
+    list_arrays(s, list);
+    for (int a = first; a < last; a++)
+        *list[a].at = alloc_doubles(list[a].width * n);
 }
 
 struct snapshot *snapshot_create(const struct simulation *sim)
 {
     struct snapshot *const s = alloc_zeroed(1, sizeof *s);
-    const int n = sim->mesh->n_cells;
+    const struct particles *const ps = sim->particles;
 
-    if (sim->particles != NULL) create_particles(s, sim->particles->capacity);
-    if (sim->particles != NULL && sim->particles->material != NULL)
-        s->material = alloc_ints(sim->particles->capacity);
-    if (sim->fluid == NULL) return s;
-    s->eps = alloc_doubles(n);
-    s->u = alloc_doubles(3 * n);
-    s->p = alloc_doubles(n);
-    if (sim->fluid->options.coupled) {
-        s->eps_s = alloc_doubles(n);
-        s->u_s = alloc_doubles(3 * n);
+    if (ps != NULL) {
+        s->capacity = ps->capacity;
+        s->id = alloc_ints(s->capacity);
+        create(s, OF_CELLS, ARRAYS, s->capacity);
+        if (ps->material != NULL) s->material = alloc_ints(s->capacity);
     }
+    if (sim->fluid != NULL)
+        create(s, 0, sim->fluid->options.coupled ? OF_CELLS : OF_FLUID,
+               sim->mesh->n_cells);
     return s;
 }
 
 void snapshot_free(struct snapshot *s)
 {
     if (s == NULL) return;
-    for (int k = 0; k < 3; k++) {
-        free(s->x[k]);
-        free(s->v[k]);
-        free(s->w[k]);
-    }
-    free(s->d);
-    free(s->speed);
+    struct array list[ARRAYS];
+    list_arrays(s, list);
+    for (int a = 0; a < ARRAYS; a++)
+        free(*list[a].at);
+    for (int i = 0; i < s->n_more; i++)
+        free(s->value[i]);
     free(s->id);
     free(s->material);
     free(s->order);
-    for (int i = 0; i < s->n_more; i++)
-        free(s->value[i]);
-    free(s->eps);
-    free(s->eps_s);
-    free(s->u);
-    free(s->p);
-    free(s->u_s);
     free(s);
 }
 
@@ -109,38 +119,23 @@ void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
     s->value[s->n_more++] = alloc_doubles(field->components * s->capacity);
 }
 
-static void particles_of_state(struct snapshot *s, struct state *state)
+void snapshot_state(struct snapshot *s, const struct mesh *mesh,
+                    struct state *state)
 {
-    static const char *const name[9] = {"x",  "y",  "z",  "vx", "vy",
-                                        "vz", "wx", "wy", "wz"};
-    static const char *const unit[3] = {"m", "m/s", "rad/s"};
-    double *const *const group[3] = {s->x, s->v, s->w};
+    struct array list[ARRAYS];
 
+    list_arrays(s, list);
+    state_begin(state, "snapshot");
+    state_real(state, "t", "s", &s->t);
     state_count(state, "count", &s->n, s->capacity);
-    for (int a = 0; a < 9; a++)
-        state_reals(state, name[a], unit[a / 3], group[a / 3][a % 3], s->n, 1);
-    state_reals(state, "d", "m", s->d, s->n, 1);
-    state_reals(state, "speed", "m/s", s->speed, s->n, 1);
+    for (int a = 0; a < ARRAYS; a++)
+        state_reals(state, list[a].name, list[a].unit, *list[a].at,
+                    a < OF_CELLS ? mesh->n_cells : s->n, list[a].width);
     state_wholes(state, "id", "-", s->id, s->n, 1);
     state_wholes(state, "material", "-", s->material, s->n, 1);
     for (int i = 0; i < s->n_more; i++)
         state_reals(state, s->more[i]->name, s->more[i]->unit, s->value[i],
                     s->n, s->more[i]->components);
-}
-
-void snapshot_state(struct snapshot *s, const struct mesh *mesh,
-                    struct state *state)
-{
-    const int n = mesh->n_cells;
-
-    state_begin(state, "snapshot");
-    state_real(state, "t", "s", &s->t);
-    state_reals(state, "eps", "-", s->eps, n, 1);
-    state_reals(state, "eps_s", "-", s->eps_s, n, 1);
-    state_reals(state, "u", "m/s", s->u, n, 3);
-    state_reals(state, "p", "Pa", s->p, n, 1);
-    state_reals(state, "u_s", "m/s", s->u_s, n, 3);
-    particles_of_state(s, state);
     state_end(state);
 }
 

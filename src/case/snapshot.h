@@ -1,8 +1,8 @@
 /* snapshot.h -- a copy of the last valid state.
  *
- * Copied at each row of the history. All files with fields and particles are
- * written from here: so when a step breaks down, what is on disk in the end is
- * the last state that was whole.
+ * It is copied at each row of the history. All files with fields and particles
+ * are written from it: so when a step breaks down, the files at the end show
+ * the last valid state.
  */
 #ifndef CASE_SNAPSHOT_H
 #define CASE_SNAPSHOT_H
@@ -51,7 +51,7 @@ void snapshot_free(struct snapshot *s);
 void snapshot_state(struct snapshot *s, const struct mesh *mesh,
                     struct state *state);
 void snapshot_take(struct snapshot *s, const struct simulation *sim);
-/* At the start: adds a field, which is computed with `memory`. */
+/* Adds a field, which is computed with `memory`; before the first step. */
 void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
                   void *memory);
 

@@ -26,8 +26,8 @@ static void locate(const config_t *tree, const char *name, const char *file,
         snprintf(path, SOURCE_TEXT, "%s/%s", folder, name);
 }
 
-/* Quotes a line of a file, without the room before it. */
-static void quote(const char *file, int number)
+/* Prints a line of a file, without the blanks before it. */
+static void print_source_line(const char *file, int number)
 {
     FILE *const in = fopen(file, "r");
     char line[SOURCE_TEXT] = "";
@@ -59,7 +59,7 @@ static int wrong_syntax(const config_t *tree, const char *file)
     locate(tree, config_error_file(tree), file, in);
     fprintf(stderr, "winnow: %s:%d: %s%s\n", in, config_error_line(tree),
             complaint, advice(complaint));
-    quote(in, config_error_line(tree));
+    print_source_line(in, config_error_line(tree));
     return config_error_type(tree) == CONFIG_ERR_FILE_IO ||
                    strstr(complaint, "cannot open include") != NULL
                ? 4
@@ -101,11 +101,11 @@ double source_number(const config_setting_t *s)
                : (double)config_setting_get_int64(s);
 }
 
-/* Where a setting stands: its override, or its file and line. */
+/* The place of a setting: its override, or its file and line. */
 static void place(const config_setting_t *at, char text[SOURCE_TEXT])
 {
     const config_t *const tree = at->config;
-    const size_t room = SOURCE_TEXT - 16;
+    const size_t longest = SOURCE_TEXT - 16;
     const char *name = NULL;
 
     for (const config_setting_t *s = at; s != NULL;
@@ -118,7 +118,7 @@ static void place(const config_setting_t *at, char text[SOURCE_TEXT])
         if (name == NULL) name = config_setting_source_file(s);
     }
     locate(tree, name, "the case", text);
-    if (!config_setting_is_root(at) && strlen(text) < room)
+    if (!config_setting_is_root(at) && strlen(text) < longest)
         sprintf(text + strlen(text), ":%u",
                 (unsigned)config_setting_source_line(at));
 }
@@ -145,7 +145,7 @@ int source_wrong(const config_setting_t *at, const char *format, ...)
     return 2;
 }
 
-/* Appends to a text that must not grow beyond SOURCE_TEXT. */
+/* Appends to a text of at most SOURCE_TEXT bytes. */
 static void append(char text[SOURCE_TEXT], const char *format, ...)
 {
     const size_t used = strlen(text);

@@ -1,16 +1,16 @@
 /* source.h -- the case file as a tree with the source of each value.
  *
  * libconfig reads the file and keeps file and line of every setting. A value
- * that came otherwise carries that in its hook: the text of an override, or
- * the mark of a default. So every message can name the place where the writer
- * of the case has to look.
+ * that is not from a file has its source in its hook: the text of an override,
+ * or the mark of a default. So every message can name the place where the case
+ * has to be changed.
  */
 #ifndef CASE_SOURCE_H
 #define CASE_SOURCE_H
 
 #include <libconfig.h>
 
-enum { SOURCE_TEXT = 512 }; /* room for a place or a value */
+enum { SOURCE_TEXT = 512 }; /* bytes of a place or a value, at most */
 
 /* The hook of a default. */
 extern const char source_default[];

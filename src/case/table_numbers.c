@@ -23,7 +23,7 @@ static int numbers_of(const struct settings *s, const struct key *key,
 }
 
 int table_numbers(const struct settings *s, const struct key *keys,
-                  double *numbers, int most)
+                  double *numbers, int max)
 {
     int n = 0;
 
@@ -32,7 +32,7 @@ int table_numbers(const struct settings *s, const struct key *keys,
         const int given = numbers_of(s, key, v);
 
         for (int k = 0; k < given; k++, n++)
-            if (n < most) numbers[n] = v[k];
+            if (n < max) numbers[n] = v[k];
     }
     return n;
 }

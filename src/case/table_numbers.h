@@ -8,9 +8,9 @@
 #include "case/settings.h"
 
 /* The numbers that the case gives for a table of keys, in their order: one for
- * a number, three for a vector, none for a group. Returns how many; at most
- * `most` are written. */
+ * a number, three for a vector, none for a group. Returns how many there are;
+ * at most `max` are stored. */
 int table_numbers(const struct settings *s, const struct key *keys,
-                  double *numbers, int most);
+                  double *numbers, int max);
 
 #endif

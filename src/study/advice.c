@@ -2,46 +2,118 @@
 /* advice.c -- what a study comes to, in words. */
 #include "study/study_report.h"
 
+#include "base/alloc.h"
 #include "base/number.h"
 
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
 
 static const double limits[] = {0.05, 0.01, 0.001};
 enum { LIMITS = 3 };
 
+/* --- which variant is advised --------------------------------------------- */
+
+enum { COST = -1 };
+
+/* Of those that are in, the variant with the least error of a measure, or with
+ * the least COST; -1 if none is in. */
+static int least(const struct outcomes *o, int m, const char *in)
+{
+    double smallest = INFINITY;
+    int best = -1;
+
+    for (int v = 0; v < o->n; v++) {
+        const struct outcome *const out = &o->variant[v];
+        const double value = m == COST ? out->cost : out->of[m].error;
+        if (!in[v] || (best >= 0 && value >= smallest)) continue;
+        smallest = value;
+        best = v;
+    }
+    return best;
+}
+
+/* 1 if the errors of two variants cannot be told apart, or are the same to
+ * three digits. */
+static int is_as_good(const struct outcomes *o, int m, int v, int w)
+{
+    const struct finding *const a = &o->variant[v].of[m];
+    const struct finding *const b = &o->variant[w].of[m];
+
+    return outcome_is_chance(a, b) ||
+           fabs(a->error - b->error) <= 1e-3 * fmax(a->error, b->error);
+}
+
+/* The cheapest of those that are in; of those that cost the same, as far as can
+ * be told, the case as it stands or else the one with the least error. */
+static int cheapest(const struct outcomes *o, int m, char *in)
+{
+    const int first = least(o, COST, in);
+
+    for (int v = 0; v < o->n; v++)
+        in[v] =
+            in[v] && outcome_costs_the_same(&o->variant[v], &o->variant[first]);
+    return o->standing >= 0 && in[o->standing] ? o->standing : least(o, m, in);
+}
+
+/* 1 if the others are compared with the case as it stands, and it costs no more
+ * than a variant, as far as can be told. */
+static int is_reference_as_cheap(const struct outcomes *o, int m, int v)
+{
+    if (o->standing < 0 || o->plan->truth[m].kind != TRUTH_FINEST) return 0;
+    const struct outcome *const stands = &o->variant[o->standing];
+
+    return !isfinite(stands->of[m].error) &&
+           (stands->cost <= o->variant[v].cost ||
+            outcome_costs_the_same(stands, &o->variant[v]));
+}
+
 /* The cheapest variant whose error is surely within the limit; -1 if none. */
 static int cheapest_within(const struct outcomes *o, int m, double limit)
 {
-    int best = -1;
+    char *const in = alloc_zeroed((size_t)o->n, 1);
 
-    for (int v = 0; v < o->n; v++) {
-        const struct outcome *const out = &o->variant[v];
-        if (!out->ended || !isfinite(out->cost)) continue;
-        if (!outcome_is_within(&out->of[m], limit)) continue;
-        if (best < 0 || out->cost < o->variant[best].cost) best = v;
-    }
-    return best;
+    for (int v = 0; v < o->n; v++)
+        in[v] = o->variant[v].ended && isfinite(o->variant[v].cost) &&
+                outcome_is_within(&o->variant[v].of[m], limit);
+    const int best = cheapest(o, m, in);
+    free(in);
+    return best >= 0 && is_reference_as_cheap(o, m, best) ? o->standing : best;
 }
 
-/* The variant with the smallest error that costs no more than `most`; of those
- * that have it to three digits the cheapest. */
-static int best_for(const struct outcomes *o, int m, double most)
+/* The variant with the least error that costs no more than a share of the cost
+ * of another one, as far as can be told if the share is 1; of those that are as
+ * good, the cheapest. -1 if there is none. */
+static int best_for(const struct outcomes *o, int m, double share, int of)
 {
-    int best = -1;
+    char *const in = alloc_zeroed((size_t)o->n, 1);
+    const struct outcome *const that = &o->variant[of];
 
     for (int v = 0; v < o->n; v++) {
         const struct outcome *const out = &o->variant[v];
-        if (!out->ended || !(out->cost <= most)) continue;
-        if (!isfinite(out->of[m].error)) continue;
-        const struct outcome *const so_far = &o->variant[best < 0 ? v : best];
-        if (best < 0 || out->of[m].error < 0.999 * so_far->of[m].error ||
-            (out->of[m].error <= 1.001 * so_far->of[m].error &&
-             out->cost < so_far->cost))
-            best = v;
+        in[v] = out->ended && isfinite(out->of[m].error) &&
+                (out->cost <= share * that->cost ||
+                 (share == 1.0 && outcome_costs_the_same(out, that)));
     }
+    const int first = least(o, m, in);
+    for (int v = 0; v < o->n; v++)
+        in[v] = in[v] && is_as_good(o, m, v, first);
+    const int best = cheapest(o, m, in);
+    free(in);
     return best;
 }
+
+/* 1 if a variant costs less than another one, or has a smaller error, by what
+ * can be told. */
+static int is_better(const struct outcomes *o, int m, int v, int than)
+{
+    const struct outcome *const a = &o->variant[v];
+    const struct outcome *const b = &o->variant[than];
+
+    return (a->cost < b->cost && !outcome_costs_the_same(a, b)) ||
+           (a->of[m].error < b->of[m].error && !is_as_good(o, m, v, than));
+}
+
+/* --- in words ------------------------------------------------------------- */
 
 static const char *unit(const struct plan *p)
 {
@@ -62,8 +134,9 @@ static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
         return;
     }
     fprintf(out, "error %s %%", number_rounded(100.0 * f->error, 3, text));
-    if (f->doubt > 0.0)
-        fprintf(out, " +- %s %%", number_rounded(100.0 * f->doubt, 2, text));
+    if (f->uncertainty > 0.0)
+        fprintf(out, " +- %s %%",
+                number_rounded(100.0 * f->uncertainty, 2, text));
     fprintf(out, ": %s", o->variant[v].label);
 }
 
@@ -111,7 +184,7 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
         double of;
         const char *words;
     } share[] = {{0.5, "half of that buys "},
-                 {1.0, "no more than that buys "},
+                 {1.0, "as much as that buys "},
                  {2.0, "twice of that buys "}};
 
     if (v < 0 || !isfinite(o->variant[v].cost)) return;
@@ -120,8 +193,8 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
     fputc('\n', out);
     if (!isfinite(o->variant[v].of[m].error)) return;
     for (int i = 0, told = v; i < 3; i++) {
-        const int other = best_for(o, m, share[i].of * o->variant[v].cost);
-        if (other < 0 || other == told || other == v) continue;
+        const int other = best_for(o, m, share[i].of, v);
+        if (other < 0 || other == told || !is_better(o, m, other, v)) continue;
         told = other;
         fprintf(out, "- %s", share[i].words);
         put_variant(o, other, m, out);

@@ -2,6 +2,7 @@
 #include "study/choices.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "study/study.h"
 
 #include <limits.h>
@@ -81,12 +82,19 @@ static const char *read_choice(struct choice *c, const char *text)
     return why;
 }
 
-static int is_known(const struct choices *c, const char *key)
+const char *choices_in_entry(const struct choice *c, int entry, int k)
 {
-    for (int i = 0; i < c->n; i++)
-        for (int k = 0; k < c->of[i].key.n; k++)
-            if (strcmp(c->of[i].key.text[k], key) == 0) return 1;
-    return 0;
+    return c->value.text[entry * c->key.n + k];
+}
+
+/* The place of a text among others; -1 if it is not there. */
+static int place_of(const struct texts *t, const char *text)
+{
+    int k = t->n - 1;
+
+    while (k >= 0 && strcmp(t->text[k], text) != 0)
+        k--;
+    return k;
 }
 
 /* 1 if two texts are the same, or the same number. */
@@ -103,13 +111,25 @@ static int is_entry_twice(const struct choice *c)
 {
     for (int i = 0; i < c->n; i++)
         for (int j = 0; j < i; j++) {
-            int same = 1;
+            int same = 0;
             for (int k = 0; k < c->key.n; k++)
-                same &= is_same(c->value.text[i * c->key.n + k],
-                                c->value.text[j * c->key.n + k]);
-            if (same) return 1;
+                same += is_same(choices_in_entry(c, i, k),
+                                choices_in_entry(c, j, k));
+            if (same == c->key.n) return 1;
         }
     return 0;
+}
+
+/* What is wrong with the keys of a choice beside those that are there, or NULL.
+ */
+static const char *check_keys(const struct choices *c, const struct texts *keys)
+{
+    for (int k = 0; k < keys->n; k++) {
+        if (choices_value(c, 0, keys->text[k]) != NULL)
+            return "the key was given before";
+        if (place_of(keys, keys->text[k]) != k) return "a key is there twice";
+    }
+    return NULL;
 }
 
 static void choice_free(struct choice *c)
@@ -124,12 +144,7 @@ int choices_add(struct choices *c, const char *text)
     const char *why = read_choice(&one, text);
 
     if (why == NULL && is_entry_twice(&one)) why = "a value is there twice";
-    for (int k = 0; k < one.key.n && why == NULL; k++) {
-        if (is_known(c, one.key.text[k])) why = "the key was given before";
-        for (int l = 0; l < k; l++)
-            if (strcmp(one.key.text[k], one.key.text[l]) == 0)
-                why = "a key is there twice";
-    }
+    if (why == NULL) why = check_keys(c, &one.key);
     if (why != NULL) {
         choice_free(&one);
         return study_wrong("%s: %s", text, why);
@@ -154,7 +169,7 @@ int choices_variants(const struct choices *c)
 
     for (int i = 0; i < c->n; i++)
         n *= c->of[i].n;
-    return n < INT_MAX ? (int)n : INT_MAX;
+    return number_clamped(n, 0, INT_MAX);
 }
 
 /* How far apart two variants are that differ by one entry of the choice. */
@@ -185,7 +200,7 @@ void choices_overrides(const struct choices *c, int variant, const char *but,
         const int entry = of->n == 1 ? 0 : choices_entry(c, variant, i);
 
         for (int k = 0; k < of->key.n && (variant >= 0 || of->n == 1); k++) {
-            const char *const value = of->value.text[entry * of->key.n + k];
+            const char *const value = choices_in_entry(of, entry, k);
             if (strcmp(of->key.text[k], but) == 0) continue;
             if (strcmp(value, CHOICES_AS_IS) == 0) continue;
             texts_add(set, "%s=%s", of->key.text[k], value);
@@ -195,31 +210,32 @@ void choices_overrides(const struct choices *c, int variant, const char *but,
 
 const char *choices_value(const struct choices *c, int variant, const char *key)
 {
-    for (int i = 0; i < c->n; i++)
-        for (int k = 0; k < c->of[i].key.n; k++)
-            if (strcmp(c->of[i].key.text[k], key) == 0)
-                return c->of[i]
-                    .value
-                    .text[choices_entry(c, variant, i) * c->of[i].key.n + k];
+    for (int i = 0; i < c->n; i++) {
+        const int k = place_of(&c->of[i].key, key);
+        if (k >= 0)
+            return choices_in_entry(&c->of[i], choices_entry(c, variant, i), k);
+    }
     return NULL;
+}
+
+static const char *last_part(const char *key)
+{
+    const char *const dot = strrchr(key, '.');
+
+    return dot != NULL ? dot + 1 : key;
 }
 
 /* The last part of a key, where no other key of the study has the same; else
  * all. */
 static const char *short_key(const struct choices *c, const char *key)
 {
-    const char *const dot = strrchr(key, '.');
-    const char *const last = dot != NULL ? dot + 1 : key;
-
     for (int i = 0; i < c->n; i++)
         for (int k = 0; k < c->of[i].key.n; k++) {
             const char *const other = c->of[i].key.text[k];
-            const char *const point = strrchr(other, '.');
-            if (other != key &&
-                strcmp(point != NULL ? point + 1 : other, last) == 0)
+            if (other != key && strcmp(last_part(other), last_part(key)) == 0)
                 return key;
         }
-    return last;
+    return last_part(key);
 }
 
 char *choices_label(const struct choices *c, int variant, int but)
@@ -236,7 +252,7 @@ char *choices_label(const struct choices *c, int variant, int but)
         if (of->n < 2 || i == but) continue;
         for (int k = 0; k < of->key.n; k++, between = ", ")
             fprintf(out, "%s%s=%s", between, short_key(c, of->key.text[k]),
-                    of->value.text[entry * of->key.n + k]);
+                    choices_in_entry(of, entry, k));
     }
     fclose(out);
     return text;
@@ -261,11 +277,11 @@ static int numbers(const char *text, double v[3])
 static double number(const struct choice *c, int entry)
 {
     double v[3], first[3], last[3], product = 1.0;
-    const int n = numbers(c->value.text[entry * c->key.n], v);
+    const int n = numbers(choices_in_entry(c, entry, 0), v);
     int changing = 0;
 
-    if (n == 0 || numbers(c->value.text[0], first) != n ||
-        numbers(c->value.text[(c->n - 1) * c->key.n], last) != n)
+    if (n == 0 || numbers(choices_in_entry(c, 0, 0), first) != n ||
+        numbers(choices_in_entry(c, c->n - 1, 0), last) != n)
         return NAN;
     for (int k = 0; k < n; k++)
         if (first[k] != last[k]) {
@@ -289,6 +305,20 @@ double choices_size(const struct choice *c, int entry)
     }
     if (n < 2 || rises == falls) return NAN;
     return falls ? number(c, entry) : 1.0 / number(c, entry);
+}
+
+static int ends_with(const char *text, const char *end)
+{
+    const size_t n = strlen(text), m = strlen(end);
+    return n >= m && strcmp(text + n - m, end) == 0;
+}
+
+int choices_is_reversed(const struct choice *c)
+{
+    const double first = number(c, 0), last = number(c, c->n - 1);
+
+    return (ends_with(c->key.text[0], ".cells") && last < first) ||
+           (ends_with(c->key.text[0], ".step") && last > first);
 }
 
 int choices_axis(const struct choices *c)

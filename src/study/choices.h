@@ -17,8 +17,7 @@
 /* The value that leaves a key as the case has it, there or not. */
 #define CHOICES_AS_IS "as-is"
 
-/* One choice: entry i sets the k-th of its keys to the value
- * i * key.n + k. */
+/* One choice: entries with a value for each of its keys, side by side. */
 struct choice {
     int n; /* [-] entries */
     struct texts key, value;
@@ -41,14 +40,16 @@ int choices_variants(const struct choices *c);
 int choices_entry(const struct choices *c, int variant, int i);
 int choices_with(const struct choices *c, int variant, int i, int entry);
 
+/* The value of the k-th key of a choice in an entry; and that of a key in a
+ * variant, NULL if no choice has it. Both are borrowed. */
+const char *choices_in_entry(const struct choice *c, int entry, int k);
+const char *choices_value(const struct choices *c, int variant,
+                          const char *key);
+
 /* Adds all that a variant sets, "key=value" each; of variant -1 what all runs
  * have. The key `but` is left out. */
 void choices_overrides(const struct choices *c, int variant, const char *but,
                        struct texts *set);
-
-/* The value of a key in a variant, or NULL; borrowed. */
-const char *choices_value(const struct choices *c, int variant,
-                          const char *key);
 
 /* What tells a variant from others, "step=1e-3, method=pcm", without the choice
  * `but` (-1: with all); a key as short as it can be, "" if nothing is left. To
@@ -61,6 +62,10 @@ char *choices_label(const struct choices *c, int variant, int but);
  * between numbers, such as "auto", has none, nan, and so have all entries if
  * the first or the last is a word, or if they neither fall nor rise. */
 double choices_size(const struct choice *c, int entry);
+
+/* 1 if the cells of its first key become fewer, or the step longer: the entries
+ * go from fine to coarse, and the last one is not the finest. */
+int choices_is_reversed(const struct choice *c);
 
 /* The choice with the most entries, words included, of those with two sizes or
  * more; -1 if none. */

@@ -5,30 +5,53 @@
 #include "base/file.h"
 #include "study/statistics.h"
 
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* --- one variant ---------------------------------------------------------- */
 
-/* Means over the seeds: for each the least of the repetitions. */
-static void take_cost(const struct outcomes *o, int v, double *mean,
-                      const struct measure *m)
-{
-    const struct plan *const p = o->plan;
+/* The standard error of a time, over it, that other programs on the machine
+ * cause: two times are a tenth apart if they are by two of their difference. */
+static const double scatter_of_time = 0.05 * M_SQRT1_2;
 
-    *mean = 0.0;
-    for (int k = 0; k < p->words.seeds; k++) {
-        double least = NAN;
-        for (int i = 0; i < o->n_runs; i++) {
-            const struct run *const r = &o->run[i];
-            if (r->variant != v || r->seed != k || r->code != 0) continue;
-            struct curve c = measure_take(m, r->folder);
-            if (c.n > 0) least = fmin(least, c.value[0]);
-            curve_free(&c);
-        }
-        *mean += least / p->words.seeds;
+/* 1 for times of the summary, "seconds.dem", "effect_seconds.saffman". */
+static int is_time(const struct measure *m)
+{
+    return strstr(m->name, "seconds.") != NULL;
+}
+
+/* The least that the repetitions of a variant with the k-th seed cost; nan if
+ * none has ended. */
+static double least_cost(const struct outcomes *o, int v, int k,
+                         const struct measure *m)
+{
+    double least = NAN;
+
+    for (int i = 0; i < o->n_runs; i++) {
+        const struct run *const r = &o->run[i];
+        if (r->variant != v || r->seed != k || r->code != 0) continue;
+        struct curve c = measure_take(m, r->folder);
+        if (c.n > 0) least = fmin(least, c.value[0]);
+        curve_free(&c);
     }
+    return least;
+}
+
+/* The mean over the seeds; *scatter is its standard error. */
+static double cost_of(const struct outcomes *o, int v, const struct measure *m,
+                      double *scatter)
+{
+    const int n = o->plan->words.seeds;
+    double *const least = alloc_doubles(n);
+
+    for (int k = 0; k < n; k++)
+        least[k] = least_cost(o, v, k, m);
+    const double mean = statistics_mean(n, least);
+    *scatter = fmax(statistics_error(n, least),
+                    is_time(m) ? scatter_of_time * mean : 0.0);
+    free(least);
+    return mean;
 }
 
 static struct curve mean_of_seeds(const struct outcomes *o, int v,
@@ -67,8 +90,8 @@ static void take_variant(struct outcomes *o, int v)
             out->ended = 0;
             if (out->broken == NULL) out->broken = &o->run[i];
         }
-    take_cost(o, v, &out->cost, &p->cost);
-    take_cost(o, v, &out->seconds, &processor);
+    out->seconds = cost_of(o, v, &processor, &out->scatter);
+    out->cost = cost_of(o, v, &p->cost, &out->scatter);
     for (int m = 0; m < p->n_measures && out->ended; m++)
         out->of[m].found = mean_of_seeds(o, v, &p->measure[m]);
 }
@@ -103,25 +126,25 @@ static struct last_three last_of(const struct outcomes *o, int v, int m)
     return l;
 }
 
-/* The truth at a point; *doubt is its standard error. */
+/* The truth at a point; *uncertainty is its standard error. */
 static double truth_at(const struct outcomes *o, int v, int m, double x,
-                       double *doubt)
+                       double *uncertainty)
 {
     const struct truth *const t = &o->plan->truth[m];
 
-    *doubt = 0.0;
+    *uncertainty = 0.0;
     if (t->kind == TRUTH_NONE) return NAN;
     if (t->kind == TRUTH_FUNCTION || t->kind == TRUTH_TABLE)
         return truth_value(t, x);
     if (t->kind == TRUTH_FINEST)
         return curve_at(&o->variant[finest(o)].of[m].found, x,
-                        v == finest(o) ? NULL : doubt);
+                        v == finest(o) ? NULL : uncertainty);
     const struct last_three l = last_of(o, v, m);
     const double more = 1.0 / (pow(l.h[1] / l.h[2], l.p) - 1.0);
     double of_fine, of_coarse;
     const double fine = curve_at(l.c[2], x, &of_fine);
     const double coarse = curve_at(l.c[1], x, &of_coarse);
-    *doubt = hypot((1.0 + more) * of_fine, more * of_coarse);
+    *uncertainty = hypot((1.0 + more) * of_fine, more * of_coarse);
     return fine + more * (fine - coarse); /* (25.2) */
 }
 
@@ -131,26 +154,30 @@ static int is_reference(const struct outcomes *o, int v, int m)
     return o->plan->truth[m].kind == TRUTH_FINEST && v == finest(o);
 }
 
+/* A smaller standard error is that of rounding, of samples that are the same.
+ */
+static const double rounding = 1e-12;
+
 /* Compares a variant with the truth where there is one. */
 static void compare(const struct outcomes *o, int v, int m)
 {
     struct finding *const f = &o->variant[v].of[m];
     double values = 0.0, own = 0.0; /* sums of squares, all points */
-    double differences = 0.0, truths = 0.0, doubts = 0.0; /* with a truth */
+    double differences = 0.0, truths = 0.0, variances = 0.0; /* with a truth */
     int n = 0;
 
     f->truth = NAN;
     for (int i = 0; i < f->found.n; i++) {
-        double doubt;
+        double uncertainty;
         const double q = f->found.value[i], e = f->found.error[i];
-        const double q_0 = truth_at(o, v, m, f->found.x[i], &doubt);
+        const double q_0 = truth_at(o, v, m, f->found.x[i], &uncertainty);
 
         values += q * q;
         own += e * e;
         if (!isfinite(q_0)) continue;
         differences += (q - q_0) * (q - q_0);
         truths += q_0 * q_0;
-        doubts += e * e + doubt * doubt;
+        variances += e * e + uncertainty * uncertainty;
         f->truth = q_0;
         n++;
     }
@@ -161,12 +188,14 @@ static void compare(const struct outcomes *o, int v, int m)
     f->error = truths > 0.0 && !is_reference(o, v, m)
                    ? sqrt(differences / truths)
                    : NAN;
-    f->doubt = sqrt(truths > 0.0 ? doubts / truths : own / values);
+    f->uncertainty = sqrt(truths > 0.0 ? variances / truths : own / values);
+    if (f->uncertainty < rounding) f->uncertainty = 0.0;
 }
 
 /* A variant that has found the same as the finest, to the last bit, is as good
  * as that, whatever the truth is. Then the finest is no judge of the others
- * alone: both have the error 0, without a doubt, and differ in cost only. */
+ * alone: both have the error 0, without uncertainty, and differ in cost only.
+ */
 static void compare_finest(const struct outcomes *o, int m)
 {
     struct finding *const f = &o->variant[finest(o)].of[m];
@@ -174,7 +203,8 @@ static void compare_finest(const struct outcomes *o, int m)
     for (int v = 0; v < finest(o); v++) {
         struct finding *const other = &o->variant[v].of[m];
         if (o->plan->truth[m].kind != TRUTH_FINEST) return;
-        if (other->error == 0.0) other->doubt = f->error = f->doubt = 0.0;
+        if (other->error == 0.0)
+            other->uncertainty = f->error = f->uncertainty = 0.0;
     }
 }
 
@@ -239,17 +269,22 @@ double outcomes_fitted_order(const struct outcomes *o, int v, int m)
 
 int outcome_is_resolved(const struct finding *f)
 {
-    return f->error > 2.0 * f->doubt;
+    return f->error > 2.0 * f->uncertainty;
 }
 
 int outcome_is_within(const struct finding *f, double limit)
 {
-    return f->error + 2.0 * f->doubt <= limit;
+    return f->error + 2.0 * f->uncertainty <= limit;
 }
 
 int outcome_is_chance(const struct finding *a, const struct finding *b)
 {
-    const double doubt = hypot(a->doubt, b->doubt);
+    const double uncertainty = hypot(a->uncertainty, b->uncertainty);
 
-    return doubt > 0.0 && fabs(a->error - b->error) <= 2.0 * doubt;
+    return uncertainty > 0.0 && fabs(a->error - b->error) <= 2.0 * uncertainty;
+}
+
+int outcome_costs_the_same(const struct outcome *a, const struct outcome *b)
+{
+    return fabs(a->cost - b->cost) <= 2.0 * hypot(a->scatter, b->scatter);
 }

@@ -17,13 +17,14 @@ struct finding {
     double value;       /* of one number; of a curve its root mean square */
     double truth;       /* the same of the truth; nan if there is none */
     double error;       /* [-] relative */
-    double doubt; /* [-] standard error of it, relative to the truth; without
-                     one of the value, relative to that */
-    double order; /* [-] from the next coarser one on the axis; or nan */
+    double uncertainty; /* [-] standard error of it, relative to the truth;
+                     without one of the value, relative to that */
+    double order;       /* [-] from the next coarser one on the axis; or nan */
 };
 
 struct outcome {
     double cost;    /* least of the repetitions, mean over the seeds; or nan */
+    double scatter; /* standard error of the cost */
     double seconds; /* [s] processor time, likewise */
     int ended;      /* [-] 1: all its runs came to their end */
     const struct run *broken; /* the first that did not, or NULL */
@@ -57,6 +58,10 @@ int outcome_is_within(const struct finding *f, double limit);
 /* 1 if chance explains the difference of two errors, up to two standard errors
  * of it. */
 int outcome_is_chance(const struct finding *a, const struct finding *b);
+
+/* 1 if two variants cost the same, as far as can be told: up to two standard
+ * errors of the difference, and times up to a tenth. */
+int outcome_costs_the_same(const struct outcome *a, const struct outcome *b);
 
 /* 1 if the error is larger than chance explains, two standard errors. */
 int outcome_is_resolved(const struct finding *f);

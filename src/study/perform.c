@@ -17,14 +17,14 @@
 #include <time.h>
 #include <unistd.h>
 
-/* One place for a process. */
+/* A slot for a process. */
 struct worker {
     struct run *run; /* NULL: free */
     pid_t process;   /* a child of ours; 0: of a former study, waited for */
     int resumed;     /* [-] 1: it goes on from a checkpoint */
 };
 
-struct crew {
+struct pool {
     const struct plan *plan;
     int n_runs;
     struct run *run;
@@ -38,7 +38,7 @@ struct crew {
 /* --- progress ------------------------------------------------------------- */
 
 /* How long it will take: what the ended runs took, for the rest. */
-static void put_left(const struct crew *c)
+static void put_left(const struct pool *c)
 {
     const double elapsed = clock_now() - c->began;
     double left = 0.0;
@@ -49,7 +49,7 @@ static void put_left(const struct crew *c)
         fprintf(stderr, ", about %.0f s left", elapsed * left / c->done);
 }
 
-static void show(const struct crew *c, const struct run *r)
+static void show(const struct pool *c, const struct run *r)
 {
     int ended = 0;
 
@@ -82,7 +82,7 @@ static int write_identity(const struct run *r, int code)
 }
 
 /* Removes a file of the folder of a run. */
-static void forget(const struct run *r, const char *name)
+static void remove_from(const struct run *r, const char *name)
 {
     char *const path = file_join(r->folder, name);
 
@@ -137,7 +137,7 @@ static struct texts command(const struct plan *p, const struct run *r,
 
 /* Starts a run, or waits for the one that a former study has left in its
  * folder. */
-static int start(struct crew *c, struct worker *w, struct run *r)
+static int start(struct pool *c, struct worker *w, struct run *r)
 {
     const long owner = ownership_process(r->folder);
 
@@ -151,7 +151,7 @@ static int start(struct crew *c, struct worker *w, struct run *r)
     }
     w->resumed = can_go_on(r);
     /* The end of an earlier run must not pass for that of this one. */
-    if (!w->resumed) forget(r, "summary.json");
+    if (!w->resumed) remove_from(r, "summary.json");
     if (write_identity(r, 0) != 0) return RUN_NOT_WRITTEN;
     struct texts words = command(c->plan, r, w->resumed);
     char *const log = file_join(r->folder, "log.txt");
@@ -165,17 +165,17 @@ static int start(struct crew *c, struct worker *w, struct run *r)
 
 /* --- all of them ---------------------------------------------------------- */
 
-static struct run *next_run(const struct crew *c)
+static struct run *next_run(const struct pool *c)
 {
     for (int i = 0; i < c->n_runs; i++)
         if (c->run[i].code == RUN_TO_DO) return &c->run[i];
     return NULL;
 }
 
-/* Takes note of the exit code of a run. A run that broke down, that was refused
+/* Keeps the exit code of a run. A run that broke down, that was refused
  * or that a signal ended is a result; one that could not write, or that was
  * interrupted, ends the study. */
-static void take_note(struct crew *c, struct run *r, int code)
+static void record_end(struct pool *c, struct run *r, int code)
 {
     if (code == RUN_NOT_WRITTEN || code == INTERRUPT_CODE) {
         c->failed = code;
@@ -192,7 +192,7 @@ static void take_note(struct crew *c, struct run *r, int code)
 }
 
 /* A worker whose run has ended is free again. */
-static void look_at(struct crew *c, struct worker *w)
+static void check_worker(struct pool *c, struct worker *w)
 {
     struct run *const r = w->run;
 
@@ -204,21 +204,21 @@ static void look_at(struct crew *c, struct worker *w)
             w->resumed && (code == RUN_REFUSED || code == RUN_NOT_WRITTEN);
         *w = (struct worker){NULL, 0, 0};
         if (!anew) {
-            take_note(c, r, code);
+            record_end(c, r, code);
             return;
         }
         r->code = RUN_TO_DO; /* for there is nothing to go on from */
         for (int i = 0; i < CHECKPOINTS; i++)
-            forget(r, checkpoints[i]);
+            remove_from(r, checkpoints[i]);
         return;
     }
     if (ownership_process(r->folder) != 0) return;
     *w = (struct worker){NULL, 0, 0};
-    runs_look(1, r);
-    if (r->code != RUN_TO_DO) take_note(c, r, r->code);
+    runs_find_ended(1, r);
+    if (r->code != RUN_TO_DO) record_end(c, r, r->code);
 }
 
-static int working(const struct crew *c)
+static int working(const struct pool *c)
 {
     int n = 0;
 
@@ -228,7 +228,7 @@ static int working(const struct crew *c)
 }
 
 /* Tells the processes to end, once; those of a former study are left alone. */
-static void stop(struct crew *c)
+static void stop(struct pool *c)
 {
     for (int i = 0; i < c->plan->words.jobs; i++) {
         struct worker *const w = &c->worker[i];
@@ -237,7 +237,7 @@ static void stop(struct crew *c)
     }
 }
 
-static void fill(struct crew *c)
+static void start_next(struct pool *c)
 {
     for (int i = 0; i < c->plan->words.jobs && c->failed == 0; i++) {
         struct run *const r = next_run(c);
@@ -247,31 +247,31 @@ static void fill(struct crew *c)
     }
 }
 
-static void work(struct crew *c)
+static void run_all(struct pool *c)
 {
-    const struct timespec nap = {0, 5000000}; /* 5 ms */
+    const struct timespec interval = {0, 5000000}; /* 5 ms */
     int stopped = 0;
 
     while (working(c) > 0 || (c->failed == 0 && next_run(c) != NULL)) {
         if (interrupt_arrived() && c->failed == 0) c->failed = INTERRUPT_CODE;
-        if (c->failed == 0) fill(c);
+        if (c->failed == 0) start_next(c);
         if (c->failed != 0 && !stopped++) stop(c);
         for (int i = 0; i < c->plan->words.jobs; i++)
-            look_at(c, &c->worker[i]);
-        nanosleep(&nap, NULL);
+            check_worker(c, &c->worker[i]);
+        nanosleep(&interval, NULL);
     }
 }
 
 int runs_perform(const struct plan *p, int n, struct run *runs)
 {
-    struct crew c = {.plan = p,
+    struct pool c = {.plan = p,
                      .n_runs = n,
                      .run = runs,
                      .began = clock_now(),
                      .on_terminal = isatty(STDERR_FILENO)};
 
     c.worker = alloc_zeroed((size_t)p->words.jobs, sizeof *c.worker);
-    work(&c);
+    run_all(&c);
     free(c.worker);
     if (c.failed == INTERRUPT_CODE)
         fprintf(stderr,

@@ -171,6 +171,18 @@ static int check_truth(const struct plan *p, const struct truth *t)
                        "more, rising or falling");
 }
 
+static int add_cost(struct plan *p, const struct settings *s)
+{
+    const char *const cost = p->words.cost != NULL ? p->words.cost : PLAN_COST;
+    const int code = measure_parse(&p->cost, cost, s);
+
+    return code == 0 && p->cost.how == MEASURE_CURVE
+               ? study_wrong("--cost %s: is a curve, and a run costs one "
+                             "number",
+                             cost)
+               : code;
+}
+
 static int add_measures(struct plan *p, const struct settings *s)
 {
     const struct study_words *const w = &p->words;
@@ -189,7 +201,7 @@ static int add_measures(struct plan *p, const struct settings *s)
         if (code == 0) code = check_truth(p, &p->truth[i]);
         if (code != 0) return code;
     }
-    return measure_parse(&p->cost, w->cost != NULL ? w->cost : PLAN_COST, s);
+    return add_cost(p, s);
 }
 
 int plan_cost_is_processor(const struct plan *p)
@@ -209,6 +221,18 @@ static const char *default_dir(struct study_words *w)
                      name);
 }
 
+static void tell_reversed(const struct plan *p)
+{
+    for (int i = 0; i < p->choices.n; i++) {
+        const struct choice *const c = &p->choices.of[i];
+        if (!p->words.quiet && choices_is_reversed(c))
+            fprintf(stderr,
+                    "%s goes from fine to coarse; its last value, %s, counts "
+                    "as the finest\n",
+                    c->key.text[0], choices_in_entry(c, c->n - 1, 0));
+    }
+}
+
 static int complete(struct plan *p)
 {
     struct study_words *const w = &p->words;
@@ -221,6 +245,7 @@ static int complete(struct plan *p)
     texts_free(&first);
     if (s == NULL) return code;
     code = add_measures(p, s);
+    if (code == 0) tell_reversed(p);
     if (code == 0) add_output(p, s);
     if (code == 0 && w->seeds > 1) code = check_seeds(p);
     if (w->title == NULL)

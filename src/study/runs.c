@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/number.h"
 #include "base/tables/input.h"
 #include "base/interrupt.h"
 #include "base/version.h"
@@ -11,6 +12,7 @@
 #include "case/resume/read_summary.h"
 
 #include <ctype.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -188,20 +190,20 @@ int runs_is_begun(const struct run *r)
     return is_same(r, &code);
 }
 
-static void look(struct run *r)
+static void find_end(struct run *r)
 {
     if (!is_same(r, &r->code) || r->code != RUN_TO_DO) return;
     const double code = read_summary_number(r->folder, "exit_code");
     if (isfinite(code) && code != RUN_NOT_WRITTEN && code != INTERRUPT_CODE)
-        r->code = (int)code;
+        r->code = number_clamped(code, INT_MIN, INT_MAX);
 }
 
-int runs_look(int n, struct run *runs)
+int runs_find_ended(int n, struct run *runs)
 {
     int ended = 0;
 
     for (int i = 0; i < n; i++) {
-        look(&runs[i]);
+        find_end(&runs[i]);
         ended += runs[i].code != RUN_TO_DO;
     }
     return ended;

@@ -37,7 +37,7 @@ void runs_free(int n, struct run *runs);
 int runs_standing(const struct plan *p, int n, const struct run *runs);
 
 /* Finds out which have ended before; returns how many. */
-int runs_look(int n, struct run *runs);
+int runs_find_ended(int n, struct run *runs);
 
 /* 1 if the folder says that it is of this very run, ended or not. */
 int runs_is_begun(const struct run *r);

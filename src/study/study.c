@@ -31,9 +31,9 @@ int study_wrong(const char *format, ...)
     return 2;
 }
 
-static void say_what_would_run(const struct plan *p, int n, struct run *runs)
+static void print_plan(const struct plan *p, int n, struct run *runs)
 {
-    const int ended = runs_look(n, runs);
+    const int ended = runs_find_ended(n, runs);
     double seconds = 0.0;
 
     for (int i = 0; i < n; i++) {
@@ -48,7 +48,7 @@ static void say_what_would_run(const struct plan *p, int n, struct run *runs)
 
 /* The folder, kept for this study as long as the descriptor is open; negative
  * after a message. */
-static int take_folder(const struct plan *p)
+static int lock_folder(const struct plan *p)
 {
     struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     char *const path = file_join(p->words.dir, "study.lock");
@@ -89,11 +89,11 @@ static int report(const struct plan *p, int n, const struct run *runs)
 
 static int perform(const struct plan *p, int n, struct run *runs)
 {
-    const int file = take_folder(p);
+    const int file = lock_folder(p);
     int code = RUN_NOT_WRITTEN;
 
     if (file < 0) return code;
-    const int before = runs_look(n, runs);
+    const int before = runs_find_ended(n, runs);
     if (before > 0 && !p->words.quiet)
         fprintf(stderr, "%d of %d runs were done before\n", before, n);
     code = runs_perform(p, n, runs);
@@ -105,13 +105,13 @@ static int perform(const struct plan *p, int n, struct run *runs)
 static int study(const struct command_line *l)
 {
     struct plan p;
-    int n, code = plan_create(&p, l->n_words, l->words);
 
-    if (code != 0) return code;
     interrupt_hold();
+    int n, code = plan_create(&p, l->n_words, l->words);
+    if (code != 0) return code;
     struct run *const runs = runs_create(&p, &n, &code);
     if (runs != NULL && p.words.dry)
-        say_what_would_run(&p, n, runs);
+        print_plan(&p, n, runs);
     else if (runs != NULL)
         code = perform(&p, n, runs);
     if (runs != NULL) runs_free(n, runs);

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* study_picture.c -- error against cost, drawn by gnuplot.
  *
- * A panel a measure. A line goes along the axis; lines differ by the shape of
- * their points and by their dashes, so that no colour is needed to tell them
- * apart. The grey steps are the front: the least error that so much buys.
+ * A panel a measure, two of them one above the other, so that its letters can
+ * be read at half the width of a page. A line goes along the axis; lines differ
+ * by the shape of their points and by their dashes, so that no colour is needed
+ * to tell them apart. The grey steps are the front: the least error that so
+ * much buys.
  */
 #include "study/study_report.h"
 
@@ -59,11 +61,12 @@ static int next_line(const struct outcomes *o, int m, int first)
 static void put_point(const struct outcomes *o, int m, int v, FILE *out)
 {
     const struct finding *const f = &o->variant[v].of[m];
-    const double low = fmax(f->error - 2.0 * f->doubt, 1e-2 * f->error);
+    const double low = fmax(f->error - 2.0 * f->uncertainty, 1e-2 * f->error);
     const struct choices *const c = &o->plan->choices;
 
     fprintf(out, "%.8g %.8g %.8g %.8g \"%s\"\n", o->variant[v].cost,
-            100.0 * f->error, 100.0 * low, 100.0 * (f->error + 2.0 * f->doubt),
+            100.0 * f->error, 100.0 * low,
+            100.0 * (f->error + 2.0 * f->uncertainty),
             o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]));
 }
 
@@ -112,20 +115,21 @@ static void put_data(const struct outcomes *o, int m, FILE *out)
 
 static const char opening[] =
     "# gnuplot -c study.gp svg FILE    or png FILE, in this folder\n"
-    "size_x = width > 1 ? 560.0 : 720.0; size_y = 360.0 + 26.0 * (lines + 1)\n"
+    "size_x = 130.0 + 8.0 * (longest > 56 ? longest : 56)\n"
+    "size_y = 400.0 + 27.0 * (lines + 1)\n"
     "if (ARG1 eq 'png') {\n"
-    "    set terminal pngcairo size 2*width*size_x, 2*rows*size_y font "
-    "'Sans,13' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'\n"
+    "    set terminal pngcairo size 2*wide*size_x, 2*rows*size_y font "
+    "'Sans,16' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'\n"
     "} else {\n"
-    "    set terminal svg size width*size_x, rows*size_y dynamic font "
-    "'sans,13' background '#ffffff'\n"
+    "    set terminal svg size wide*size_x, rows*size_y dynamic font "
+    "'sans,16' background '#ffffff'\n"
     "}\n"
     "set output ARG2\n"
     "set border 3 linecolor rgb '#555555'\n"
-    "set tics nomirror textcolor rgb '#333333'\n"
+    "set tics nomirror font ',14' textcolor rgb '#333333'\n"
     "set grid linecolor rgb '#dddddd' linetype 1\n"
-    "set key outside bottom left horizontal Left reverse spacing 1.3 "
-    "samplen 4 noenhanced\n"
+    "set key outside bottom left horizontal Left reverse spacing 1.2 "
+    "samplen 4 font ',14' noenhanced\n"
     "set logscale xy\n"
     "set format '%g'\n"
     "set bars 0.6\n"
@@ -164,7 +168,7 @@ static void put_labels(const struct plan *p, int m, FILE *out)
     fputs(" noenhanced\nset ylabel 'error [%]'\nset title ", out);
     snprintf(text, sizeof text, "%s against %s", measure, truth);
     put_quoted(out, strlen(text) > 60 ? measure : text);
-    fputs(" font ',12' noenhanced offset 0,-0.5\n", out);
+    fputs(" font ',15' noenhanced offset 0,-0.5\n", out);
 }
 
 /* The range of an axis and its marks: decades; 1, 2, 5 of each where there are
@@ -200,7 +204,7 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
         low[0] = fmin(low[0], of->cost);
         high[0] = fmax(high[0], of->cost);
         low[1] = fmin(low[1], 100.0 * f->error);
-        high[1] = fmax(high[1], 100.0 * (f->error + 2.0 * f->doubt));
+        high[1] = fmax(high[1], 100.0 * (f->error + 2.0 * f->uncertainty));
     }
     put_range("x", low[0] / 1.3, 1.6 * high[0], out);
     put_range("y", low[1] / 2.0, 1.6 * high[1], out);
@@ -229,16 +233,20 @@ static double median_order(const struct outcomes *o, int m, int first)
     return median;
 }
 
-static void put_title(const struct outcomes *o, int m, int first, FILE *out)
+/* What a line is called; to be freed. */
+static char *title_of(const struct outcomes *o, int m, int first)
 {
     char *const label = choices_label(&o->plan->choices, first, o->axis);
     const double order = median_order(o, m, first);
-    char text[1024];
+    char *text;
+    size_t length;
+    FILE *const out = open_memstream(&text, &length);
 
-    snprintf(text, sizeof text, "%.900s", label[0] != '\0' ? label : "error");
-    if (isfinite(order)) sprintf(text + strlen(text), ", order %.2g", order);
-    put_quoted(out, text);
+    fputs(label[0] != '\0' ? label : "error", out);
+    if (isfinite(order)) fprintf(out, ", order %.2g", order);
+    fclose(out);
     free(label);
+    return text;
 }
 
 /* One line of the plot command: its points, with error bars where there are
@@ -247,23 +255,25 @@ static void put_line(const struct outcomes *o, int m, int first, int number,
                      FILE *out)
 {
     const int alone = points(o, m, first) == 1;
-    int doubtful = 0;
+    char *const title = title_of(o, m, first);
+    int has_bars = 0;
 
     for (int v = 0; v < o->n; v++)
-        doubtful |= is_on(o, first, v) && o->variant[v].of[m].doubt > 0.0;
+        has_bars |= is_on(o, first, v) && o->variant[v].of[m].uncertainty > 0.0;
     fprintf(out, ", \\\n  $line%d using %s with %s linetype %d title ", first,
-            doubtful ? "1:2:3:4" : "1:2",
-            doubtful ? alone ? "yerrorbars" : "yerrorlines"
+            has_bars ? "1:2:3:4" : "1:2",
+            has_bars ? alone ? "yerrorbars" : "yerrorlines"
             : alone  ? "points"
                      : "linespoints",
             number);
-    put_title(o, m, first, out);
+    put_quoted(out, title);
+    free(title);
     /* The values of the axis beside the points: once, where lines are many. */
     if (o->axis >= 0 && (number == 1 || points(o, m, -1) <= 12))
         fprintf(
             out,
             ", \\\n  '' using 1:2:5 with labels left offset "
-            "0.8,0.6 font ',10' textcolor rgb '#444444' noenhanced notitle");
+            "0.8,0.6 font ',13' textcolor rgb '#444444' noenhanced notitle");
 }
 
 static void put_panel(const struct outcomes *o, int m, FILE *out)
@@ -281,28 +291,38 @@ static void put_panel(const struct outcomes *o, int m, FILE *out)
     fputc('\n', out);
 }
 
-static int most_lines(const struct outcomes *o)
+/* How much a panel has to hold. */
+struct contents {
+    int lines, longest; /* [-] most lines, letters of the longest title */
+};
+
+static struct contents contents_of(const struct outcomes *o)
 {
-    int most = 0;
+    struct contents c = {0, (int)strlen(o->plan->words.title)};
 
     for (int m = 0; m < o->plan->n_measures; m++) {
         int n = 0;
-        for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l))
-            n++;
-        if (n > most) most = n;
+        for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l)) {
+            char *const title = title_of(o, m, l);
+            const int length = (int)strlen(title);
+            if (length > c.longest) c.longest = length;
+            if (++n > c.lines) c.lines = n;
+            free(title);
+        }
     }
-    return most;
+    return c;
 }
 
 static int write_script(const struct outcomes *o, int panels)
 {
     struct file *const f = study_report_file(o->plan, script);
-    const int wide = panels > 1 ? 2 : 1, rows = (panels + 1) / 2;
+    const int wide = panels > 2 ? 2 : 1, rows = (panels + wide - 1) / wide;
+    const struct contents c = contents_of(o);
 
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
-    fprintf(out, "width = %d; rows = %d; lines = %d\n%s", wide, rows,
-            most_lines(o), opening);
+    fprintf(out, "wide = %d; rows = %d; lines = %d; longest = %d\n%s", wide,
+            rows, c.lines, c.longest, opening);
     fprintf(out, "set multiplot layout %d,%d title ", rows, wide);
     put_quoted(out, o->plan->words.title);
     fputs(" noenhanced\n", out);

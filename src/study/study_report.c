@@ -77,7 +77,7 @@ static void put_choices(const struct plan *p, const struct run *r, FILE *out)
 
         for (int k = 0; k < c->key.n; k++) {
             fputc(',', out);
-            put_text(out, c->value.text[entry * c->key.n + k]);
+            put_text(out, choices_in_entry(c, entry, k));
         }
     }
 }
@@ -151,9 +151,9 @@ static void put_finding(const struct finding *f, FILE *out)
     put_rounded(out, f->value, 4, "");
     fputs(" | ", out);
     put_rounded(out, 100.0 * f->error, 3, " %");
-    if (f->doubt > 0.0) {
+    if (f->uncertainty > 0.0) {
         fputs(" +- ", out);
-        put_rounded(out, 100.0 * f->doubt, 3, " %");
+        put_rounded(out, 100.0 * f->uncertainty, 3, " %");
         if (!outcome_is_resolved(f) && isfinite(f->error))
             fputs(" (no difference)", out);
     }
@@ -248,6 +248,11 @@ static void put_fitted(const struct outcomes *o, FILE *out)
     }
 }
 
+/* Which costs the advice takes for the same. */
+static const char same_costs[] =
+    "Costs that two standard errors over the seeds explain count as the same, "
+    "and so do times that differ by less than a tenth.";
+
 int study_report_variants(const struct outcomes *o)
 {
     const struct plan *const p = o->plan;
@@ -259,8 +264,8 @@ int study_report_variants(const struct outcomes *o)
     for (int m = 0; m < p->n_measures; m++)
         fprintf(out, "%s%s against %s", m > 0 ? ", " : "", p->measure[m].text,
                 p->truth[m].text);
-    fprintf(out, ".\nSeeds: %d; repetitions: %d, the least counts.\n\n",
-            p->words.seeds, p->words.times);
+    fprintf(out, ".\nSeeds: %d; repetitions: %d, the least counts. %s\n\n",
+            p->words.seeds, p->words.times, same_costs);
     put_table(o, out);
     fputc('\n', out);
     put_fitted(o, out);

@@ -223,6 +223,11 @@ static int take_study(struct study_words *w, const char *file)
 
     if (s == NULL) return code;
     w->case_file = beside(w, settings_text(s, "case"));
+    if (is_study(w->case_file, &code))
+        return settings_wrong(s, "case",
+                              "%s is a study, and a study asks for "
+                              "a case",
+                              w->case_file);
     for (int i = 0; i < settings_length(s, "vary") && code == 0; i++)
         code = take_vary(w, i);
     for (int i = 0; i < settings_length(s, "measures") && code == 0; i++)

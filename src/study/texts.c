@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/texts.h"
 
-#include "base/alloc.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,14 +8,14 @@
 const char *texts_add(struct texts *t, const char *format, ...)
 {
     va_list values;
+    char *text;
+    size_t length;
+    FILE *const out = open_memstream(&text, &length);
 
     va_start(values, format);
-    const int length = vsnprintf(NULL, 0, format, values);
+    vfprintf(out, format, values);
     va_end(values);
-    char *const text = alloc_zeroed((size_t)length + 1, 1);
-    va_start(values, format);
-    vsnprintf(text, (size_t)length + 1, format, values);
-    va_end(values);
+    fclose(out);
     t->text = realloc(t->text, ((size_t)t->n + 2) * sizeof *t->text);
     if (t->text == NULL) exit(4);
     t->text[t->n] = text;

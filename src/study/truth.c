@@ -36,6 +36,7 @@ static int take_columns(struct truth *t, const struct results_table *table)
     for (int i = 0; i < table->n_rows; i++) {
         const double x = table->value[i * m], q = table->value[i * m + 1];
         if (isnan(q)) continue;
+        if (isinf(x) || isinf(q)) return refuse(t, 2, "has an infinite number");
         if (isnan(x) || (c->n > 0 && x <= c->x[c->n - 1]))
             return refuse(t, 2,
                           "its first column does not rise from row to "

@@ -142,7 +142,6 @@ static void add_shares(const struct mesh *m, const struct patch *p,
 void inlet_builder_shares(const struct settings *s, const char *patch,
                           double *mean, double *peak)
 {
-    double *series;
     struct mesh *m = case_mesh_outline(s);
     const int is_uniform =
         profile_of(s, mesh_patch(m, patch)) == inlet_profiles[0];
@@ -151,12 +150,12 @@ void inlet_builder_shares(const struct settings *s, const char *patch,
     mesh_free(m);
     if (is_uniform) return;
     m = case_mesh_create(s);
-    struct boundary *const all = build_boundaries(s, m, &series);
+    struct boundary *const all = build_boundaries(s, m);
     const struct patch *const p = mesh_patch(m, patch);
     for (int i = 0; i <= INLET_BUILDER_TIMES && all != NULL; i++)
         add_shares(m, p, &all[p - m->patches],
                    settings_real(s, "output.end") * i / INLET_BUILDER_TIMES,
                    mean, peak);
-    if (all != NULL) build_boundaries_free(all, m->n_patches, series);
+    if (all != NULL) build_boundaries_free(all, m->n_patches);
     mesh_free(m);
 }

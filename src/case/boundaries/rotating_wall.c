@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "base/model.h"
 #include "base/vector.h"
-#include "mesh/face_corners.h"
+#include "mesh/geometry/face_corners.h"
 
 /* From the projection of the cell's centre onto boundary face f, where the
  * viscous force takes the velocity of a wall, to the middle of the face; 0 if

@@ -23,7 +23,6 @@ static int needs_arrays(const struct settings *s, const struct patch *p)
 int boundary_check(const struct settings *s)
 {
     struct mesh *m = case_mesh_outline(s);
-    double *series;
     int failed = 0, needs = 0;
 
     for (int i = 0; i < m->n_patches; i++)
@@ -31,9 +30,9 @@ int boundary_check(const struct settings *s)
     mesh_free(m);
     if (!needs) return 0;
     m = case_mesh_create(s);
-    struct boundary *const all = build_boundaries(s, m, &series);
+    struct boundary *const all = build_boundaries(s, m);
     failed = all == NULL;
-    if (!failed) build_boundaries_free(all, m->n_patches, series);
+    if (!failed) build_boundaries_free(all, m->n_patches);
     mesh_free(m);
     return failed ? 2 : 0;
 }

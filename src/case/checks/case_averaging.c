@@ -72,7 +72,7 @@ static int check_second_grid(const struct settings *s)
     double lo[3], hi[3], cells = 1.0;
 
     if (!averaging_method_named(settings_text(s, "averaging.method"))
-             ->lays_grid)
+             ->has_own_grid)
         return 0;
     const double b = settings_real(s, key);
     case_mesh_ends(s, lo, hi);
@@ -93,9 +93,9 @@ static int check_given(const struct settings *s)
 
     if (delta && model_choice_unread(s, "averaging", "averaging.delta_05") != 0)
         return 2;
-    if (settings_length(s, "averaging.regions") > BUILD_MOST_REGIONS)
+    if (settings_length(s, "averaging.regions") > BUILD_MAX_REGIONS)
         return settings_wrong(s, "averaging.regions", "%d at most",
-                              BUILD_MOST_REGIONS);
+                              BUILD_MAX_REGIONS);
     if (b && delta)
         return settings_wrong(s, "averaging.delta_05",
                               "give either bandwidth or delta_05, not both");

@@ -8,6 +8,7 @@
 #include "base/vector.h"
 #include "case/case_mesh.h"
 #include "case/extent/case_extent.h"
+#include "mesh/geometry/measures.h"
 
 /* --- its keys ------------------------------------------------------------- */
 

@@ -33,7 +33,7 @@ static struct attraction_scene scene_of(const struct settings *s,
 
 static int is_attraction(const struct settings *s, const struct effect *e)
 {
-    return e->attraction != NULL && settings_has(s, e->keys[0].path);
+    return e->attraction != NULL && settings_has(s, e->keys[0]->path);
 }
 
 /* One block: the attractions, then the charges of the materials. */
@@ -51,7 +51,7 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     const struct attraction_scene scene = scene_of(s, (double *)(all + *n));
     for (int k = 0, i = 0; effects[k] != NULL; k++) {
         if (!is_attraction(s, effects[k])) continue;
-        table_numbers(s, effects[k]->keys, numbers, MOST_NUMBERS);
+        table_numbers(s, effects[k]->keys[0], numbers, MOST_NUMBERS);
         all[i++] = effects[k]->attraction(numbers, &scene);
     }
     return all;
@@ -66,10 +66,10 @@ static int check(const struct settings *s)
 
     for (int k = 0; effects[k] != NULL && code == 0; k++) {
         const struct effect *const e = effects[k];
-        if (e->wrong == NULL || !settings_has(s, e->keys[0].path)) continue;
-        table_numbers(s, e->keys, numbers, MOST_NUMBERS);
+        if (e->wrong == NULL || !settings_has(s, e->keys[0]->path)) continue;
+        table_numbers(s, e->keys[0], numbers, MOST_NUMBERS);
         const char *const why = e->wrong(numbers, &scene);
-        if (why != NULL) code = settings_wrong(s, e->keys[0].path, "%s", why);
+        if (why != NULL) code = settings_wrong(s, e->keys[0]->path, "%s", why);
     }
     free(charge);
     return code;

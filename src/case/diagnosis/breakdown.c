@@ -108,7 +108,7 @@ static void describe_seen(const struct simulation *sim, const char *when,
         "of no cell is below %.3g.\nTry averaging.method = \"diffusion\", or "
         "\"kernel\" with a bandwidth from 1.5 of the largest cells on, larger "
         "cells, or averaging.interpolation = \"nearest\"",
-        sim->coupling->report.seen_lowest, when,
+        sim->coupling->report.lowest_interpolated, when,
         sim->coupling->report.eps_lowest);
 }
 
@@ -118,7 +118,7 @@ static const char *trouble_of(const struct simulation *sim)
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
         const char *const text = e->effect->mover != NULL
-                                     ? e->effect->mover->trouble(e->memory)
+                                     ? e->effect->mover->failure(e->memory)
                                      : NULL;
         if (text != NULL) return text;
     }
@@ -145,7 +145,8 @@ static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
         describe_overlap(sim, when, text);
     else if (sim->coupling != NULL && sim->coupling->report.eps_lowest <= 0.0)
         describe_solids(sim, when, text);
-    else if (sim->coupling != NULL && sim->coupling->report.seen_lowest <= 0.0)
+    else if (sim->coupling != NULL &&
+             sim->coupling->report.lowest_interpolated <= 0.0)
         describe_seen(sim, when, text);
     else
         snprintf(text, RUN_PART_TEXT,

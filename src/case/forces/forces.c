@@ -21,7 +21,7 @@
 #include "case/forces/forces.h"
 #include "case/forces/surface_loads.h"
 #include "fluid/forces/wall_stress.h"
-#include "mesh/face_corners.h"
+#include "mesh/geometry/face_corners.h"
 #include "output/table.h"
 
 enum { COLUMN = 96, EACH = 15 };
@@ -97,9 +97,7 @@ static void direction(const struct settings *s, int i, const char *key,
 
 static double real_or_0(const struct settings *s, int i, const char *key)
 {
-    return settings_item_has(s, forces_list, i, key)
-               ? settings_item_real(s, forces_list, i, key)
-               : 0.0;
+    return settings_item_real_or(s, forces_list, i, key, 0.0);
 }
 
 /* NULL where the case does not say it. */

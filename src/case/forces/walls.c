@@ -11,7 +11,7 @@
 #include "case/field_output.h"
 #include "case/forces/forces.h"
 #include "fluid/forces/wall_stress.h"
-#include "mesh/face_corners.h"
+#include "mesh/geometry/face_corners.h"
 #include "output/series.h"
 #include "output/polygons/vtk_polygons.h"
 

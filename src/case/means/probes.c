@@ -57,7 +57,7 @@ static int create_sensor(const struct recorder_view *v, int i,
     if (sensor->field.values == NULL)
         return settings_wrong(s, list, "the case has no field %s",
                               sensor->field.name);
-    sensor->at = probe_at(v->seen->mesh, x);
+    sensor->at = probe_at(v->drawn->mesh, x);
     snprintf(sensor->name, NAME, "%s(%g %g %g) [%s]", sensor->field.name, x[0],
              x[1], x[2], sensor->field.unit);
     return 0;

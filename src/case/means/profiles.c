@@ -153,7 +153,7 @@ static int create_line(const struct recorder_view *v, int i, struct line *line)
     if (field.values == NULL)
         return settings_wrong(s, list, "the case has no field %s", field.name);
     line->upright = v->sim->gravity[where.along] != 0.0;
-    line->profile = profile_create(v->seen->mesh, &where, 1, &field);
+    line->profile = profile_create(v->drawn->mesh, &where, 1, &field);
     profiles_name(s, i, line->name);
     return line->profile == NULL;
 }

@@ -9,8 +9,6 @@
 #include "case/schema.h"
 #include "case/source.h"
 
-static const char placeholder[] = "<patch>";
-
 /* The length of all paths with their closing zeros [byte]. */
 static size_t room_for(const struct key *table, int n,
                        const struct mesh_patch_name *patch, int *rows)
@@ -19,7 +17,7 @@ static size_t room_for(const struct key *table, int n,
 
     *rows = 1;
     for (const struct key *k = table; k->path != NULL; k++) {
-        const int is_patch = strstr(k->path, placeholder) != NULL;
+        const int is_patch = strstr(k->path, KEY_ANY_PATCH) != NULL;
         *rows += is_patch ? n : 1;
         for (int i = 0; i < n && is_patch; i++)
             text += strlen(k->path) + strlen(patch[i].name) + 1;
@@ -30,7 +28,7 @@ static size_t room_for(const struct key *table, int n,
 static int is_of_patches(const struct key *table)
 {
     for (const struct key *k = table; k->path != NULL; k++)
-        if (strstr(k->path, placeholder) != NULL) return 1;
+        if (strstr(k->path, KEY_ANY_PATCH) != NULL) return 1;
     return 0;
 }
 
@@ -47,13 +45,13 @@ struct key *patch_schema_create(const struct key *table, int n,
     char *path = (char *)(made + rows);
 
     for (const struct key *k = table; k->path != NULL; k++) {
-        const char *const at = strstr(k->path, placeholder);
+        const char *const at = strstr(k->path, KEY_ANY_PATCH);
         if (at == NULL) *next++ = *k;
         for (int i = 0; i < n && at != NULL; i++, next++) {
             *next = *k;
             next->path = path;
             path += sprintf(path, "%.*s%s%s", (int)(at - k->path), k->path,
-                            patch[i].name, at + strlen(placeholder)) +
+                            patch[i].name, at + strlen(KEY_ANY_PATCH)) +
                     1;
             if (next->type == KEY_PATCH)
                 next->what = "a patch of the mesh from files";

@@ -28,7 +28,7 @@ static void take_material(void *memory, const struct simulation *sim,
         to[i] = ps->material != NULL ? ps->material[i] : 0;
 }
 
-/* The outside force of the last sub-step less the weight, with the present
+/* The external force of the last sub-step less the weight, with the present
  * velocity in the implicit part of the drag. */
 static void take_fluid_force(void *memory, const struct simulation *sim,
                              double *to)

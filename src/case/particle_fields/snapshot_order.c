@@ -23,6 +23,16 @@ static void put_in_order(const struct snapshot *s, int width, double *values,
             values[width * i + k] = to[width * s->order[2 * i + 1] + k];
 }
 
+static void put_materials_in_order(struct snapshot *s)
+{
+    int *const room = alloc_ints(s->n);
+
+    for (int i = 0; i < s->n; i++)
+        room[i] = s->material[s->order[2 * i + 1]];
+    memcpy(s->material, room, (size_t)s->n * sizeof *room);
+    free(room);
+}
+
 /* order: pairs of id and place. */
 static void sort(struct snapshot *s)
 {
@@ -40,13 +50,10 @@ static void sort(struct snapshot *s)
         put_in_order(s, 1, group[a], room);
     for (int a = 0; a < s->n_more; a++)
         put_in_order(s, s->more[a]->components, s->value[a], room);
-    for (int i = 0; i < s->n; i++) {
-        s->id[i] = s->order[2 * i];
-        room[i] = s->material != NULL ? s->material[s->order[2 * i + 1]] : 0;
-    }
-    for (int i = 0; i < s->n && s->material != NULL; i++)
-        s->material[i] = (int)room[i];
     free(room);
+    if (s->material != NULL) put_materials_in_order(s);
+    for (int i = 0; i < s->n; i++)
+        s->id[i] = s->order[2 * i];
 }
 
 void snapshot_order_by_id(struct snapshot *s)

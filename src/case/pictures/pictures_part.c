@@ -30,7 +30,7 @@ static void *create(const struct recorder_view *v, int *failed)
 
     p->view = *v;
     p->at_end = settings_bool(v->settings, "output.picture") &&
-                (v->seen != v->sim || v->sim->processes == NULL);
+                (v->drawn != v->sim || v->sim->processes == NULL);
     if (v->sim->particles == NULL ||
         !settings_bool(v->settings, "output.animation"))
         return p;
@@ -48,7 +48,7 @@ static struct picture picture_of(const struct recorder_view *v)
 
     return (struct picture){.title = settings_text(v->settings, "title"),
                             .time = s->t,
-                            .mesh = v->seen->mesh,
+                            .mesh = v->drawn->mesh,
                             .eps = s->eps,
                             .u = s->u,
                             .p = s->p,

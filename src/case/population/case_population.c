@@ -54,14 +54,11 @@ static int material_of(const struct settings *s, int i)
 static struct insertion_options options(const struct settings *s, int i)
 {
     struct insertion_options o = {
-        .diameter = has(s, i, "diameter")
-                        ? settings_item_real(s, sources, i, "diameter")
-                        : 0.0,
+        .diameter = settings_item_real_or(s, sources, i, "diameter", 0.0),
         .material = material_of(s, i),
         .count =
             has(s, i, "count") ? settings_item_int(s, sources, i, "count") : 0,
-        .rate =
-            has(s, i, "rate") ? settings_item_real(s, sources, i, "rate") : 0.0,
+        .rate = settings_item_real_or(s, sources, i, "rate", 0.0),
         .start = settings_item_real(s, sources, i, "start"),
         .seed = (unsigned long)settings_item_int(s, sources, i, "seed")};
 
@@ -79,6 +76,16 @@ static struct sizes *sizes_of(const struct settings *s, int i)
                : NULL;
 }
 
+static struct box_domain box_of(const struct settings *s)
+{
+    double lo[3], hi[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    return box_domain_of(lo, hi, periodic);
+}
+
 /* One source whole; non-zero after a message if its file is wrong. */
 static int create_source(const struct settings *s, int i, struct insertion *in)
 {
@@ -86,6 +93,7 @@ static int create_source(const struct settings *s, int i, struct insertion *in)
                              .own_sizes = sizes_of(s, i)};
     in->options.sizes = in->own_sizes;
     char path[SETTINGS_PATH];
+    double offset[3];
 
     if (!has(s, i, "file")) return 0;
     settings_beside(s, settings_item_text(s, sources, i, "file"), path,
@@ -94,6 +102,10 @@ static int create_source(const struct settings *s, int i, struct insertion *in)
     in->options.list = in->own_list;
     if (in->options.rate == 0.0)
         in->options.overlap = particle_options_wall_overlap(s);
+    const struct box_domain box = box_of(s);
+    settings_item_vector(s, sources, i, "offset", offset);
+    if (in->own_list != NULL)
+        insertion_move(in->own_list, in->options.count, offset, &box);
     return in->own_list == NULL;
 }
 
@@ -172,23 +184,22 @@ static int check_no_contacts(const struct settings *s, int i,
 static int check_list(const struct settings *s, int i,
                       const struct insertion_options *o)
 {
-    double lo[3], hi[3];
-    int periodic[3];
+    const struct box_domain box = box_of(s);
 
-    case_mesh_ends(s, lo, hi);
-    case_mesh_periodic(s, periodic);
     for (long q = 0; q < o->count; q++)
         for (int k = 0; k < 3; k++) {
+            const double *const x = o->list[q].x, d = o->list[q].d;
             const double margin =
-                periodic[k] ? 0.0 : (0.5 - o->overlap) * o->list[q].d;
-            if (o->list[q].x[k] < lo[k] + margin ||
-                o->list[q].x[k] > hi[k] - margin)
-                return settings_wrong(s, sources,
-                                      "source %d: sphere %ld is not inside the "
-                                      "box; see particles.overlaps",
-                                      i, q);
+                box.periodic[k] ? 0.0 : (0.5 - o->overlap) * d;
+            if (x[k] < box.lo[k] + margin || x[k] > box.hi[k] - margin)
+                return settings_wrong(
+                    s, sources,
+                    "source %d: sphere %ld at [%g, %g, %g] m with diameter %g "
+                    "m is not inside the box; offset moves all of the file, "
+                    "and particles.overlaps = \"allow\" takes a sphere whose "
+                    "centre is inside",
+                    i, q, x[0], x[1], x[2], d);
         }
-    const struct box_domain box = box_domain_of(lo, hi, periodic);
     return check_no_contacts(s, i, o, &box);
 }
 
@@ -354,13 +365,10 @@ static struct population_sink sink_of(const struct settings *s, int i)
 static int add(const struct settings *s, struct simulation *sim)
 {
     const int n = settings_length(s, sources), m = settings_length(s, sinks);
-    double lo[3], hi[3];
-    int periodic[3], code = 0;
+    int code = 0;
 
     if (n + m == 0) return 0;
-    case_mesh_ends(s, lo, hi);
-    case_mesh_periodic(s, periodic);
-    const struct box_domain box = box_domain_of(lo, hi, periodic);
+    const struct box_domain box = box_of(s);
     struct population *const l = sim->population =
         population_create(&box, n, m);
     sim->insert_remove = &replacement_functions;

@@ -12,9 +12,7 @@ static const char list[] = "particles.sizes";
 
 static double given(const struct settings *s, int i, const char *key)
 {
-    return settings_item_has(s, list, i, key)
-               ? settings_item_real(s, list, i, key)
-               : 0.0;
+    return settings_item_real_or(s, list, i, key, 0.0);
 }
 
 /* The points are to be released with free(). */

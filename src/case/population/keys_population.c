@@ -43,6 +43,10 @@ const struct key case_population_keys[] = {
      "with names of columns, or a dump or a data file of LAMMPS or LIGGGHTS; "
      "beside the case unless it begins with /",
      "", ""},
+    {"particles.insert.offset", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
+     "added to the places of the file; one that is then outside a periodic "
+     "direction is brought back",
+     "", ""},
     {"particles.sinks", KEY_LIST, "", "", "",
      "sinks: where particles are removed, a side of the box or a region", "",
      ""},

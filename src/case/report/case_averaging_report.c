@@ -9,6 +9,7 @@
 #include "case/checks/check_line.h"
 #include "case/particle_options.h"
 #include "mesh/mesh.h"
+#include "mesh/geometry/measures.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,7 +93,7 @@ void case_averaging_print(const struct settings *s,
 
     puts("Averaging");
     if (o.bandwidth > 0.0)
-        print_bandwidth(m, o.bandwidth, k->S_c, method->even_widths);
+        print_bandwidth(m, o.bandwidth, k->S_c, method->uniform_widths);
     if (b > 0.0) {
         print_smearing(s, b, k);
         print_depth(m, b);

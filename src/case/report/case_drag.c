@@ -100,9 +100,9 @@ static struct added_mass added_mass(const struct settings *s, double dt)
     for (int i = 0; effects[i] != NULL; i++) {
         double numbers[16] = {0.0};
         if (effects[i]->added_mass == NULL ||
-            !settings_has(s, effects[i]->keys[0].path))
+            !settings_has(s, effects[i]->keys[0]->path))
             continue;
-        table_numbers(s, effects[i]->keys, numbers, 16);
+        table_numbers(s, effects[i]->keys[0], numbers, 16);
         k.numbers = numbers;
         effects[i]->added_mass(&k, &sum);
     }

@@ -52,7 +52,7 @@ static const struct attraction *pair_of(const struct effect *e,
 /* 1 if the case has what the effect needs. */
 static int applies(const struct settings *s, const struct effect *e)
 {
-    return strstr(e->keys[0].needs, "fluid") == NULL ||
+    return strstr(e->keys[0]->needs, "fluid") == NULL ||
            settings_has(s, "exchange");
 }
 
@@ -60,9 +60,9 @@ static int applies(const struct settings *s, const struct effect *e)
 static int is_replaced(const struct settings *s, const struct effect *e)
 {
     for (int i = 0; effects[i] != NULL; i++) {
-        const struct key *const key = effects[i]->keys;
+        const struct key *const key = effects[i]->keys[0];
         const char *const instead = strchr(key->needs, '!');
-        if (instead != NULL && strcmp(instead + 1, e->keys[0].path) == 0 &&
+        if (instead != NULL && strcmp(instead + 1, e->keys[0]->path) == 0 &&
             settings_has(s, key->path))
             return 1;
     }
@@ -97,7 +97,7 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
 
     for (int i = 0; effects[i] != NULL; i++) {
         const struct effect *const e = effects[i];
-        const int named = settings_has(s, e->keys[0].path);
+        const int named = settings_has(s, e->keys[0]->path);
         double numbers[16] = {0.0};
 
         if (!applies(s, e) || (e->estimate == NULL && !named)) continue;
@@ -106,7 +106,7 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
                    "-", "", 100.0 * cost_of(e, in, k->rho_f > 0.0));
             continue;
         }
-        if (named) table_numbers(s, e->keys, numbers, 16);
+        if (named) table_numbers(s, e->keys[0], numbers, 16);
         k->numbers = named ? numbers : NULL;
         k->pair = named ? pair_of(e, numbers, all, n) : NULL;
         const struct effect_estimate estimate = e->estimate(k);

@@ -12,6 +12,7 @@
 #include "base/vector.h"
 #include "case/boundaries/inlet_builder.h"
 #include "case/case_mesh.h"
+#include "mesh/geometry/measures.h"
 
 /* The largest velocities [m/s], the largest Courant number over the step, and
  * the rate of viscous diffusion across a cell, nu / h^2 [1/s]. */
@@ -158,6 +159,12 @@ static void add_patch(const struct settings *s, const struct mesh *m,
     add_wall(m, p, u, r);
 }
 
+/* How many directions have more than one cell [-]. */
+static int directions_of(const struct box *b)
+{
+    return (b->n[0] > 1) + (b->n[1] > 1) + (b->n[2] > 1);
+}
+
 static struct rates rates_of(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);
@@ -171,8 +178,8 @@ static struct rates rates_of(const struct settings *s)
         r.mean = vector_length(u);
         r.courant = fmax(r.courant, fill_rate(m, u));
     }
-    const int directions = mesh_dimensions(m); /* 0 of a mesh of polyhedra */
-    if (directions != 1)                       /* nothing is split in one */
+    const int directions = directions_of(&m->box); /* 0 of polyhedra */
+    if (directions != 1)                           /* nothing is split in one */
         r.viscous = settings_real(s, "fluid.viscosity") /
                     settings_real(s, "fluid.density") * mesh_diffusion_rate(m) /
                     (directions > 0 ? 2.0 * directions : 6.0);
@@ -188,13 +195,14 @@ static void line(const char *name, double value, const char *unit,
 
 /* The residual of the splitting enters the next step, so that the velocities
  * beside a wall alternate from step to step, by about fluid.piso_tolerance
- * times nu dt / h^2 of their difference, and the pressure from cell to cell. */
+ * times nu dt / h^2 of their difference, and the pressure from cell to cell.
+ * Bodies have a line for it of their own. */
 static void print_viscous(const struct settings *s, double number)
 {
     const double part = settings_real(s, "fluid.piso_tolerance") * number;
     char remark[96];
 
-    if (part < 2e-3) return;
+    if (part < 2e-3 || settings_has(s, "bodies")) return;
     snprintf(
         remark, sizeof remark,
         "HIGH: pressure, forces on walls to %.1g; fluid.piso_tolerance = %.0e",

@@ -151,12 +151,12 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
         k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
                                       0.5 * k->gravity * in->end));
     if (k->slip == 0.0 && k->mu > 0.0) /* of the push alone */
-        k->slip = k->push * k->d * k->d / (18.0 * k->mu);
+        k->slip = k->mean_gradient * k->d * k->d / (18.0 * k->mu);
     k->carried = 1;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
     k->shear = shear_of_walls(s);
-    if (k->push > 0.0 && k->mu > 0.0) /* at the wall of a channel */
-        k->shear = fmax(k->shear, k->push * k->length / k->mu);
+    if (k->mean_gradient > 0.0 && k->mu > 0.0) /* at the wall of a channel */
+        k->shear = fmax(k->shear, k->mean_gradient * k->length / k->mu);
     k->spin = p->spin;
     k->time = settings_real(s, "output.end");
     k->acceleration = k->slip / k->time;
@@ -200,7 +200,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
     if (settings_has(s, "exchange")) {
         if (settings_has(s, "fluid.mean_gradient")) {
             settings_vector(s, "fluid.mean_gradient", g);
-            k.push = vector_length(g);
+            k.mean_gradient = vector_length(g);
         }
         k.rho_f = settings_real(s, "fluid.density");
         k.mu = settings_real(s, "fluid.viscosity");

@@ -166,36 +166,29 @@ int equation_index_has_function(const char *name)
     return 0;
 }
 
+void equation_index_offer_functions(struct nearest *n)
+{
+    for (const struct equation_index_row *r = equation_index_rows;
+         r->key != NULL; r++)
+        if (r->kind == EQUATION_INDEX_FUNCTION) nearest_offer(n, r->name);
+}
+
 /* Where a function stands, and the equations that it computes. */
-int equation_index_explain_function(const char *name)
+void equation_index_explain_function(const char *name)
 {
     const char *file = "";
-    struct nearest n;
     int found = 0;
 
-    nearest_init(&n, name);
     for (const struct equation_index_row *r = equation_index_rows;
          r->key != NULL; r++) {
-        if (r->kind != EQUATION_INDEX_FUNCTION) continue;
-        nearest_offer(&n, r->name);
-        if (strcmp(r->name, name) != 0) continue;
+        if (r->kind != EQUATION_INDEX_FUNCTION || strcmp(r->name, name) != 0)
+            continue;
         if (strcmp(r->file, file) != 0) printf("%s, %s\n", name, r->file);
         file = r->file;
         printf("  %-13s %s: %s\n", found++ == 0 ? "computes" : "", r->key,
                row_of(r->key)->name);
         print_formula(r->key, 18);
     }
-    if (found > 0) return 0;
-    fprintf(stderr, "winnow: no equation is computed by %s%s%s%s\n", name,
-            nearest_best(&n) != NULL ? "; did you mean " : "",
-            nearest_best(&n) != NULL ? nearest_best(&n) : "",
-            nearest_best(&n) != NULL ? "?" : "");
-    return 2;
-}
-
-int equation_index_is_function(const char *word)
-{
-    return word[strspn(word, "abcdefghijklmnopqrstuvwxyz_0123456789")] == '\0';
 }
 
 /* What is no equation of the documents may be one of eval: a drag law. */

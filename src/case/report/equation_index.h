@@ -31,14 +31,14 @@ extern const struct equation_index_row equation_index_rows[];
  * document, XS11, and not as the name of a case file. */
 int equation_index_is_key(const char *word);
 
-/* 1 if the word may be the name of a function: small letters, digits and _. */
-int equation_index_is_function(const char *word);
-
-/* 1 if there are equations that a function of that name computes. */
+/* 1 if there are equations that a function of that name computes; these are
+ * then printed. */
 int equation_index_has_function(const char *name);
+void equation_index_explain_function(const char *name);
 
-/* Prints the equations that a function computes. 0, or 2 after a message. */
-int equation_index_explain_function(const char *name);
+/* Offers the names of all functions that compute an equation. */
+struct nearest;
+void equation_index_offer_functions(struct nearest *n);
 
 /* Prints what is known of an equation, or of all parts (5a, 5b, ...) of one;
  * of a document, a line for each. Returns the exit code: 0, or 2 after a

@@ -6,13 +6,14 @@
 #include "case/checks/materials_check.h"
 #include "case/command.h"
 #include "case/checks/model_choice.h"
+#include "case/nearest.h"
 #include "case/report/equation_index.h"
 #include "case/report/list.h"
 #include "case/schema.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 /* What a case computes as soon as it names a group. */
 struct part {
@@ -136,21 +137,102 @@ static int explain_models(const char *word)
     return n;
 }
 
-/* A word is the key of an equation, a key of a case, a model, a function, or
- * else the file of a case. */
+static const char accepted[] =
+    "CASE [-s path.to.key=value]... | KEY | MODEL | FUNCTION | COMMAND";
+
+static const struct command *command_named(const char *word)
+{
+    for (const struct command *const *c = commands; *c != NULL; c++)
+        if (strcmp((*c)->name, word) == 0) return *c;
+    return NULL;
+}
+
+/* Offers the words that explain knows: the paths of keys, or only the last
+ * names of these; commands, functions and models. */
+static void offer_paths(struct nearest *n, const struct key *const *tables)
+{
+    struct model m;
+
+    for (const struct command *const *c = commands; *c != NULL; c++)
+        nearest_offer(n, (*c)->name);
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++) {
+            nearest_offer(n, m.name);
+            nearest_offer(n, m.function);
+        }
+    equation_index_offer_functions(n);
+    SCHEMA_EACH (key, tables)
+        nearest_offer(n, key->path);
+}
+
+static void offer_last_names(struct nearest *n, const struct key *const *tables)
+{
+    SCHEMA_EACH (key, tables)
+        if (strrchr(key->path, '.') != NULL)
+            nearest_offer(n, strrchr(key->path, '.') + 1);
+}
+
+/* Says what explain accepts, with the known word that is nearest to this one.
+ */
+static int unknown(const char *word)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+    char path[SCHEMA_TEXT];
+    struct nearest n;
+
+    case_file_tables(tables);
+    nearest_init(&n, word);
+    offer_paths(&n, tables);
+    const char *best = nearest_best(&n);
+    if (best == NULL) {
+        offer_last_names(&n, tables);
+        best = nearest_best(&n);
+        if (best != NULL && schema_nearest(tables, best, path) != NULL)
+            best = path;
+    }
+    fprintf(
+        stderr,
+        "winnow: %s is no case file, key, model, function or command%s%s%s\n"
+        "winnow explain %s\n",
+        word, best != NULL ? "; did you mean " : "", best != NULL ? best : "",
+        best != NULL ? "?" : "", accepted);
+    return 2;
+}
+
+/* A word that names no file. */
+static int explain_word(const char *word)
+{
+    const struct command *const command = command_named(word);
+
+    if (is_case_key(word)) return explain_case_key(word);
+    if (models_kind(word) != NULL) return list_models(word);
+    const int n = explain_models(word);
+    if (equation_index_has_function(word))
+        equation_index_explain_function(word);
+    else if (n == 0 && command != NULL)
+        printf("winnow %s %s\n  %s\n", word, command->arguments, command->what);
+    else if (n == 0)
+        return unknown(word);
+    return 0;
+}
+
+/* 1 if the word is meant as the name of a file, which need not be there. */
+static int is_file_name(const char *word)
+{
+    const char *const dot = strrchr(word, '.');
+    struct stat file;
+
+    return strchr(word, '/') != NULL || (dot != NULL && !strcmp(dot, ".cfg")) ||
+           (stat(word, &file) == 0 && S_ISREG(file.st_mode));
+}
+
 static int act(const struct command_line *l)
 {
     const char *const word = l->words[0];
     int code;
 
     if (equation_index_is_key(word)) return equation_index_explain(word);
-    if (access(word, F_OK) != 0) {
-        if (is_case_key(word)) return explain_case_key(word);
-        const int n = explain_models(word);
-        if (n > 0 && !equation_index_has_function(word)) return 0;
-        if (equation_index_is_function(word))
-            return equation_index_explain_function(word);
-    }
+    if (!is_file_name(word)) return explain_word(word);
 
     struct settings *const s = command_settings(l, &code);
 
@@ -161,10 +243,10 @@ static int act(const struct command_line *l)
 
 const struct command command_explain = {
     "explain",
-    "CASE [-s path.to.key=value]... | KEY | MODEL | FUNCTION",
+    accepted,
     "the equations that a case switches on, and what it leaves off; or where "
     "the equation of a key is computed, tested and explained; or what a key of "
-    "a case, or a model, means; or what a function computes",
+    "a case, or a model, means; or what a function computes, or a command does",
     "s",
     1,
     1,

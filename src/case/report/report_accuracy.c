@@ -3,6 +3,7 @@
 
 #include "case/case_mesh.h"
 #include "case/checks/case_cost.h"
+#include "case/checks/case_limits.h"
 #include "case/checks/check_line.h"
 #include "fluid/time_scheme.h"
 
@@ -288,7 +289,7 @@ static void print_substeps(const struct settings *s,
 }
 
 /* The force of a dashpot jumps when a contact begins and ends. Without one, e =
- * 1, the integrator has its own order. */
+ * 1, the integrator has its own order; without contacts there is no impact. */
 static void print_particles(const struct settings *s,
                             const struct case_scales *k, int flow)
 {
@@ -314,5 +315,6 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     if (flow) print_correctors(s, k);
     if (settings_has(s, "averaging")) print_bandwidth(s);
     if (settings_has(s, "exchange")) print_substeps(s, k);
-    if (k->particles > 0) print_particles(s, k, flow);
+    if (k->particles > 0 && !case_limits_no_contacts(s))
+        print_particles(s, k, flow);
 }

@@ -14,12 +14,6 @@
 const char case_blocks_boxes[] = "bodies.boxes",
            case_blocks_cylinders[] = "bodies.cylinders";
 
-static int is(const struct settings *s, const char *list, int i,
-              const char *motion)
-{
-    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
-}
-
 int case_blocks_touch(const struct settings *s)
 {
     const char *const lists[] = {case_blocks_boxes, case_blocks_cylinders,
@@ -27,7 +21,7 @@ int case_blocks_touch(const struct settings *s)
 
     for (int l = 0; l < 3; l++)
         for (int i = 0; i < settings_length(s, lists[l]); i++)
-            if (is(s, lists[l], i, "free")) return 1;
+            if (case_bodies_is(s, lists[l], i, "free")) return 1;
     return 0;
 }
 
@@ -85,7 +79,7 @@ struct body_outline *case_blocks_outline(const struct settings *s,
 static int check_place(const struct settings *s, const char *list, int i,
                        const double width[3], const double extent[3])
 {
-    const int fixed = is(s, list, i, "fixed");
+    const int fixed = case_bodies_is(s, list, i, "fixed");
     double lo[3], hi[3], h[3], x[3];
 
     case_mesh_ends(s, lo, hi);
@@ -119,21 +113,6 @@ static void width_of(const struct body_shape *shape, double width[3])
                                                 : fmin(d, length);
 }
 
-/* What has no mass, or is held, has no place for a spin. */
-static int check_spin(const struct settings *s, const char *list, int i)
-{
-    double spin[3];
-
-    settings_item_vector(s, list, i, "spin", spin);
-    if (vector_length(spin) == 0.0 || is(s, list, i, "free") ||
-        is(s, list, i, "prescribed"))
-        return 0;
-    return settings_wrong(s, list,
-                          "number %d does not turn and has a spin; motion = "
-                          "\"prescribed\" keeps it",
-                          i);
-}
-
 static int check_one(const struct settings *s, const char *list, int i)
 {
     double extent[3], width[3], axis[3];
@@ -144,12 +123,18 @@ static int check_one(const struct settings *s, const char *list, int i)
             return settings_wrong(
                 s, list, "the axis of cylinder %d has no direction", i);
     }
-    if (check_spin(s, list, i) != 0) return 2;
-    if (is(s, list, i, "free")) return case_outlines_check_one(s, list, i);
+    if (case_bodies_is(s, list, i, "free"))
+        return case_outlines_check_one(s, list, i);
     const struct body_shape shape = case_blocks_shape(s, list, i);
     body_shape_extent(&shape, extent);
     width_of(&shape, width);
-    return check_place(s, list, i, width, extent);
+    if (check_place(s, list, i, width, extent) != 0) return 2;
+    struct body_outline *const turned = case_blocks_outline(s, list, i);
+    const struct body_shape as_it_stands =
+        turned != NULL ? body_shape_outline(turned) : shape;
+    const int code = case_bodies_check_cover(s, list, i, &as_it_stands);
+    body_outline_free(turned);
+    return code;
 }
 
 int case_blocks_check(const struct settings *s)

@@ -24,28 +24,27 @@
 #include "resolved/blocks/body_gaps.h"
 #include "resolved/squeeze_film.h"
 
-static const char list[] = "bodies.spheres";
+static const char *const list = case_bodies_spheres;
 
 static enum body_motion motion_of(const struct settings *s, const char *of,
                                   int i)
 {
-    const char *const name = settings_item_text(s, of, i, "motion");
-
-    return strcmp(name, "free") == 0         ? BODY_FREE
-           : strcmp(name, "prescribed") == 0 ? BODY_PRESCRIBED
-           : strcmp(name, "spring") == 0     ? BODY_SPRING
-                                             : BODY_FIXED;
+    return case_bodies_is(s, of, i, "free")         ? BODY_FREE
+           : case_bodies_is(s, of, i, "prescribed") ? BODY_PRESCRIBED
+           : case_bodies_is(s, of, i, "spring")     ? BODY_SPRING
+                                                    : BODY_FIXED;
 }
 
-static struct dem_options contacts(const struct settings *s)
+static struct dem_options contacts(const struct settings *s,
+                                   const struct case_bodies_contact *c)
 {
     struct dem_options o = {
         .law = &contact_linear,
-        .material = {.stiffness = case_bodies_stiffness(s),
+        .material = {.stiffness = c->stiffness,
                      .restitution = settings_real(s, "bodies.restitution"),
                      .friction = settings_real(s, "bodies.friction")},
         .method = &reference_link_cells,
-        .step = settings_real(s, "fluid.step") / case_bodies_dem_steps(s)};
+        .step = settings_real(s, "fluid.step") / c->dem_steps};
 
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
@@ -57,27 +56,21 @@ static void add_one(const struct settings *s, const char *of, int i,
 {
     const enum body_motion motion = motion_of(s, of, i);
     const int has_mass = motion == BODY_FREE || motion == BODY_SPRING;
-    double x[3], v[3], k[3], w[3] = {0.0, 0.0, 0.0};
+    double x[3], v[3], w[3], k[3];
 
     settings_item_vector(s, of, i, "position", x);
     settings_item_vector(s, of, i, "velocity", v);
-    if (of == list || shape->outline != NULL)
-        settings_item_vector(s, of, i, "spin", w);
+    settings_item_vector(s, of, i, "spin", w);
     for (int e = 0; e < 3 && shape->outline != NULL; e++)
         x[e] += shape->outline->centre[e];
     const int at = solid_bodies_add(
         b, shape, x, has_mass ? settings_item_real(s, of, i, "density") : 1.0,
         motion);
-    if (motion == BODY_FREE || motion == BODY_PRESCRIBED) {
-        b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
-        b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
-    }
+    b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+    b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
     if (motion != BODY_SPRING) return;
     settings_item_vector(s, of, i, "spring", k);
     solid_bodies_set_spring(b, at, k);
-    b->ps->vx[at] = k[0] > 0.0 ? v[0] : 0.0;
-    b->ps->vy[at] = k[1] > 0.0 ? v[1] : 0.0;
-    b->ps->vz[at] = k[2] > 0.0 ? v[2] : 0.0;
 }
 
 /* Of a list of boxes or cylinders. */
@@ -154,19 +147,16 @@ static int overlap(const struct settings *s, const struct solid_bodies *b)
 
 static struct solid_bodies *create(const struct settings *s)
 {
-    const struct dem_options dem = contacts(s);
+    const struct case_bodies_contact contact = case_bodies_contact(s);
+    const struct dem_options dem = contacts(s, &contact);
     struct solid_bodies_options o = {
         .method = body_method_named(settings_text(s, "bodies.method")),
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
-        .dem_steps = case_bodies_dem_steps(s),
+        .dem_steps = contact.dem_steps,
         .dem = &dem,
         .lubrication = gaps(s),
         .others = &block_contacts};
-    const int n = settings_length(s, list) +
-                  settings_length(s, case_blocks_boxes) +
-                  settings_length(s, case_blocks_cylinders) +
-                  settings_length(s, case_outlines_clumps) +
-                  settings_length(s, case_outlines_surfaces);
+    const int n = case_bodies_count(s);
     int cells[3];
 
     settings_counts(s, "mesh.cells", cells);

@@ -5,21 +5,35 @@
 
 #include "case/case_part.h"
 #include "case/models.h"
+#include "resolved/body_shape.h"
 
 extern const struct kind case_bodies_method;
 extern const struct case_part case_bodies_part;
 extern const struct key case_bodies_keys[];
 
-/* case_body_mass.c: spring [N/m] of their contacts, how long a mass [kg]
- * touches a wall [s], the virtual mass C_v [-] of number i of a list, what a
- * contact of it has to stop [kg], and particle steps in a step of the fluid. */
-double case_bodies_stiffness(const struct settings *s);
-double case_bodies_impact_time(const struct settings *s, double m);
+/* The lists of bodies in the order in which they are numbered, ended by NULL;
+ * how many there are in all; and 1 if number i of a list has this motion. */
+extern const char case_bodies_spheres[];
+extern const char *const case_bodies_lists[];
+int case_bodies_count(const struct settings *s);
+int case_bodies_is(const struct settings *s, const char *of, int i,
+                   const char *motion);
+
+/* case_body_mass.c: the spring of all contacts of bodies, for which the files
+ * of their shapes are read. */
+struct case_bodies_contact {
+    double stiffness; /* [N/m] */
+    int dem_steps;    /* [-] particle steps in a step of the fluid */
+};
+struct case_bodies_contact case_bodies_contact(const struct settings *s);
+
+/* The virtual mass C_v [-] of number i of a list, and what a contact of it has
+ * to stop [kg]. */
 double case_bodies_virtual_mass(const struct settings *s, const char *of,
                                 int i);
 double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
                                 double C_v);
-int case_bodies_dem_steps(const struct settings *s);
+int case_bodies_check_stiffness(const struct settings *s); /* 0, or 2 */
 
 /* case_bodies_report.c: prints the section of `check`. */
 void case_bodies_report(const struct settings *s,
@@ -28,6 +42,10 @@ void case_bodies_report(const struct settings *s,
 /* case_bodies_check.c: 0, or 2 after a message; and the widths of a cell [m].
  */
 int case_bodies_check(const struct settings *s);
+/* 0, or 2 after a message: number i of a list, convex and of this shape, covers
+ * all of the mesh. */
+int case_bodies_check_cover(const struct settings *s, const char *of, int i,
+                            const struct body_shape *shape);
 extern const double case_bodies_least_cells; /* [-] in a body */
 void case_bodies_cell_widths(const struct settings *s, double h[3]);
 

@@ -10,11 +10,25 @@
 #include "case/resolved/case_blocks.h"
 #include "case/resolved/case_outlines.h"
 
-static const char list[] = "bodies.spheres";
+const char case_bodies_spheres[] = "bodies.spheres";
+static const char *const list = case_bodies_spheres;
+const char *const case_bodies_lists[] = {
+    case_bodies_spheres,  case_blocks_boxes,      case_blocks_cylinders,
+    case_outlines_clumps, case_outlines_surfaces, NULL};
 
-static int is(const struct settings *s, int i, const char *motion)
+int case_bodies_count(const struct settings *s)
 {
-    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
+    int all = 0;
+
+    for (int l = 0; case_bodies_lists[l] != NULL; l++)
+        all += settings_length(s, case_bodies_lists[l]);
+    return all;
+}
+
+int case_bodies_is(const struct settings *s, const char *of, int i,
+                   const char *motion)
+{
+    return strcmp(settings_item_text(s, of, i, "motion"), motion) == 0;
 }
 
 /* Width of a cell in each direction [m]. */
@@ -49,6 +63,25 @@ static int check_mesh(const struct settings *s)
  * than 3 by rounding is 3. */
 const double case_bodies_least_cells = 3.0 * (1.0 - 1e-9);
 
+int case_bodies_check_cover(const struct settings *s, const char *of, int i,
+                            const struct body_shape *shape)
+{
+    double end[2][3], x[3];
+
+    case_mesh_ends(s, end[0], end[1]);
+    settings_item_vector(s, of, i, "position", x);
+    for (int corner = 0; corner < 8; corner++) {
+        double r[3];
+        for (int k = 0; k < 3; k++)
+            r[k] = end[corner >> k & 1][k] - x[k];
+        if (body_shape_distance(shape, r) >= 0.0) return 0;
+    }
+    return settings_wrong(s, of,
+                          "number %d covers all of the mesh, and no fluid is "
+                          "left; sizes are in m",
+                          i);
+}
+
 static int check_sphere(const struct settings *s, int i)
 {
     const double d = settings_item_real(s, list, i, "diameter");
@@ -59,11 +92,13 @@ static int check_sphere(const struct settings *s, int i)
     case_mesh_periodic(s, periodic);
     case_bodies_cell_widths(s, h);
     settings_item_vector(s, list, i, "position", x);
-    if (is(s, i, "free") && !settings_item_has(s, list, i, "density"))
+    if (case_bodies_is(s, list, i, "free") &&
+        !settings_item_has(s, list, i, "density"))
         return settings_wrong(s, list,
                               "sphere %d is free and asks for its density", i);
     for (int k = 0; k < 3; k++) {
-        const double margin = periodic[k] || is(s, i, "fixed") ? 0.0 : 0.5 * d;
+        const double margin =
+            periodic[k] || case_bodies_is(s, list, i, "fixed") ? 0.0 : 0.5 * d;
         if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
             return settings_wrong(s, list,
                                   "sphere %d at [%g, %g, %g] m with diameter "
@@ -75,60 +110,78 @@ static int check_sphere(const struct settings *s, int i)
                                   "expected at least %g, better 12",
                                   i, d / h[k], case_bodies_least_cells);
         if (periodic[k] &&
-            d >= (is(s, i, "fixed") ? 1.0 : 0.5) * (hi[k] - lo[k]))
+            d >= (case_bodies_is(s, list, i, "fixed") ? 1.0 : 0.5) *
+                     (hi[k] - lo[k]))
             return settings_wrong(s, list,
                                   "sphere %d with diameter %g m meets itself "
                                   "across the period, %g m; %s",
                                   i, d, hi[k] - lo[k],
-                                  is(s, i, "fixed")
+                                  case_bodies_is(s, list, i, "fixed")
                                       ? "expected less"
                                       : "expected less than half of it");
     }
-    return 0;
+    const struct body_shape shape = body_shape_sphere(d);
+    return case_bodies_check_cover(s, list, i, &shape);
 }
 
-/* What moves by its mass against a spring. */
+/* What moves by its mass against a spring, along the axes that have one. */
 static int check_spring(const struct settings *s, const char *of, int i)
 {
-    double k[3];
+    double k[3], v[3];
 
-    if (strcmp(settings_item_text(s, of, i, "motion"), "spring") != 0) return 0;
     settings_item_vector(s, of, i, "spring", k);
+    settings_item_vector(s, of, i, "velocity", v);
+    if (case_bodies_is(s, of, i, "free") && vector_length(k) > 0.0)
+        return settings_wrong(s, of,
+                              "number %d is free and has a spring; motion = "
+                              "\"spring\" holds it by that",
+                              i);
+    if (!case_bodies_is(s, of, i, "spring")) return 0;
     if (!(vector_length(k) > 0.0))
         return settings_wrong(s, of,
                               "number %d is on a spring and asks for its "
                               "stiffness, spring = [kx, ky, kz] in N/m",
                               i);
+    for (int e = 0; e < 3; e++)
+        if (k[e] == 0.0 && v[e] != 0.0)
+            return settings_wrong(s, of,
+                                  "number %d has a velocity along %c, where "
+                                  "it cannot move without a spring",
+                                  i, 'x' + e);
     if (settings_item_has(s, of, i, "density")) return 0;
     return settings_wrong(
         s, of, "number %d is on a spring and asks for its density", i);
 }
 
-static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
-                                    "bodies.cylinders", "bodies.clumps",
-                                    "bodies.surfaces"};
-enum { LISTS = sizeof lists / sizeof *lists };
-
-/* What is fixed has no velocity. */
+/* What is fixed has no velocity; it has no spin, nor has what is on a spring.
+ */
 static int check_velocity(const struct settings *s, const char *of, int i)
 {
-    double v[3];
+    const int fixed = case_bodies_is(s, of, i, "fixed");
+    double v[3], spin[3];
 
     settings_item_vector(s, of, i, "velocity", v);
-    if (vector_length(v) == 0.0 ||
-        strcmp(settings_item_text(s, of, i, "motion"), "fixed") != 0)
-        return 0;
-    return settings_wrong(s, of,
-                          "number %d is fixed and has a velocity; motion = "
-                          "\"prescribed\" keeps it",
-                          i);
+    settings_item_vector(s, of, i, "spin", spin);
+    if (fixed && vector_length(v) > 0.0)
+        return settings_wrong(s, of,
+                              "number %d is fixed and has a velocity; motion = "
+                              "\"prescribed\" keeps it",
+                              i);
+    if (vector_length(spin) > 0.0 &&
+        (fixed || case_bodies_is(s, of, i, "spring")))
+        return settings_wrong(s, of,
+                              "number %d does not turn and has a spin; motion "
+                              "= \"prescribed\" keeps it",
+                              i);
+    return 0;
 }
 
 static int check_motions(const struct settings *s)
 {
+    const char *const *const lists = case_bodies_lists;
     int code = 0;
 
-    for (int l = 0; l < LISTS; l++)
+    for (int l = 0; lists[l] != NULL; l++)
         for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++) {
             code = check_spring(s, lists[l], i);
             if (code == 0) code = check_velocity(s, lists[l], i);
@@ -136,22 +189,13 @@ static int check_motions(const struct settings *s)
     return code;
 }
 
-static int none(const struct settings *s)
-{
-    int all = 0;
-
-    for (int l = 0; l < LISTS; l++)
-        all += settings_length(s, lists[l]);
-    return all == 0;
-}
-
 static int any_moves(const struct settings *s)
 {
-    for (int l = 0; l < LISTS; l++)
+    const char *const *const lists = case_bodies_lists;
+
+    for (int l = 0; lists[l] != NULL; l++)
         for (int i = 0; i < settings_length(s, lists[l]); i++)
-            if (strcmp(settings_item_text(s, lists[l], i, "motion"), "fixed") !=
-                0)
-                return 1;
+            if (!case_bodies_is(s, lists[l], i, "fixed")) return 1;
     return 0;
 }
 
@@ -190,12 +234,29 @@ static int check_particles(const struct settings *s)
     return 0;
 }
 
+/* A cube that is narrower than a cell may have none in it. */
+static int check_filter(const struct settings *s)
+{
+    double h[3];
+
+    if (!settings_has(s, "bodies.filter")) return 0;
+    const double width = settings_real(s, "bodies.filter");
+    case_bodies_cell_widths(s, h);
+    const double widest = fmax(h[0], fmax(h[1], h[2]));
+    return width >= widest
+               ? 0
+               : settings_wrong(s, "bodies.filter",
+                                "%g m is narrower than a cell, %g m; expected "
+                                "more than a body, two diameters or so",
+                                width, widest);
+}
+
 int case_bodies_check(const struct settings *s)
 {
     if (!settings_has(s, "bodies")) return 0;
     int code = check_mesh(s);
 
-    if (none(s))
+    if (case_bodies_count(s) == 0)
         return settings_wrong(s, "bodies",
                               "there is no body; give spheres, boxes, "
                               "cylinders, clumps or surfaces");
@@ -203,6 +264,8 @@ int case_bodies_check(const struct settings *s)
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
     if (code == 0) code = check_motions(s);
+    if (code == 0) code = check_filter(s);
     if (code == 0) code = case_outlines_check(s);
-    return code != 0 ? code : case_blocks_check(s);
+    if (code == 0) code = case_blocks_check(s);
+    return code != 0 ? code : case_bodies_check_stiffness(s);
 }

@@ -10,14 +10,10 @@
 #include "case/resolved/case_blocks.h"
 #include "case/resolved/case_bodies.h"
 #include "case/resolved/case_outlines.h"
+#include "dem/contact_linear.h"
 #include "resolved/body_numbers.h"
 
-static const char list[] = "bodies.spheres";
-
-static int is(const struct settings *s, int i, const char *motion)
-{
-    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
-}
+static const char *const list = case_bodies_spheres;
 
 /* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
  * its own diameter without drag, V = sqrt(|rho_r - 1| g d). */
@@ -27,7 +23,7 @@ static void report_numbers(const struct settings *s)
     double g[3];
     int i = 0;
 
-    while (i < settings_length(s, list) && !is(s, i, "free"))
+    while (i < settings_length(s, list) && !case_bodies_is(s, list, i, "free"))
         i++;
     if (i == settings_length(s, list)) return;
     if (!particle_options_gravity(s, g)) return;
@@ -43,13 +39,14 @@ static void report_numbers(const struct settings *s)
                "an impact rebounds from about 10 on");
 }
 
-/* The smallest diameter of spheres and clumps, and width of others that are
+/* The smallest width of spheres, clumps and cylinders, and of others that are
  * free; the largest speed at the start; and how many are free, with the
  * smallest density ratio, the largest virtual mass and the smallest mass with
  * it of these. */
 struct extremes {
-    double d, speed, ratio; /* [m], [m/s], [-] */
-    double C_v, m;          /* [-], [kg] */
+    double d, cells;     /* [m], [-] that in cells */
+    double speed, ratio; /* [m/s], [-] */
+    double C_v, m;       /* [-], [kg] */
     int free;
 };
 
@@ -58,7 +55,9 @@ static double width_of(const struct settings *s, const char *of, int i)
 {
     double R[2], width = HUGE_VAL;
 
-    if (of == list) return settings_item_real(s, of, i, "diameter");
+    if (of == list ||
+        (of == case_blocks_cylinders && !case_bodies_is(s, of, i, "free")))
+        return settings_item_real(s, of, i, "diameter");
     if (of == case_outlines_clumps) {
         case_outlines_radii(s, i, R);
         return 2.0 * R[0];
@@ -67,6 +66,23 @@ static double width_of(const struct settings *s, const char *of, int i)
     if (o != NULL) width = o->width;
     body_outline_free(o);
     return width;
+}
+
+/* Of the cells around number i, the largest width [m]. A cylinder along an axis
+ * has the same shape in each layer of them. */
+static double cell_width(const struct settings *s, const char *of, int i)
+{
+    double h[3], widest = 0.0;
+
+    case_bodies_cell_widths(s, h);
+    if (of == case_blocks_cylinders) {
+        const struct body_shape shape = case_blocks_shape(s, of, i);
+        for (int k = 0; k < 3; k++)
+            if (body_shape_along(&shape, k)) h[k] = 0.0;
+    }
+    for (int k = 0; k < 3; k++)
+        widest = fmax(widest, h[k]);
+    return widest;
 }
 
 static void look_at_free(const struct settings *s, const char *of, int i,
@@ -85,14 +101,15 @@ static void look_at(const struct settings *s, const char *of,
                     struct extremes *e)
 {
     for (int i = 0; i < settings_length(s, of); i++) {
-        const int free =
-            strcmp(settings_item_text(s, of, i, "motion"), "free") == 0;
+        const int free = case_bodies_is(s, of, i, "free");
         double v[3];
         settings_item_vector(s, of, i, "velocity", v);
         e->speed = fmax(e->speed, vector_length(v));
-        if (!free && of != list && of != case_outlines_clumps) continue;
+        if (!free && (of == case_blocks_boxes || of == case_outlines_surfaces))
+            continue; /* parts of walls, often */
         const double width = width_of(s, of, i);
         e->d = fmin(e->d, width);
+        e->cells = fmin(e->cells, width / cell_width(s, of, i));
         if (free) look_at_free(s, of, i, e);
     }
 }
@@ -114,7 +131,10 @@ static void report_counts(const struct settings *s)
 static void report_free(const struct settings *s, const struct extremes *e)
 {
     const int raised = e->C_v > settings_real(s, "bodies.virtual_mass");
-    const double ratio = e->ratio, t = case_bodies_impact_time(s, e->m);
+    const struct case_bodies_contact c = case_bodies_contact(s);
+    const double ratio = e->ratio;
+    const double t = contact_linear_time(
+        c.stiffness, settings_real(s, "bodies.restitution"), e->m);
     /* (24.15), in the shortest impact of any */
     const double gain = body_numbers_impact_gain(
         ratio, e->C_v, t / settings_real(s, "fluid.step"));
@@ -125,15 +145,28 @@ static void report_free(const struct settings *s, const struct extremes *e)
     check_line("largest virtual mass", e->C_v, "-",
                raised ? "as a light, thin or small body needs in such a step"
                       : "as bodies.virtual_mass says");
-    check_line("stiffness", case_bodies_stiffness(s), "N/m", "");
+    check_line("stiffness", c.stiffness, "N/m", "");
     check_line("rebound, times", gain, "-",
                gain < 1.05  ? "at most, by the virtual mass"
                : gain > 4.0 ? "at most: it comes too late; shorten fluid.step"
                : ratio > 2.0 && !raised
                    ? "at most: HIGH, bodies.virtual_mass = 0.5 has 1"
                    : "at most, by the virtual mass; longer impacts have less");
-    check_line("particle steps in one step", case_bodies_dem_steps(s), "-",
+    check_line("particle steps in one step", c.dem_steps, "-",
                "of their contacts");
+}
+
+/* Where what an average spreads is moved out of a body [SX15 5c]. */
+static void report_bandwidth(const struct settings *s, double d)
+{
+    static const char key[] = "averaging.bandwidth";
+
+    if (!settings_has(s, "particles") || !settings_has(s, key) || d == HUGE_VAL)
+        return;
+    const double b = settings_real(s, key);
+    check_line("bandwidth / d", b / d, "-",
+               b > 0.5 * d ? "HIGH: grains beside a body count too far from it"
+                           : "");
 }
 
 /* The residual of the splitting enters the next step. Where viscosity crosses
@@ -145,13 +178,17 @@ static void report_viscous(const struct settings *s, double number, int free)
     check_line("nu dt / h^2", number, "-",
                free && number > 1.0 && !(tolerance > 0.0 && tolerance < 1.1e-4)
                    ? "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4"
+               : tolerance * number > 2e-3
+                   ? "HIGH: pressure, forces on walls; lower "
+                     "fluid.piso_tolerance"
                    : "the drag does not depend on it");
 }
 
 void case_bodies_report(const struct settings *s,
                         const struct case_scales *scales)
 {
-    struct extremes e = {.d = HUGE_VAL, .ratio = HUGE_VAL, .m = HUGE_VAL};
+    struct extremes e = {
+        .d = HUGE_VAL, .cells = HUGE_VAL, .ratio = HUGE_VAL, .m = HUGE_VAL};
     double h[3];
 
     (void)scales;
@@ -161,20 +198,17 @@ void case_bodies_report(const struct settings *s,
                  nu = settings_real(s, "fluid.viscosity") /
                       settings_real(s, "fluid.density"),
                  narrowest = fmin(h[0], fmin(h[1], h[2]));
-    look_at(s, list, &e);
-    look_at(s, case_outlines_clumps, &e);
-    look_at(s, case_blocks_boxes, &e);
-    look_at(s, case_blocks_cylinders, &e);
-    look_at(s, case_outlines_surfaces, &e);
-    const double cells = e.d / fmax(h[0], fmax(h[1], h[2]));
+    for (int l = 0; case_bodies_lists[l] != NULL; l++)
+        look_at(s, case_bodies_lists[l], &e);
     puts("Bodies");
     report_counts(s);
-    if (cells < HUGE_VAL)
-        check_line("d / h", cells, "-",
-                   cells < 7.0 ? "LOW: good to look at; 12 to measure"
-                   : cells < 11.5
+    if (e.cells < HUGE_VAL)
+        check_line("d / h", e.cells, "-",
+                   e.cells < 7.0 ? "LOW: good to look at; 12 to measure"
+                   : e.cells < 11.5
                        ? "about 5 % of the drag where they are apart"
                        : "2 to 3 % of the drag where they are apart");
+    report_bandwidth(s, e.d);
     report_viscous(s, nu * dt / (narrowest * narrowest), e.free > 0);
     check_line("CFL of the bodies", e.speed * dt / narrowest, "-",
                e.speed * dt / narrowest > 0.5

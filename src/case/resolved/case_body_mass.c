@@ -15,7 +15,7 @@
 #include "resolved/body_numbers.h"
 #include "resolved/body_shape.h"
 
-static const char list[] = "bodies.spheres";
+static const char *const list = case_bodies_spheres;
 
 /* Steps of the fluid that an impact lasts where the case gives no stiffness:
  * the fluid has to follow the rebound. */
@@ -33,10 +33,10 @@ static int size_of(const struct settings *s, const char *of, int i, double *V,
 {
     const int is_block = of == case_blocks_boxes || of == case_blocks_cylinders;
     struct body_outline *const o =
-        strcmp(of, list) == 0 || is_block ? NULL : case_outlines_read(s, of, i);
+        of == list || is_block ? NULL : case_outlines_read(s, of, i);
     struct body_shape shape;
 
-    if (strcmp(of, list) == 0)
+    if (of == list)
         shape = body_shape_sphere(settings_item_real(s, of, i, "diameter"));
     else if (is_block)
         shape = case_blocks_shape(s, of, i);
@@ -72,22 +72,20 @@ double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
                  rho = settings_real(s, "fluid.density");
 
     return (rho_p + C_v * rho) *
-           (strcmp(of, list) == 0
-                ? volume(settings_item_real(s, of, i, "diameter"))
-                : case_outlines_contact_volume(s, of, i));
+           (of == list ? volume(settings_item_real(s, of, i, "diameter"))
+                       : case_outlines_contact_volume(s, of, i));
 }
 
 /* The smallest mass in a contact of a body with this motion, virtual mass
  * included [kg]; HUGE_VAL: there is none. */
 static double lightest_of(const struct settings *s, const char *motion)
 {
-    const char *const all[] = {list, case_outlines_clumps, case_blocks_boxes,
-                               case_blocks_cylinders, case_outlines_surfaces};
+    const char *const *const all = case_bodies_lists;
     double least = HUGE_VAL;
 
-    for (int l = 0; l < 5; l++)
+    for (int l = 0; all[l] != NULL; l++)
         for (int i = 0; i < settings_length(s, all[l]); i++)
-            if (strcmp(settings_item_text(s, all[l], i, "motion"), motion) == 0)
+            if (case_bodies_is(s, all[l], i, motion))
                 least =
                     fmin(least, case_bodies_contact_mass(
                                     s, all[l], i,
@@ -105,33 +103,47 @@ static double lightest(const struct settings *s)
     return least < HUGE_VAL ? least : 0.0;
 }
 
-/* k with which the lightest one bounces off a wall in so many steps [LS 4.4].
- */
-double case_bodies_stiffness(const struct settings *s)
+/* k with which a mass bounces off a wall in so many steps [LS 4.4]. */
+static double stiffness_of(const struct settings *s, double m)
 {
     if (settings_has(s, "bodies.stiffness"))
         return settings_real(s, "bodies.stiffness");
     const double e = settings_real(s, "bodies.restitution"),
-                 zeta = contact_damping_ratio(e), m = lightest(s);
+                 zeta = contact_damping_ratio(e);
     const double t = steps_an_impact * settings_real(s, "fluid.step");
 
     return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
 }
 
-double case_bodies_impact_time(const struct settings *s, double m)
+/* 25 in the impact of two of this mass. */
+static int dem_steps(const struct settings *s, double k, double m)
 {
-    return contact_linear_time(case_bodies_stiffness(s),
-                               settings_real(s, "bodies.restitution"), m);
-}
-
-/* Particle steps in a step of the fluid: 25 in an impact. */
-int case_bodies_dem_steps(const struct settings *s)
-{
-    const double e = settings_real(s, "bodies.restitution"), m = lightest(s);
+    const double e = settings_real(s, "bodies.restitution");
 
     if (settings_has(s, "particles")) return case_steps_within(s);
     if (m == 0.0) return 1;
-    const double t = contact_linear_time(case_bodies_stiffness(s), e, 0.5 * m);
+    const double t = contact_linear_time(k, e, 0.5 * m);
     return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
                           1000000);
+}
+
+struct case_bodies_contact case_bodies_contact(const struct settings *s)
+{
+    const double m = lightest(s), k = stiffness_of(s, m);
+
+    return (struct case_bodies_contact){k, dem_steps(s, k, m)};
+}
+
+int case_bodies_check_stiffness(const struct settings *s)
+{
+    const double e = settings_real(s, "bodies.restitution"), m = lightest(s),
+                 k = stiffness_of(s, m);
+    const double t = contact_linear_time(k, e, 0.5 * m),
+                 step = settings_real(s, "fluid.step") / dem_steps(s, k, m);
+
+    if (m == 0.0 || t >= 5.0 * step) return 0;
+    return settings_wrong(s, "bodies.stiffness",
+                          "%g N/m: an impact lasts %.3g s and a particle step "
+                          "%.3g s; expected at least five of them in it",
+                          k, t, step);
 }

@@ -125,12 +125,6 @@ double case_outlines_contact_volume(const struct settings *s, const char *list,
 
 /* --- checks --------------------------------------------------------------- */
 
-static int is(const struct settings *s, const char *list, int i,
-              const char *motion)
-{
-    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
-}
-
 /* The box around the shape as it was given [m]. */
 static void ends_of(const struct body_outline *o, double lo[3], double hi[3])
 {
@@ -179,7 +173,7 @@ static double reach_of(const struct body_outline *o)
 static int check_place(const struct settings *s, const char *list, int i,
                        const struct body_outline *o)
 {
-    const int fixed = is(s, list, i, "fixed");
+    const int fixed = case_bodies_is(s, list, i, "fixed");
     double lo[3], hi[3], from[3], to[3], h[3], x[3];
     int periodic[3];
 
@@ -231,7 +225,8 @@ static int check_thickness(const struct settings *s, int i,
 
 int case_outlines_check_one(const struct settings *s, const char *list, int i)
 {
-    if ((is(s, list, i, "free") || is(s, list, i, "spring")) &&
+    if ((case_bodies_is(s, list, i, "free") ||
+         case_bodies_is(s, list, i, "spring")) &&
         !settings_item_has(s, list, i, "density"))
         return settings_wrong(s, list,
                               "number %d is moved and asks for its density", i);

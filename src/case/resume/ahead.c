@@ -83,7 +83,7 @@ int ahead_is_other(struct ahead *a, int tell)
 static int save(struct ahead *a, struct bed_settling *b)
 {
     struct state_file *const f = state_file_create();
-    char *const path = folder_ahead(a->folder);
+    char *const path = folder_early_file(a->folder);
 
     state_texts_put(f, a->settings, a->options, a->lines);
     state_file_put_text(f, RESUME_SETTLING, b != NULL ? "yes" : "no");
@@ -143,15 +143,16 @@ static int interrupted(struct ahead *a, struct bed_settling *b)
     return INTERRUPT_CODE;
 }
 
-int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_moment when)
+int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_stage when)
 {
     const double every = settings_real(a->settings, "output.checkpoint");
 
-    if (when == BED_BEGINS) a->due = clock_now() + fmin(least_time, every);
-    if (when == BED_BEGINS) return has_bed(a) ? load(a, b) : 0;
+    if (when == BED_STAGE_START) a->due = clock_now() + fmin(least_time, every);
+    if (when == BED_STAGE_START) return has_bed(a) ? load(a, b) : 0;
     if (interrupt_arrived()) return interrupted(a, b);
-    const int asked = interrupt_asks_to_save();
-    const int is_due = when == BED_RESTS ? a->is_there : clock_now() >= a->due;
+    const int asked = interrupt_save_requested();
+    const int is_due =
+        when == BED_STAGE_END ? a->is_there : clock_now() >= a->due;
     if (!asked && !is_due) return 0;
     if (save(a, b) != 0) return NOT_WRITTEN;
     if (asked)

@@ -30,7 +30,7 @@ int ahead_find(struct ahead *a);
 int ahead_is_other(struct ahead *a, int tell);
 
 /* Saves the bed, or loads it when it begins to settle, as saver.h says. */
-int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_moment when);
+int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_stage when);
 
 /* Writes the file, if it is not there, for a run that will remove the
  * checkpoint of another. Non-zero after a message. */

@@ -194,7 +194,7 @@ static int is_of_run(const void *memory)
     return r->found != NULL;
 }
 
-static int settle(void *memory, struct bed_settling *b, enum bed_moment when)
+static int settle(void *memory, struct bed_settling *b, enum bed_stage when)
 {
     const struct resume *const r = memory;
     return ahead_settle(r->ahead, b, when);
@@ -257,7 +257,7 @@ static int after_step(void *memory)
     const double every = settings_real(r->settings, "output.checkpoint");
 
     r->sampled = r->sim->steps;
-    if (interrupt_asks_to_save()) {
+    if (interrupt_save_requested()) {
         if (save(r) != 0) return 1;
         fprintf(stderr, "%s: saved at t = %g s\n", r->path, r->sim->t);
         return 0;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "case/case_steps.h"
 #include "case/checks/check_line.h"
 #include "case/history_sums.h"
@@ -80,11 +81,9 @@ static void *create(const struct recorder_view *v, int *failed)
         self->layers = layers_create(v->sim->mesh, self->axis, self->rows);
     if (v->sim->coupling != NULL &&
         settings_has(v->settings, "output.statistics.lags")) {
-        self->lags =
-            (int)fmin(settings_real(v->settings, "output.statistics.lags") /
-                          self->dt,
-                      self->rows / 2.0) +
-            1;
+        const double lags =
+            settings_real(v->settings, "output.statistics.lags") / self->dt;
+        self->lags = number_clamped(lags, 0, self->rows / 2) + 1;
         /* Of a run that is resumed there are none yet. */
         self->grains =
             grain_series_create(v->sim->particles->capacity, self->rows);

@@ -22,9 +22,7 @@ static const char *const directions[] = {"normal", "axis"};
 static struct motion motion_of(const struct settings *s, const char *of, int i)
 {
     struct motion m = {.from = settings_item_real(s, of, i, "from"),
-                       .until = settings_item_has(s, of, i, "until")
-                                    ? settings_item_real(s, of, i, "until")
-                                    : 0.0,
+                       .until = settings_item_real_or(s, of, i, "until", 0.0),
                        .frequency = settings_item_real(s, of, i, "frequency")};
 
     settings_item_vector(s, of, i, "velocity", m.velocity);
