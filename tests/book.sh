@@ -183,6 +183,10 @@ printf '$ echo v = 4.42900000001\nv = 4.429\n' >figures/run.txt
 fact last_digits_may_differ 0 "" sh "$tools/transcript.sh" check figures/run.txt
 printf '$ echo v = 4.4291\nv = 4.429\n' >figures/run.txt
 fact other_digits_may_not 1 "+v = 4.4291" sh "$tools/transcript.sh" check figures/run.txt
+printf '$ false\nv = 4.429\n' >figures/run.txt
+fact a_command_that_fails_in_silence_is_named 1 "nothing any more: false" \
+    sh "$tools/transcript.sh" figures/run.txt
+fact and_its_results_stay 0 "v = 4.429" cat figures/run.txt
 printf '#!/bin/sh\nprintf "## one\\n1\\n## two\\n2\\n"\n' >figures/parts.sh
 printf '## all\n$ sh figures/parts.sh\n## one\n0\n## two\n2\n## old\n3\n\n## last\n$ echo 4\n4\n' \
     >figures/parts.txt

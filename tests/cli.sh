@@ -134,6 +134,11 @@ fact check_refuses_a_period_too_short_for_the_list 2 "long in the periodic direc
     -s 'fluid={density=1.2;viscosity=1e-5;step=1e-4;sides="slip";bottom_top="slip";}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
+echo "-0.002 0.005 0.005 0.001" >elsewhere.spheres
+fact sphere_of_a_file_outside_the_box_names_the_offset 2 "offset moves all of the file" \
+    "$winnow" check tiny.cfg -s 'particles.insert=({file="elsewhere.spheres";})'
+fact offset_moves_the_spheres_of_a_file_into_the_box 0 "" \
+    "$winnow" check tiny.cfg -s 'particles.insert=({file="elsewhere.spheres"; offset=[0.005,0.0,0.0];})'
 cat >fields.cfg <<'END'
 title = "a sphere falls, and no fluid";
 mesh = { size = [0.01, 0.01, 0.01]; cells = [1, 1, 1]; };
@@ -258,6 +263,20 @@ fact explain_leads_from_the_function_of_a_model_to_it 0 \
     "drag haider-levenspiel: chosen by exchange.drag" "$winnow" explain haider_levenspiel
 fact misspelt_function_finds_the_one_meant 2 "did you mean drag_reynolds?" \
     "$winnow" explain drag_reynold
+fact misspelt_key_finds_the_one_meant 2 "did you mean fluid.density?" \
+    "$winnow" explain fluid.densty
+fact misspelt_last_name_finds_its_path 2 "did you mean fluid.density?" \
+    "$winnow" explain densty
+fact explain_says_what_it_accepts 2 "| KEY | MODEL | FUNCTION | COMMAND" \
+    "$winnow" explain qqqqqqqqqq
+fact explain_has_the_line_of_a_command 0 "winnow eval [KEY name=value ...]" \
+    "$winnow" explain eval
+fact explain_lists_a_kind 0 "drag laws, chosen by exchange.drag" "$winnow" explain drag
+ln -s nowhere dangling
+fact folder_that_cannot_be_made_says_why 4 "cannot make the folder dangling: File exists" \
+    "$winnow" run "$top/cases/closed-box.cfg" -o dangling
+fact case_that_is_not_there_is_code_4 4 "no-such.cfg: cannot read the case" \
+    "$winnow" explain no-such.cfg
 fact explain_names_the_function 0 "src/coupling/drag.c                drag_terminal_ratio" \
     "$winnow" explain XS11:2.13
 fact explain_names_the_test 0 "xs11_2_13_terminal_ratio_solves_its_quadratic" \
@@ -669,12 +688,35 @@ fact body_is_in_the_box 2 "with diameter 0.03 m is not inside the box" \
 fact body_does_not_meet_itself 2 "meets itself across the period" \
     body -s mesh.periodic=[false,false,true] -s bodies.spheres.1.diameter=0.06 \
     -s 'fluid={density=960.0; viscosity=0.1; step=0.01; sides="slip"; bottom_top="slip";}'
+fact bandwidth_of_a_bed_is_below_half_of_a_body 0 "HIGH: grains beside a body count too far from it" \
+    "$winnow" check "$top/cases/sphere-in-bed.cfg" -s bodies.spheres.0.diameter=0.0035
+fact fixed_sphere_has_no_spin 2 "bodies.spheres: number 0 does not turn and has a spin" \
+    body -s 'bodies.spheres.0.spin=[0.0,1.0,0.0]'
+fact free_sphere_has_no_spring 2 "number 1 is free and has a spring; motion = \"spring\"" \
+    body -s 'bodies.spheres.1.spring=[1.0,0.0,0.0]'
+fact body_moves_along_its_springs_only 2 "number 1 has a velocity along y, where it cannot move" \
+    body -s 'bodies.spheres.1.motion="spring"' -s 'bodies.spheres.1.spring=[1.0,0.0,0.0]' \
+    -s 'bodies.spheres.1.velocity=[0.5,1.0,0.0]'
+fact impact_of_bodies_lasts_five_particle_steps 2 "expected at least five of them in it" \
+    body -s bodies.stiffness=1e30
+fact means_around_a_body_ask_for_a_cell 2 "bodies.filter: 1e-09 m is narrower than a cell" \
+    body -s bodies.filter=1e-9
 fact fixed_body_has_no_velocity 2 "number 0 is fixed and has a velocity" \
     body -s 'bodies.spheres.0.velocity=[1.0,0.0,0.0]'
 fact box_asks_for_a_cell 2 "bodies.boxes: number 0 is 0.6 cells wide" \
     body -s 'bodies.boxes=({position=[0.05,0.05,0.05]; size=[0.05,0.005,0.05];})'
 fact box_is_in_the_box 2 "bodies.boxes: number 0 at [0.5, 0.05, 0.05] m is not inside" \
     body -s 'bodies.boxes=({position=[0.5,0.05,0.05]; size=[0.05,0.05,0.05];})'
+fact box_leaves_some_fluid 2 "bodies.boxes: number 0 covers all of the mesh" \
+    body -s 'bodies.boxes=({position=[0.05,0.05,0.05]; size=[50.0,50.0,50.0]; rotation=[0.3,0.0,0.0];})'
+fact cylinder_leaves_some_fluid 2 "bodies.cylinders: number 0 covers all of the mesh" \
+    body -s 'bodies.cylinders=({position=[0.05,0.05,0.05]; diameter=15.0; length=20.0; axis=[0.0,0.0,1.0];})'
+fact sphere_leaves_some_fluid 2 "bodies.spheres: number 0 covers all of the mesh" \
+    body -s bodies.spheres.0.diameter=1.0 -s bodies.spheres.0.position=[0.05,0.05,0.05]
+fact cells_across_a_cylinder_are_those_beside_its_axis 0 "d / h                                          10 -" \
+    "$winnow" check "$top/cases/cylinder-stream.cfg"
+fact wide_box_with_its_face_in_the_mesh_is_a_wall 0 "boxes and cylinders" \
+    body -s 'bodies.boxes=({position=[0.05,-24.99,0.05]; size=[50.0,50.0,50.0];})'
 fact bodies_begin_apart 2 "bodies: body 0 begins 0.02007 m deep in body 1" \
     "$winnow" run bodies.cfg -o deep -s bodies.spheres.1.position=[0.05,0.03993,0.05]
 fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grading=[2.0,1.0,1.0]
@@ -689,6 +731,8 @@ fact virtual_mass_is_what_viscosity_and_shape_ask_for 0 \
 fact free_bodies_jitter_in_a_thick_fluid 0 \
     "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
     body -s fluid.viscosity=50.0
+viscous_numbers() { body -s fluid.viscosity=50.0 | grep -c "nu dt / h^2"; }
+fact check_has_the_viscous_number_once 0 "1" viscous_numbers
 gone_on() {
     "$winnow" run "$1.cfg" -o whole --quiet >/dev/null &&
         "$winnow" run "$1.cfg" -o parts --quiet -s output.end=0.12 >/dev/null &&

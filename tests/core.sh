@@ -126,6 +126,10 @@ its_messages() {
     }
     [ ! -e "$work/none" ]
     holds what_the_core_refuses_writes_nothing $?
+    ! made src/case/surfaces "$core/src/models.c" &&
+        grep -q "src/case/surfaces needs src/dem/surfaces" "$work/said"
+    holds a_folder_without_what_it_needs_is_refused_by_name $?
+    made "" "$core/src/models.c"
 }
 
 its_tests() {

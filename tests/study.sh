@@ -155,16 +155,74 @@ fact seconds_in_study_csv_are_those_of_the_summaries sums_agree
 mirror_of() { sed -n "/\"$1\"/,/}/p" lines/summary.json | grep -c mirror_error; }
 mirrors_agree() { [ "$(mirror_of eps_f_y3mm)" = 1 ] && [ "$(mirror_of eps_f_along_y_x3mm)" = 0 ]; }
 fact a_profile_along_gravity_has_no_mirror_error mirrors_agree
-# The cheapest row within the limit, found again from study.csv.
+# The cheapest row within the limit, found again from study.csv; of those that cost the
+# same to a tenth the case as it stands, or else the one with the least error.
 advice_agrees() {
     best=$(awk -F, '
         NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "processor [s]") s = i
                   if ($i ~ /^error of/) e = i }; next }
-        $e <= 0.01 && (best == "" || $s < best) { best = $s; step = $3; time = $2 }
-        END { print "time=" time ", step=" step }' time/study.csv)
+        $e <= 0.01 { cost[++n] = $s; error[n] = $e; name[n] = "time=" $2 ", step=" $3
+                     if (n == 1 || $s < first) first = $s }
+        END { for (i = 1; i <= n; i++) {
+                  if (cost[i] - first > 0.1 * sqrt((cost[i] ^ 2 + first ^ 2) / 2)) continue
+                  if (name[i] == "time=euler, step=0.01") error[i] = -1
+                  if (best == "" || error[i] < error[best]) best = i }
+              print name[best] }' time/study.csv)
     grep '^- for 1 %' time/study.md | grep -qF -- ": $best"
 }
 fact advice_is_the_cheapest_row_within_the_limit advice_agrees
+# Three steps with errors of 3, 1.5 and 0.8 %, the last one the case as it stands, and
+# processor times that are written into their summaries.
+"$winnow" study channel.cfg -s fluid.step=0.04,0.02,0.01 --measure u_x -o ties --quiet
+exact='0.00125 - 0.04/pi^3*exp(-pi^2*0.32) + 0.04/(3*pi)^3*exp(-9*pi^2*0.32)'
+advised() { # limit, seconds of the three steps; the step that is named
+    limit=$1
+    shift
+    for step in 0.04 0.02 0.01; do
+        sed -i "s/\"processor\": [^,]*/\"processor\": $1/" ties/runs/step=$step/summary.json
+        shift
+    done
+    "$winnow" study channel.cfg -s fluid.step=0.04,0.02,0.01 --measure u_x -o ties --quiet \
+        --truth "$exact" >said 2>&1
+    sed -n "s/^- $limit.*step=//p" ties/study.md
+}
+times_within_a_tenth_are_the_same() {
+    [ "$(advised 'for 5 %' 1.0 2.0 3.0)" = 0.04 ] && # as a time
+        [ "$(advised 'for 5 %' 1.0 1.09 3.0)" = 0.02 ] && # the smaller error
+        [ "$(advised 'for 5 %' 1.0 1.2 3.0)" = 0.04 ] &&
+        [ "$(advised 'for 5 %' 1.0 0.95 1.05)" = 0.01 ] && # the case as it stands
+        [ -z "$(advised 'as much' 1.0 0.95 1.05)" ] &&
+        [ "$(advised 'half of' 1.0 1.04 3.0)" = 0.02 ]
+}
+reference_is_as_cheap() {
+    exact=finest
+    [ "$(advised 'for 5 %' 1.0 2.0 3.0)" = 0.04 ] &&
+        [ "$(advised 'for 5 %' 1.0 2.0 1.05)" = 0.01 ] && # which they are compared with
+        [ "$(advised 'for 5 %' 2.0 2.0 1.0)" = 0.01 ]
+}
+fact times_that_differ_by_less_than_a_tenth_are_the_same times_within_a_tenth_are_the_same
+fact nothing_as_dear_as_the_case_is_advised_in_its_place reference_is_as_cheap
+# Two drags in three beds, 3 and 2.1 s in the mean, and those of the second scattered so
+# that chance explains it, or not.
+"$winnow" study grains.cfg -s exchange.drag=syamlal-obrien,gidaspow -s output.end=0.002 --seeds 3 \
+    --measure steps --truth 10 -o drags --quiet
+named_of_beds() { # seconds of the second drag
+    for seed in 0 1 2; do
+        sed -i "s/\"processor\": [^,]*/\"processor\": 3/" \
+            drags/runs/drag=syamlal-obrien+seed-$seed/summary.json
+        sed -i "s/\"processor\": [^,]*/\"processor\": $1/" \
+            drags/runs/drag=gidaspow+seed-$seed/summary.json
+        shift
+    done
+    "$winnow" study grains.cfg -s exchange.drag=syamlal-obrien,gidaspow -s output.end=0.002 --seeds 3 \
+        --measure steps --truth 10 -o drags --quiet
+    sed -n 's/^- for 5 %.*drag=//p' drags/study.md
+}
+scatter_of_beds_counts() {
+    [ "$(named_of_beds 2.0 2.1 2.2)" = gidaspow ] && # 2.1 +- 0.06
+        [ "$(named_of_beds 1.0 3.0 2.3)" = syamlal-obrien ] # 2.1 +- 0.59
+}
+fact costs_that_chance_explains_over_the_seeds_are_the_same scatter_of_beds_counts
 # 0.32 s are eight steps of 0.04 s, and eleven of 0.03 s are 0.33 s.
 times_that_differ_are_told() {
     "$winnow" study channel.cfg -s fluid.step=0.04,0.02 --measure u_x -o even >even.said 2>&1 &&
@@ -173,6 +231,17 @@ times_that_differ_are_told() {
     ! grep -q 'last values' even.said && grep -q 'last values are those of 0.32 to 0.33 s' heard
 }
 fact last_values_of_different_times_are_told times_that_differ_are_told
+order_that_is_reversed_is_told() {
+    "$winnow" study channel.cfg -s fluid.step=0.02,0.04 -s 'mesh.cells=[1,16,1],[1,8,1]' \
+        --measure u_x -o odd --dry-run >heard 2>&1 &&
+        "$winnow" study channel.cfg -s fluid.step=0.04,0.02 -s 'mesh.cells=[1,8,1],[1,16,1]' \
+            --measure u_x -o odd --dry-run >even.said 2>&1
+    cat even.said heard
+    ! grep -q 'fine to coarse' even.said &&
+        grep -q 'fluid.step goes from fine to coarse; its last value, 0.04, counts' heard &&
+        grep -q 'mesh.cells goes from fine to coarse' heard
+}
+fact values_from_fine_to_coarse_are_told order_that_is_reversed_is_told
 picture_is_there() {
     grep -q '</svg>' time/study.svg && [ -s time/study.png ]
 }
@@ -218,6 +287,11 @@ spring_gains() {
 }
 fact the_step_of_grains_that_lose_nothing_gains_what_check_says spring_gains
 sphere=$top/cases/settling-sphere.cfg
+nothing_of_impacts() {
+    "$winnow" check "$sphere" -s particles.list=none >heard || return 1
+    grep -q 'fluid.step halved' heard && ! grep -q 'particles.step halved' heard
+}
+fact of_grains_that_never_meet_check_says_nothing_of_impacts nothing_of_impacts
 "$winnow" study "$sphere" -s fluid.step=4e-3,2e-3,1e-3 -s output.end=0.032 \
     --measure mean_fall_velocity --truth extrapolated -o sphere --times 2 --quiet
 fact the_step_of_a_sphere_costs_and_gains_what_check_says \
@@ -321,14 +395,19 @@ stopped_goes_on() {
 }
 fact a_study_that_is_stopped_goes_on_in_the_middle_of_its_runs stopped_goes_on
 # Thousands of cases take a while to read; a signal does not wait for the last one.
+# (On a busy machine it may not yet hear the signal: then once more, later.)
 stops_while_it_reads() {
-    "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 --seeds 1000 --times 4 \
-        --measure mean_height -o read >/dev/null 2>heard &
-    pid=$!
-    sleep 0.3
-    kill $pid
-    wait $pid
-    [ $? -eq 130 ] && grep -q 'before the first run' heard && [ ! -e read ]
+    for seconds in 0.3 1 3; do
+        "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 --seeds 1000 --times 4 \
+            --measure mean_height -o read >/dev/null 2>heard &
+        pid=$!
+        sleep $seconds
+        kill $pid
+        wait $pid
+        code=$?
+        [ $code -eq 143 ] || break
+    done
+    [ $code -eq 130 ] && grep -q 'before the first run' heard && [ ! -e read ]
 }
 fact a_study_is_stopped_while_it_reads_its_cases stops_while_it_reads
 # The same folder with another case: nothing of the old one is taken for it.
@@ -366,14 +445,17 @@ threads_change_no_bit() {
         grep -q '"threads": 2' threads/runs/threads=2/summary.json
 }
 fact threads_are_varied_and_change_no_bit threads_change_no_bit
-# Then the finest is no judge of the others: both are within any limit, the cheaper
-# is advised, and there is no error to be drawn.
+# Then the finest is no judge of the others: both are within any limit, the cheaper is
+# advised, or the case as it stands if that cannot be told, and there is no error to be
+# drawn.
 same_bits_are_compared_by_cost() {
     "$winnow" study grains.cfg -s threads=1,2 -s particles.bed.count=20 --measure mean_height \
         --cost seconds.total -o threads >heard 2>&1 || return 1
     cat heard
     cheaper=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "total [s]") t = i; next }
-        best == "" || $t < best { best = $t; name = $1 } END { print name }' threads/study.csv)
+        { took[NR] = $t }
+        END { less = took[2] - took[3] > 0.1 * sqrt((took[2] ^ 2 + took[3] ^ 2) / 2)
+              print "threads=" (less ? 2 : 1) }' threads/study.csv)
     [ "$(grep -c '| 0 % |' threads/study.md)" -eq 2 ] &&
         [ "$(grep -c "^- for .* %: .* error 0 %: $cheaper\$" heard)" -eq 3 ] &&
         grep -q 'no picture: all variants agree to the last bit' heard && [ ! -e threads/study.gp ]
@@ -506,8 +588,22 @@ fact a_table_that_falls refused 'does not rise' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth falling.csv
 fact more_runs_than_anybody_waits_for refused 'more than 10000 runs' \
     grains.cfg -s particles.step=2e-5,1e-5 --measure mean_height --seeds 1000 --times 1000
+fact a_cost_that_is_a_curve refused 'a run costs one number' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure u_x --cost profile.0
 fact an_option_that_is_none refused 'did you mean --measure' \
     channel.cfg -s fluid.step=0.1,0.2 --mesure u_x
+printf 'time [s],u [m/s]\n0,1\n1,inf\n' >endless.csv
+fact a_table_that_is_not_finite refused 'an infinite number' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth endless.csv
+sed 's/channel.cfg/there\/study.cfg/' there/study.cfg | sed 's/\.\.\///; s/truth.csv/none/' >study.cfg
+fact a_study_of_a_study refused 'is a study, and a study asks for a case' study.cfg
+# A link to nowhere is there, and is no folder.
+ln -s nowhere link
+why_no_folder() {
+    "$winnow" study channel.cfg -s fluid.step=0.1,0.2 --measure u_x -o link 2>heard
+    [ $? -eq 4 ] && cat heard && grep -q 'cannot make the folder link: File exists' heard
+}
+fact a_folder_that_cannot_be_made_says_why why_no_folder
 cat >wrong.cfg <<'END'
 case = "channel.cfg"; vary = (); measure = ();
 END

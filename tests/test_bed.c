@@ -161,7 +161,7 @@ static int load(const char *path, const struct bed_options *bed,
                 const struct dem_options *o)
 {
     struct particles *const ps = particles_create(bed->count);
-    struct bed_springs springs = {0, NULL};
+    struct bed_histories springs = {0, NULL};
     const int code = bed_file_load(path, ps, &springs, bed, o);
 
     free(springs.list);
@@ -394,13 +394,13 @@ struct stopper {
 };
 
 static int stop_settling(void *memory, struct bed_settling *b,
-                         enum bed_moment when)
+                         enum bed_stage when)
 {
     struct stopper *const s = memory;
 
-    if (when == BED_BEGINS && s->kept->n > 0)
+    if (when == BED_STAGE_START && s->kept->n > 0)
         bed_settling_state(b, kept_load(s->kept));
-    if (when != BED_MOVES || s->looks++ != s->stop) return 0;
+    if (when != BED_STAGE_STEPS || s->looks++ != s->stop) return 0;
     bed_settling_state(b, &s->kept->state);
     return 130;
 }

@@ -84,6 +84,44 @@ START_TEST(ew18_2_bodies_at_a_seam_move_as_in_the_middle)
 }
 END_TEST
 
+/* The mean flow [m/s] that a gradient drives in a while past n spheres in a row
+ * of periods of 1 m, with a gap of less than a cell between them. */
+static double flow_past(int n)
+{
+    enum { N = 12 };
+    const struct pool_options o = {.size = {1.0, n, 1.0},
+                                   .cells = {N, n * N, N},
+                                   .rho = 1.0,
+                                   .mu = 1.0,
+                                   .dt = 0.01,
+                                   .gradient = {-1.0, 0.0, 0.0},
+                                   .n = n};
+    const struct body_shape sphere = body_shape_sphere(0.9508);
+    struct pool p;
+    double flow[3];
+
+    pool_create(&p, &o);
+    for (int i = 0; i < n; i++)
+        solid_bodies_add(p.bodies, &sphere, (double[3]){0.53, i + 0.41, 0.37},
+                         1.0, BODY_FIXED);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    pool_run(&p, 20);
+    fluid_mean_flow(p.fluid, flow);
+    pool_free(&p);
+    return flow[0];
+}
+
+/* One sphere in one period and two in two are the same array: a cell in the gap
+ * misses a part of its neighbours on both sides, be they in two bodies or in
+ * one and its image. */
+START_TEST(ew18_4_a_sphere_beside_its_image_is_one_beside_another)
+{
+    const double two = flow_past(2);
+
+    ck_assert_double_eq_tol(flow_past(1) / two, 1.0, 1e-7);
+}
+END_TEST
+
 /* Two spheres in a stream toward an outlet, one behind the other. */
 static void create_stream(struct pool *p, const struct pool_options *o)
 {
@@ -310,10 +348,89 @@ START_TEST(a_box_on_a_spring_does_not_go_through_another_in_silence)
 }
 END_TEST
 
+/* A cylinder from one wall to the other moves along both, prescribed or, heavy
+ * as it is, on a soft spring: no fluid is squeezed out there, and in every cell
+ * that is a cell deep in it the fluid moves with it to 1/C of what presses. */
+START_TEST(ew18_4_a_body_that_slides_along_walls_is_held_beside_them)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 0.25},
+                                   .cells = {16, 16, 4},
+                                   .walls = {1, 1, 1},
+                                   .rho = 1.0,
+                                   .mu = 0.02,
+                                   .dt = 0.02};
+    const struct body_shape tube =
+        body_shape_cylinder(0.4, 0.25, (double[3]){0.0, 0.0, 1.0});
+    const double x[3] = {0.45, 0.5, 0.125};
+    struct pool p;
+    int deep = 0;
+
+    pool_create(&p, &o);
+    solid_bodies_add(p.bodies, &tube, x, 1e6, BODY_PRESCRIBED);
+    if (_i == 1)
+        solid_bodies_set_spring(p.bodies, 0, (double[3]){1e-6, 0.0, 0.0});
+    const struct particles *const ps = p.bodies->ps;
+    ps->vx[0] = 0.3;
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    ck_assert_int_eq(fluid_step(p.fluid), 0);
+    for (int c = 0; c < p.mesh->n_cells; c++) {
+        const double *const at = &p.mesh->centre[3 * c];
+        const double r[3] = {at[0] - x[0], at[1] - x[1], 0.0};
+        if (body_shape_distance(&tube, r) > -1.0 / 16.0) continue;
+        ck_assert_double_eq_tol(p.fluid->u[3 * c], 0.3, 3e-3);
+        deep++;
+    }
+    ck_assert_int_ge(deep, 4 * 14);
+    pool_free(&p);
+}
+END_TEST
+
+/* A rod turns beside an outlet until an end of it is outside, while its weight
+ * draws it in: it is moved by what acts on it, and does not stay there. */
+START_TEST(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {12, 12, 12},
+                                   .walls = {1, 1, 1},
+                                   .rho = 1.0,
+                                   .mu = 0.02,
+                                   .dt = 0.02,
+                                   .inlet = 1e-6,
+                                   .virtual_mass = 2.0,
+                                   .dem_steps = 5};
+    const struct body_ball ball[2] = {{{-0.2, 0.0, 0.0}, 0.15},
+                                      {{0.2, 0.0, 0.0}, 0.15}};
+    const struct body_shape rod = body_shape_outline(clump_create(2, ball));
+    struct pool p;
+    double highest = 0.0;
+
+    pool_create(&p, &o);
+    p.bodies->options.gravity[1] = -1.0;
+    p.bodies->contacts.material =
+        (struct material){.stiffness = 300.0, .restitution = 0.9};
+    solid_bodies_add(p.bodies, &rod, (double[3]){0.5, 0.82, 0.5}, 3.0,
+                     BODY_FREE);
+    p.bodies->ps->wz[0] = 6.0;
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    for (int i = 0; i < 50; i++) {
+        double extent[3];
+        pool_run(&p, 1);
+        body_shape_extent(&p.bodies->shape[0], extent);
+        highest = fmax(highest, p.bodies->ps->y[0] + extent[1]);
+    }
+    ck_assert_double_gt(highest, 1.02);
+    ck_assert_double_lt(p.bodies->ps->vy[0], -0.1);
+    pool_free(&p);
+}
+END_TEST
+
 FACTS("body_places")
 {
     FACT_FOR_EACH(ew18_2_bodies_at_a_seam_move_as_in_the_middle, 7);
+    FACT(ew18_4_a_sphere_beside_its_image_is_one_beside_another);
     FACT(ew18_2_a_body_leaves_through_an_outlet);
+    FACT(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back);
+    FACT_FOR_EACH(ew18_4_a_body_that_slides_along_walls_is_held_beside_them, 2);
     FACT(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it);
     FACT_FOR_EACH(a_body_on_a_spring_bounces_off_a_wall, 4);
     FACT_FOR_EACH(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed,

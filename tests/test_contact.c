@@ -133,7 +133,7 @@ static double swing_back(const struct contact_law *law, double e)
     for (int k = 0; k < 8000; k++) {
         int n;
         ck_assert_int_eq(dem_run(dem, 1, &r), 0);
-        struct dem_spring *const s = dem_springs(dem, &n);
+        struct dem_history *const s = dem_histories(dem, &n);
         ck_assert_int_eq(n, 1);
         most = fmax(most, s[0].xi[0]);
         least = fmin(least, s[0].xi[0]);
@@ -380,7 +380,7 @@ START_TEST(ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it)
     do {
         int n;
         ck_assert_int_eq(dem_run(dem, 1, &r), 0);
-        struct dem_spring *const spring = dem_springs(dem, &n);
+        struct dem_history *const spring = dem_histories(dem, &n);
         const double s = ps->vx[0] + R * ps->wz[0];
         const double xi = n > 0 ? spring[0].xi[0] : 0.0;
         const double held = s * s + 3.5 * 0.8 * k / ps->m[0] * xi * xi;

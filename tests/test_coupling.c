@@ -463,7 +463,7 @@ START_TEST(a_sphere_with_no_interpolated_fluid_ends_the_run)
     ps->x[0] = 5.9e-3;
     ck_assert_int_ne(transfer_average(sim), 0);
     ck_assert_double_eq_tol(sim->coupling->report.eps_lowest, 0.0837, 1e-3);
-    ck_assert_double_eq_tol(sim->coupling->report.seen_lowest,
+    ck_assert_double_eq_tol(sim->coupling->report.lowest_interpolated,
                             0.149 - 0.45 * 0.459, 2e-3);
     discard(sim);
 }

@@ -363,11 +363,11 @@ START_TEST(springs_taken_out_and_put_back_continue_a_run)
     o.material.restitution = 1.0;
     struct dem *const dem = dem_create(ps, &o);
     ck_assert_int_eq(dem_run(dem, 2000, &r), 0);
-    struct dem_spring *const springs = dem_springs(dem, &n);
+    struct dem_history *const springs = dem_histories(dem, &n);
     ck_assert_int_eq(n, r.contacts);
     copy_state(copy, ps);
     struct dem *const next = dem_create(copy, &o);
-    if (_i == 0) dem_restore_springs(next, springs, n);
+    if (_i == 0) dem_restore_histories(next, springs, n);
     ck_assert_int_eq(dem_run(dem, 200, &r), 0);
     ck_assert_int_eq(dem_run(next, 200, &r), 0);
     if (_i == 0) ck_assert_double_lt(farthest_apart(ps, copy), 1e-11);

@@ -164,7 +164,7 @@ START_TEST(every_effect_is_known_by_its_name_and_has_a_row)
         char path[64];
         snprintf(path, sizeof path, "effects.%s", effects[i]->name);
         ck_assert_ptr_eq(effect_named(effects[i]->name), effects[i]);
-        ck_assert_str_eq(effects[i]->keys[0].path, path);
+        ck_assert_str_eq(effects[i]->keys[0]->path, path);
     }
     ck_assert_ptr_null(effect_named("magnetism"));
 }

@@ -34,7 +34,7 @@ static void assert_said(const char *part)
 /* A run that writes two files and lists a third that it does not write. */
 static void run_once(const char *where)
 {
-    struct folder *const f = folder_take(where);
+    struct folder *const f = folder_open(where);
 
     ck_assert_ptr_nonnull(f);
     ck_assert_int_eq(folder_begin(f, 0), 0);
@@ -56,7 +56,7 @@ START_TEST(what_is_listed_goes_and_what_is_not_stays)
     scratch_write(scratch_path(name, "notes.txt"), "mine");
     scratch_write(scratch_path(name, "fluid/mine.vtr"), "mine");
     scratch_write(scratch_path(name, "history.csv.partial"), "half");
-    struct folder *const f = folder_take(name);
+    struct folder *const f = folder_open(name);
     ck_assert_ptr_nonnull(f);
     ck_assert(scratch_exists(scratch_path(name, "summary.json")));
     ck_assert_int_eq(folder_begin(f, 0), 0);
@@ -82,17 +82,17 @@ START_TEST(a_second_run_is_refused_and_a_dead_one_holds_nothing)
     ck_assert_int_eq(pipe(ready), 0);
     const pid_t other = fork();
     if (other == 0) {
-        if (folder_take(name) != NULL && write(ready[1], "x", 1) == 1) pause();
+        if (folder_open(name) != NULL && write(ready[1], "x", 1) == 1) pause();
         _exit(1);
     }
     ck_assert_int_eq(read(ready[0], &byte, 1), 1);
-    ck_assert_ptr_null(folder_take(name));
+    ck_assert_ptr_null(folder_open(name));
     snprintf(number, sizeof number, "(process %ld)", (long)other);
     assert_said(number);
     scratch_assert_text(scratch_path(name, "summary.json"), "of a run");
     kill(other, SIGKILL);
     ck_assert_int_eq(waitpid(other, &status, 0), other);
-    struct folder *const f = folder_take(name);
+    struct folder *const f = folder_open(name);
     ck_assert_ptr_nonnull(f);
     folder_free(f);
 }
@@ -111,7 +111,7 @@ START_TEST(a_manifest_that_names_what_is_not_inside_is_refused)
     snprintf(text, sizeof text, "%ssummary.json\n%s", MANIFEST_HEAD,
              strange[_i]);
     scratch_write(scratch_path(name, "manifest.txt"), text);
-    ck_assert_ptr_null(folder_take(name));
+    ck_assert_ptr_null(folder_open(name));
     scratch_assert_text(scratch_path(name, "summary.json"), "of a run");
     scratch_assert_text(scratch_path(dir, "x"), "mine");
     assert_said("manifest.txt:3: not the list of a run's files");
@@ -121,7 +121,7 @@ END_TEST
 START_TEST(a_manifest_of_another_program_is_refused)
 {
     scratch_write(scratch_path(dir, "manifest.txt"), "summary.json\n");
-    ck_assert_ptr_null(folder_take(dir));
+    ck_assert_ptr_null(folder_open(dir));
     assert_said("manifest.txt:1: not the list of a run's files");
     scratch_assert_text(scratch_path(dir, "manifest.txt"), "summary.json\n");
 }
@@ -133,7 +133,7 @@ START_TEST(a_line_cut_short_by_a_crash_is_no_name)
     scratch_write(scratch_path(name, "notes"), "mine");
     scratch_write(scratch_path(name, "manifest.txt"),
                   MANIFEST_HEAD "summary.json\nfluid/fluid_000000.vtr\nnotes");
-    struct folder *const f = folder_take(name);
+    struct folder *const f = folder_open(name);
     ck_assert_ptr_nonnull(f);
     ck_assert_int_eq(folder_begin(f, 0), 0);
     folder_free(f);
@@ -150,7 +150,7 @@ START_TEST(a_foreign_file_that_would_be_overwritten_refuses_the_folder)
     file_make_dirs(scratch_path(name, "fluid"));
     file_make_dirs(scratch_path(name, "profiles"));
     scratch_write(scratch_path(name, wanted[_i]), "mine");
-    ck_assert_ptr_null(folder_take(name));
+    ck_assert_ptr_null(folder_open(name));
     scratch_assert_text(scratch_path(name, wanted[_i]), "mine");
     ck_assert(!scratch_exists(scratch_path(name, "manifest.txt")));
     assert_said(wanted[_i]);
@@ -168,7 +168,7 @@ START_TEST(a_link_out_of_the_folder_is_not_followed)
     ck_assert_int_eq(remove(scratch_path(name, "fluid/fluid_000000.vtr")), 0);
     ck_assert_int_eq(rmdir(scratch_path(name, "fluid")), 0);
     ck_assert_int_eq(symlink(away, scratch_path(name, "fluid")), 0);
-    ck_assert_ptr_null(folder_take(name));
+    ck_assert_ptr_null(folder_open(name));
     scratch_assert_text(scratch_path(away, "fluid_000000.vtr"), "mine");
     assert_said("fluid is in the way");
 }
@@ -176,15 +176,15 @@ END_TEST
 
 START_TEST(a_folder_in_which_nothing_was_begun_goes_with_those_above)
 {
-    struct folder *f = folder_take(scratch_path(dir, "a//b/c/"));
+    struct folder *f = folder_open(scratch_path(dir, "a//b/c/"));
 
     ck_assert_ptr_nonnull(f);
-    folder_leave(f);
+    folder_abandon(f);
     folder_free(f);
     ck_assert(!scratch_exists(scratch_path(dir, "a")));
     run_once(scratch_path(dir, "a"));
-    f = folder_take(scratch_path(dir, "a"));
-    folder_leave(f);
+    f = folder_open(scratch_path(dir, "a"));
+    folder_abandon(f);
     folder_free(f);
     ck_assert(scratch_exists(scratch_path(dir, "a/summary.json")));
 }

@@ -62,16 +62,29 @@ START_TEST(the_last_snapshot_of_a_dump_is_read)
 }
 END_TEST
 
+/* A place that goes on across the periods counts where there is no other. */
+START_TEST(unwrapped_places_of_a_dump_are_read)
+{
+    long n;
+    struct insertion_sphere *const list = insertion_read(
+        file_of("ITEM: ATOMS id xu yu zu x diameter\n1 7 2 3 1 0.5\n"
+                "2 9 5 6 4 1\n"),
+        &n);
+
+    are_the_two(list, n);
+    free(list);
+}
+END_TEST
+
 static const char *const marks[] = {"", CSV_UTF_8};
 
 START_TEST(a_table_is_read_by_the_names_of_its_columns)
 {
     long n;
     char text[128];
-    snprintf(
-        text, sizeof text, "%s%s", marks[_i],
-        "# of a spreadsheet\n\"z [m]\";\"diameter [m]\";\"x [m]\";\"y [m]\"\n"
-        "3;0.5;1;2\n\n6;0.25;4;5\n");
+    snprintf(text, sizeof text, "%s%s", marks[_i],
+             "# of a spreadsheet\n\"z (m)\";\"diameter [m]\";\"x [m]\";y(m)\n"
+             "3;0.5;1;2\n\n6;0.25;4;5\n");
     const char *const path = file_of(text);
     struct insertion_sphere *const list = insertion_read(path, &n);
 
@@ -165,6 +178,7 @@ FACTS("grain table")
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
     FACT(the_last_snapshot_of_a_dump_is_read);
+    FACT(unwrapped_places_of_a_dump_are_read);
     FACT(a_data_file_has_its_spheres_in_the_section_of_atoms);
     FACT(a_data_file_of_other_atoms_is_refused);
     FACT_FOR_EACH(a_table_is_read_by_the_names_of_its_columns, 2);

@@ -204,10 +204,10 @@ START_TEST(springs_find_their_pairs_in_any_order)
     dem_run(bt, 5, &r);
     for (int k = 0; k < 20; k++) {
         int n;
-        struct dem_spring *const list = dem_springs(bt, &n);
+        struct dem_history *const list = dem_histories(bt, &n);
         dem_run(at, 5, &r);
         particles_permute(b, order); /* and all particles change places */
-        dem_restore_springs(bt, list, n);
+        dem_restore_histories(bt, list, n);
         dem_run(bt, 5, &r);
         free(list);
     }

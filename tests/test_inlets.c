@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/inlets/formula.h"
 #include "fluid/forces/wall_stress.h"
-#include "mesh/face_corners.h"
+#include "mesh/geometry/face_corners.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
 #include "case/build.h"

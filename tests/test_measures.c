@@ -138,8 +138,9 @@ static int by_chance(int i, int n, gsl_rng *r)
     return (int)gsl_rng_uniform_int(r, 10);
 }
 
-/* The half that was to the right goes to the right of a wall between samples,
- * M = 0, whatever their sizes. Tolerance: rounding. */
+/* The two halves lie in bands of 1 mm in turn, near both ends of each. A sample
+ * is as wide as a band, so that each has one kind and M = 0; with samples of
+ * another width some have both. Tolerance: rounding. */
 START_TEST(lacey_of_what_is_not_mixed_is_zero)
 {
     struct simulation *const sim = build(mixing);
@@ -157,8 +158,8 @@ START_TEST(lacey_of_what_is_not_mixed_is_zero)
     }
     ck_assert_double_gt(middle, 0.0);
     for (int i = 0; i < ps->n; i++)
-        ps->x[i] = before[i] < middle ? i % 3 * 1e-3 + 1e-4
-                                      : 6e-3 + i % 5 * 1e-3 + 1e-4;
+        ps->x[i] = (before[i] < middle ? 0.0 : 1e-3) + i % 5 * 2e-3 +
+                   (i % 2 ? 1e-4 : 9e-4);
     ck_assert_double_eq_tol(row(sim)[0], 0.0, 1e-12);
     free(before);
     build_free(sim);

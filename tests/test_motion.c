@@ -444,10 +444,10 @@ START_TEST(a_prescribed_motion_depends_on_time_alone)
     dem_run(whole, 4000, &r);
     dem_run(whole, 4000, &r);
     dem_run(first, 4000, &r);
-    struct dem_spring *const list = dem_springs(first, &n);
+    struct dem_history *const list = dem_histories(first, &n);
     struct dem *const second = started(ps[1], &o);
     dem_clock(second, 4000);
-    dem_restore_springs(second, list, n);
+    dem_restore_histories(second, list, n);
     dem_run(second, 4000, &r);
     ck_assert_double_eq_tol(ps[0]->x[0], ps[1]->x[0], 1e-10);
     ck_assert_double_eq_tol(ps[0]->y[0], ps[1]->y[0], 1e-10);

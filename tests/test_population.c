@@ -408,6 +408,25 @@ START_TEST(a_file_brings_its_spheres_in_its_order)
 }
 END_TEST
 
+/* As a program with its origin elsewhere writes it: 2 mm behind, and in x
+ * a period and a half away. */
+START_TEST(places_of_a_file_are_moved_and_brought_back_into_the_period)
+{
+    const struct box_domain box = around(1);
+    const double L = box.length[0], by[3] = {-0.5 * L, 0.0, 0.002};
+    struct insertion_sphere one = {.d = 1e-3};
+
+    for (int k = 0; k < 3; k++)
+        one.x[k] = 0.5 * (box.lo[k] + box.hi[k]) - by[k];
+    one.x[0] += 2.0 * L;
+    one.x[1] = box.hi[1] + L; /* not periodic: it stays outside */
+    insertion_move(&one, 1, by, &box);
+    ck_assert_double_eq_tol(one.x[0], 0.5 * (box.lo[0] + box.hi[0]), 1e-15);
+    ck_assert_double_eq(one.x[1], box.hi[1] + L);
+    ck_assert_double_eq_tol(one.x[2], 0.5 * (box.lo[2] + box.hi[2]), 1e-15);
+}
+END_TEST
+
 FACTS("life")
 {
     tcase_set_timeout(facts, 30);
@@ -422,4 +441,5 @@ FACTS("life")
     FACT(a_resumed_run_with_insertion_has_the_same_bits);
     FACT(inserted_particles_have_no_data_of_removed_ones);
     FACT(a_file_brings_its_spheres_in_its_order);
+    FACT(places_of_a_file_are_moved_and_brought_back_into_the_period);
 }

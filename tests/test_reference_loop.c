@@ -158,11 +158,11 @@ static struct particles *life(const struct dem_options *o, int springs,
     remove_some(dem, ps);
     if (springs) {
         int n;
-        struct dem_spring *const list = dem_springs(dem, &n);
+        struct dem_history *const list = dem_histories(dem, &n);
         dem_free(dem);
         dem = dem_create(ps, o);
         dem_start_energy_budget(dem);
-        dem_restore_springs(dem, list, n);
+        dem_restore_histories(dem, list, n);
         free(list);
     }
     ck_assert_int_eq(dem_run(dem, 60, r), 0);
@@ -244,11 +244,11 @@ START_TEST(either_loop_continues_what_the_other_began)
         ps[k] = thrown();
         struct dem *const first = dem_create(ps[k], &o);
         ck_assert_int_eq(dem_run(first, 500, &r), 0);
-        struct dem_spring *const list = dem_springs(first, &n);
+        struct dem_history *const list = dem_histories(first, &n);
         dem_free(first);
         o.method = k & 2 ? &reference_all_pairs : &fast_verlet;
         struct dem *const second = dem_create(ps[k], &o);
-        dem_restore_springs(second, list, n);
+        dem_restore_histories(second, list, n);
         free(list);
         ck_assert_int_eq(dem_run(second, 200, &r), 0);
         dem_free(second);

@@ -37,7 +37,7 @@ static const char *value_of(const char *path)
 /* "basset = { tolerance = 1e-2; };" */
 static void name_effect(const struct effect *e, char text[TEXT])
 {
-    const struct key *k = e->keys;
+    const struct key *k = e->keys[0];
 
     if (k->type != KEY_GROUP) {
         snprintf(text, TEXT, "%s = [1.0, -9.0, 0.5];", e->name);

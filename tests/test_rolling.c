@@ -158,10 +158,10 @@ static struct particles *stirred(int threads, int halves)
     ck_assert_int_eq(dem_run(dem, 500, &r), 0);
     if (halves) {
         int n;
-        struct dem_spring *const springs = dem_springs(dem, &n);
+        struct dem_history *const springs = dem_histories(dem, &n);
         dem_free(dem);
         dem = dem_create(ps, &o);
-        dem_restore_springs(dem, springs, n);
+        dem_restore_histories(dem, springs, n);
         free(springs);
     } else
         dem_changed(dem); /* both begin the second half with new lists */

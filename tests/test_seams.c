@@ -88,7 +88,7 @@ struct outcome {
     struct dem_report report;
     struct energy energy;
     struct dem_overlap deepest;
-    struct dem_spring *spring;
+    struct dem_history *spring;
     int n_springs;
 };
 
@@ -114,7 +114,7 @@ static struct outcome outcome_of(int scene, int periodic, const double shift[3],
     ck_assert_int_eq(dem_run(dem, STEPS, &out.report), 0);
     out.energy = *dem_energy(dem);
     out.deepest = dem_deepest(dem);
-    out.spring = dem_springs(dem, &out.n_springs);
+    out.spring = dem_histories(dem, &out.n_springs);
     dem_free(dem);
     for (int i = 0; i < SPHERES; i++) { /* back to where it was */
         out.ps->x[i] -= shift[0];
@@ -163,10 +163,10 @@ static void compare_springs(const struct outcome *got,
             most[1] = fmax(most[1], fabs(want->spring[i].roll_angle[k]));
         }
     for (int i = 0; i < want->n_springs; i++) {
-        const struct dem_spring *const w = &want->spring[i], *g = NULL;
+        const struct dem_history *const w = &want->spring[i], *g = NULL;
         double sign = 1.0;
         for (int j = 0; j < got->n_springs && g == NULL; j++) {
-            const struct dem_spring *const s = &got->spring[j];
+            const struct dem_history *const s = &got->spring[j];
             if (s->id == w->id && s->other == w->other) g = s;
             if (s->id == w->other && s->other == w->id) g = s, sign = -1.0;
         }

@@ -475,10 +475,10 @@ START_TEST(springs_of_surfaces_are_part_of_the_state)
     dem_changed(dem);
     dem_run(dem, 5000, &r);
     dem_run(first, 5000, &r);
-    struct dem_spring *const list = dem_springs(first, &n);
+    struct dem_history *const list = dem_histories(first, &n);
     ck_assert_int_eq(n, 1);
     ck_assert_double_gt(vector_length(list[0].xi), 1e-9);
-    dem_restore_springs(second, list, n);
+    dem_restore_histories(second, list, n);
     dem_run(second, 5000, &r);
     ck_assert_double_eq_tol(ps->x[0], twin->x[0], 1e-13);
     ck_assert_double_eq_tol(ps->wz[0], twin->wz[0], 1e-13);

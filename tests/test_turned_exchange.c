@@ -167,8 +167,8 @@ static void assert_alike(const struct simulation *a, const struct simulation *b,
     }
     ck_assert_double_eq_tol(a->coupling->report.shortest_time,
                             b->coupling->report.shortest_time, 1e-9);
-    ck_assert_double_eq_tol(a->coupling->report.seen_lowest,
-                            b->coupling->report.seen_lowest, 1e-10);
+    ck_assert_double_eq_tol(a->coupling->report.lowest_interpolated,
+                            b->coupling->report.lowest_interpolated, 1e-10);
 }
 
 START_TEST(the_coupling_does_not_depend_on_the_axes)

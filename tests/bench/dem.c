@@ -139,7 +139,7 @@ static int write_bed(const char *law, const char *path, int tiles, double throw)
 static void describe(struct dem *dem, const struct particles *ps)
 {
     int n, pairs = 0;
-    struct dem_spring *const spring = dem_springs(dem, &n);
+    struct dem_history *const spring = dem_histories(dem, &n);
     double height = 0.0, v2 = 0.0;
 
     for (int q = 0; q < n; q++)

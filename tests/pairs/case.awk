@@ -192,17 +192,18 @@ function place(a, b, c,    w) {
     return w
 }
 
-function put_list(to) {
-    print place(0.2, 0.8, 0.5), d >to
-    print place(on("bodies") && !is("mesh", "sheared") ? 0.88 : 0.6, 0.85, 0.5), d >to
+function put_list(to, c) {
+    print place(0.2, 0.8, c), d >to
+    print place(on("bodies") && !is("mesh", "sheared") ? 0.88 : 0.6, 0.85, c), d >to
     close(to)
 }
 
 function put_insert() {
     if (!on("insert")) return
-    if (is("insert", "file")) {
-        put_list(folder "/" name ".spheres")
-        put("  insert = ( { file = \"" name ".spheres\"; } );")
+    if (is("insert", "file moved")) {
+        put_list(folder "/" name ".spheres", is("insert", "file") ? 0.5 : -0.5)
+        put("  insert = ( { file = \"" name ".spheres\"; " \
+            (is("insert", "moved") ? "offset = " vec(0, 0, size[3]) "; " : "") "} );")
         return
     }
     put("  insert = ( { " sized() " velocity = [0.0, -0.2, 0.0];" \

@@ -32,7 +32,7 @@ BEGIN {
     choice("cpm", "materials", "one wall several pairs")
     choice("cpm", "rolling", "off on")
     choice("cpm", "cohesion", "none electrostatic van_der_waals capillary all")
-    choice("cpm", "insert", "none once rate late file")
+    choice("cpm", "insert", "none once rate late file moved")
     choice("cp", "sinks", "none bottom left region both")
     choice("m", "sinks", "none region")
     choice("cp", "driven", "none line swing circle")
