@@ -40,7 +40,7 @@ static struct particles *settled(const struct dem_options *o)
                                     .gravity = {0.0, -9.81, 0.0},
                                     .settle = 1.0};
     struct particles *const ps = particles_create(bed.count);
-    struct bed_springs springs = {0};
+    struct bed_histories springs = {0};
     struct bed_report r = {0};
 
     if (bed_fill(ps, &bed, o) != 0 ||

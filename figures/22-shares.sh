@@ -78,3 +78,4 @@ shares ew18-liquid-cube 10 fluid.bottom.inlet=1.0
 shares ew18-liquid-random 10 fluid.bottom.inlet=1.0
 shares ew18-liquid-shared 10 fluid.bottom.inlet=1.0
 shares ew18-gas 4 fluid.bottom.inlet=1.0
+shares carried-bead 0.6

@@ -1,13 +1,14 @@
 #!/bin/sh
 # One of the studies in cases/studies: its table, in columns, and what it comes to.
-# The picture goes to figures/25-NAME.svg.
+# The picture goes to figures/25-NAME.svg. A study of the runs of another one names it.
 #
-#   25-study.sh NAME
+#   25-study.sh NAME [OTHER]
 set -eu
-said=$(winnow study "cases/studies/$1.cfg" -o "out/study-$1" --quiet 2>&1) ||
+dir=out/study-${2:-$1}
+said=$(winnow study "cases/studies/$1.cfg" -o "$dir" --quiet 2>&1) ||
     { echo "$said" && exit 1; }
 # A study whose errors are all zero, as those of threads are, has no picture.
-svg=out/study-$1/study.svg
+svg=$dir/study.svg
 [ ! -e "$svg" ] || cp "$svg" "figures/25-$1.svg"
 awk -F ' *[|] *' '
     function pad(text, width, left) {
@@ -35,4 +36,4 @@ awk -F ' *[|] *' '
             print line
         }
         for (l = 1; l <= lines; l++) print advice[l]
-    }' "out/study-$1/study.md"
+    }' "$dir/study.md"

@@ -128,15 +128,19 @@ static struct particles *slot(double L[3])
 /* In thousandths of a diameter, one a line. */
 static struct particles *bed(double L[3])
 {
+    const char *const path = "figures/data/26-bed.txt";
     struct particles *const ps = particles_create(10000);
-    FILE *const file = fopen("figures/data/26-bed.txt", "r");
+    FILE *const file = fopen(path, "r");
     char line[100];
     double x, y, z;
 
     L[0] = 44.0 / 1.2;
     L[1] = 80.0;
     L[2] = 10.0 / 1.2;
-    if (file == NULL) exit(4);
+    if (file == NULL) {
+        perror(path);
+        exit(4);
+    }
     while (fgets(line, sizeof line, file) != NULL)
         if (sscanf(line, "%lf %lf %lf", &x, &y, &z) == 3 && ps->n < 10000)
             place(ps, 1e-3 * x, 1e-3 * y, 1e-3 * z);

@@ -191,7 +191,7 @@ static void correct(void)
         }
 }
 
-/* What the air does to each grain in this step; its weight less buoyancy. */
+/* Forces of the air on each grain; along y (k = 1) weight less buoyancy. */
 static void forces_of_air(void)
 {
     field u_f, slope;
