@@ -3,7 +3,8 @@
 # one piece, and then stopped at random moments, by a signal, by kill -9, on a
 # full disk, or by the loss of its folder, and resumed with another number of
 # threads. Whatever happens, the resumed run has the same files, bit for bit, or
-# says in one line why it cannot go on.
+# says in one line why it cannot go on. The same holds where a file of a run that
+# has ended is lost.
 #
 #   sh tests/kills.sh build/winnow          (one kill of each case)
 #   sh tests/kills.sh build/winnow 40       (40 of each, and of a bed that
@@ -223,7 +224,32 @@ kill_once() {
     fi
 }
 
+# Of a run that has ended, one file after the other is lost, one of each name but
+# for its number. The run that is resumed then makes it again, or says in one line
+# that it cannot.
+lose_each() {
+    (cd full && find . -type f | sort) |
+        awk '{ alike = $0; gsub(/[0-9]+/, "0", alike) } !seen[alike]++' >files
+    while read -r file; do
+        rm -rf part
+        cp -r full part
+        rm "part/$file"
+        lost=$((lost + 1))
+        run 600 KILL "$name" part -j 1 --resume
+        code=$?
+        if [ $code -ne 0 ]; then
+            [ "$(grep -c '^winnow: ' said)" -eq 1 ] && continue
+        elif same full part >differ 2>&1; then
+            continue
+        fi
+        echo "FAILED $name without $file: exit code $code"
+        cat said differ
+        failed=$((failed + 1))
+    done <files
+}
+
 kill=0
+lost=0
 [ $# -lt 4 ] || kill=$((seed - 1)) # other ways to stop, too
 names="coupled fed cells linked flow"
 [ "$kills" -eq 1 ] || names="$names settling"
@@ -239,11 +265,13 @@ for name in ${4:-$names}; do
         made=$((made + 1))
         kill_once
     done
+    [ "$kills" -eq 1 ] && [ "$name" != fed ] || lose_each
 done
-facts=$((made - failed))
+facts=$((made + lost - failed))
 # Prints the sum and ends.
 finish() {
     echo "$made kills: $resumed runs have the same bits, $refused say why not"
+    echo "$lost files were lost, one after the other"
     echo "kills: $facts passed, $failed failed"
     [ $failed -eq 0 ]
     exit

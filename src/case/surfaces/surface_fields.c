@@ -17,7 +17,8 @@
 
 struct surface_fields {
     const struct simulation *sim;
-    struct folder *folder; /* borrowed */
+    const struct snapshot *last; /* borrowed; its time is that of the picture */
+    struct folder *folder;       /* borrowed */
     struct series *series;
     struct outline outline;
     struct vtk_file *writer;
@@ -39,6 +40,7 @@ static void *create(const struct recorder_view *v, int *failed)
     struct surface_fields *const p = alloc_zeroed(1, sizeof *p);
 
     p->sim = v->sim;
+    p->last = v->whole;
     p->folder = v->folder;
     p->writer = vtk_file_create();
     p->series = field_output_series(v->folder, "surfaces", "vtp");
@@ -57,11 +59,22 @@ static int any_moves(const struct simulation *sim)
     return moves;
 }
 
-/* Where they cut the middle of the depth, for the picture. gnuplot draws no
- * file without a point, so one that is nowhere ends it. */
-static int put_section(struct surface_fields *p)
+static void draw(struct surface_fields *p, double t)
 {
+    const struct simulation *const sim = p->sim;
+    const struct mesh *const m = sim->mesh;
+
+    outline_draw(&p->outline, sim->surfaces, sim->n_surfaces, m->lo, m->hi, t);
+}
+
+/* Where they cut the middle of the depth, for the picture of the end. gnuplot
+ * draws no file without a point, so one that is nowhere ends it. */
+static int put_section(void *part)
+{
+    struct surface_fields *const p = part;
     const struct mesh *const m = p->sim->mesh;
+
+    draw(p, p->last->t);
     if (folder_make(p->folder, "picture") != 0) return 1;
     struct file *const f = picture_open(p->folder, "picture/walls.txt");
     if (f == NULL) return 1;
@@ -76,12 +89,10 @@ static int put_section(struct surface_fields *p)
 static int add(void *part, double t)
 {
     struct surface_fields *const p = part;
-    const struct simulation *const sim = p->sim;
-    const struct mesh *const m = sim->mesh;
-    struct outline *const o = &p->outline;
+    const struct outline *const o = &p->outline;
 
-    if (series_count(p->series) > 0 && !any_moves(sim)) return 0;
-    outline_draw(o, sim->surfaces, sim->n_surfaces, m->lo, m->hi, t);
+    if (series_count(p->series) > 0 && !any_moves(p->sim)) return 0;
+    draw(p, t);
     const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
                                        o->corner, o->end};
     const struct vtk_array of = {
@@ -89,7 +100,7 @@ static int add(void *part, double t)
     const char *const path = series_next(p->series);
     return folder_list(p->folder, path) != 0 ||
            vtk_write_polygons(p->writer, path, &shape, t, 1, &of) != 0 ||
-           series_add(p->series, t) != 0 || put_section(p) != 0;
+           series_add(p->series, t) != 0;
 }
 
 static void visit(void *part, struct state *s)
@@ -98,5 +109,8 @@ static void visit(void *part, struct state *s)
     series_state(p->series, s);
 }
 
-const struct recorder_part surface_fields_part = {
-    .create = create, .free = release, .fields = add, .state = visit};
+const struct recorder_part surface_fields_part = {.create = create,
+                                                  .free = release,
+                                                  .fields = add,
+                                                  .finish = put_section,
+                                                  .state = visit};
