@@ -722,9 +722,8 @@ fact bodies_begin_apart 2 "bodies: body 0 begins 0.02007 m deep in body 1" \
 fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grading=[2.0,1.0,1.0]
 fact cylinder_is_along_an_axis_but_for_rounding 0 "" body -s mesh.cells=[12,12,4] \
     -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.01; length=0.03; axis=[0.0,0.0,49.0];})}'
-fact rebound_is_that_by_the_mass_that_viscosity_asks_for 0 \
-    "at most: it comes too late; shorten fluid.step" \
-    body -s fluid.viscosity=50.0
+fact light_bodies_ask_for_cells 0 "LOW: in contact such a body needs eight cells" \
+    body -s bodies.spheres.1.density=100.0 -s mesh.cells=[12,12,12]
 fact virtual_mass_is_what_viscosity_and_shape_ask_for 0 \
     "largest virtual mass                        22.45" \
     body -s fluid.viscosity=50.0

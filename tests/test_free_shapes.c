@@ -385,7 +385,7 @@ END_TEST
  */
 
 /* A periodic box with a free body that turns and drifts: fluid and body keep
- * their momentum (24.12) to the solver's tolerance, 1e-10. */
+ * their momentum (24.13) to the solver's tolerance, 1e-10. */
 START_TEST(ew18_2_a_free_block_and_the_fluid_keep_their_momentum)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},

@@ -25,7 +25,7 @@ static double gyration(const struct solid_bodies *b, int i)
 
 /* The force of the fluid comes a step late. From C_v = (K + 1 + 2 C_a -
  * rho_r)/2 down, a change of the velocity comes back larger and with the other
- * sign (24.10). */
+ * sign (24.10). In a crowd C_a is larger (24.12). */
 static void set_virtual_mass(struct solid_bodies *b, int i, double dt)
 {
     const double width = body_shape_width(&b->shape[i]), R = 0.5 * width;
@@ -35,39 +35,84 @@ static void set_virtual_mass(struct solid_bodies *b, int i, double dt)
         body_numbers_added_mass(body_shape_volume(&b->shape[i]), width);
     const double least = b->options.virtual_mass;
 
-    b->C_v[i] = body_numbers_virtual_mass(least, x, rho_r, C_a);
+    b->C_v[i] = body_numbers_virtual_mass(least, x, rho_r, C_a, b->ps->n);
     b->C_spin[i] = body_numbers_virtual_spin(least, x, rho_r, C_a);
 }
 
+/* C_v rho V Delta U_f + C_c rho V Delta U_c [N s], of the change in the step
+ * before or, after the contacts, in this one. */
+static double added_momentum(const struct solid_bodies *b, int i, int k,
+                             double u)
+{
+    const double C_v = b->C_v[i], C_c = body_numbers_contact_mass(C_v);
+    const double by_fluid = b->u_by_fluid[3 * i + k];
+    const double by_contacts = u - b->u_old[3 * i + k] - by_fluid;
+
+    return displaced(b, i) * (C_v * by_fluid + C_c * by_contacts);
+}
+
 /* [EW18 2]. The force of the fluid [EW18 15], J/dt and what accelerates the
- * fluid inside; and all that acts during the step, on the mass with that which
- * is added. */
+ * fluid inside, and the weight act on the mass with C_v; contacts act during
+ * the step on that with C_c, so the former is given as a force on the latter
+ * (24.15). */
 static void set_forces(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
     const double m = displaced(b, i), C_v = b->C_v[i];
     const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    const double added = body_numbers_contact_mass(C_v) * m;
     double outside[3];
 
     for (int k = 0; k < 3; k++) {
         const double gained = u[k] - b->u_old[3 * i + k];
         b->force[3 * i + k] = (b->impulse[3 * i + k] + m * gained) / dt;
-        outside[k] = b->force[3 * i + k] + C_v * m * gained / dt +
-                     (b->mass[i] - m) * b->options.gravity[k];
+        const double F = b->force[3 * i + k] +
+                         added_momentum(b, i, k, u[k]) / dt +
+                         (b->mass[i] - m) * b->options.gravity[k];
+        b->u_by_fluid[3 * i + k] = F * dt / (b->mass[i] + C_v * m);
+        outside[k] = F * (b->mass[i] + added) / (b->mass[i] + C_v * m);
         b->u_old[3 * i + k] = u[k];
     }
     if (b->motion[i] != BODY_FREE && b->motion[i] != BODY_SPRING) return;
     ps->ex[i] = outside[0], ps->ey[i] = outside[1], ps->ez[i] = outside[2];
-    ps->added_mass[i] = C_v * m;
+    ps->added_mass[i] = added;
+}
+
+/* C_c of the spin [-]. That of a sphere moves no fluid but by viscosity. */
+static double contact_spin_mass(const struct solid_bodies *b, int i)
+{
+    if (b->shape[i].kind != BODY_OUTLINE) return 0.0;
+    return body_numbers_contact_mass(b->C_spin[i]);
 }
 
 double body_motion_turning_mass(const struct solid_bodies *b, int i)
 {
-    return b->ps->m[i] + b->C_spin[i] * displaced(b, i);
+    return b->ps->m[i] + contact_spin_mass(b, i) * displaced(b, i);
 }
 
-/* [EW18 3]: the spin by the torque of the fluid [EW18 16]. The contacts follow,
- * with the inertia of the solid alone. */
+/* The spin that an outline of this mass [kg] gets of an angular impulse. */
+static void spin_of(const struct solid_bodies *b, int i, double m,
+                    const double impulse[3], double gained[3])
+{
+    double G[6];
+
+    body_turn_gyration(b, i, G);
+    vector_solve(G, impulse, gained);
+    for (int k = 0; k < 3; k++)
+        gained[k] /= m;
+}
+
+static void add_to_spin(struct solid_bodies *b, int i, const double gained[3])
+{
+    if (b->motion[i] != BODY_FREE) return;
+    b->ps->wx[i] += gained[0];
+    b->ps->wy[i] += gained[1];
+    b->ps->wz[i] += gained[2];
+}
+
+/* [EW18 3]: the spin by the torque of the fluid [EW18 16]. Contacts follow,
+ * with the inertia of the solid alone; what they change is not delayed by C_v.
+ */
 static void turn(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
@@ -78,10 +123,12 @@ static void turn(struct solid_bodies *b, int i, double dt)
 
     for (int k = 0; k < 3; k++) {
         const double now = *w[k], gained = now - b->w_old[3 * i + k];
-        const double J = b->angular[3 * i + k] + I_f * gained;
+        const double J = b->angular[3 * i + k] + b->inertia[3 * i + k] * gained;
+        double *const by_fluid = &b->w_by_fluid[3 * i + k];
         b->torque[3 * i + k] = J / dt;
         b->w_old[3 * i + k] = now;
-        if (b->motion[i] == BODY_FREE) *w[k] += (J + C_v * I_f * gained) / I;
+        *by_fluid = (J + C_v * I_f * *by_fluid) / I;
+        if (b->motion[i] == BODY_FREE) *w[k] += *by_fluid;
     }
 }
 
@@ -91,12 +138,15 @@ static void turn_outline(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
     const double m_f = displaced(b, i), C_v = b->C_spin[i];
+    const double C_c = contact_spin_mass(b, i);
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
-    double G[6], gained[3], inside[3], whole[3], gyro[3], J[3];
+    double *const by_fluid = &b->w_by_fluid[3 * i];
+    double G[6], gained[3], inside[3], late[3], whole[3], gyro[3], J[3];
 
     body_turn_gyration(b, i, G);
     vector_between(w, &b->w_old[3 * i], gained);
     body_turn_times(G, gained, inside);
+    body_turn_times(G, by_fluid, late);
     body_turn_times(G, w, whole);
     vector_cross(w, whole, gyro);
     for (int k = 0; k < 3; k++) {
@@ -104,9 +154,11 @@ static void turn_outline(struct solid_bodies *b, int i, double dt)
             b->angular[3 * i + k] + m_f * (inside[k] + dt * gyro[k]);
         b->torque[3 * i + k] = of_fluid / dt;
         b->w_old[3 * i + k] = w[k];
-        J[k] = of_fluid + C_v * m_f * inside[k] - ps->m[i] * dt * gyro[k];
+        J[k] = of_fluid - ps->m[i] * dt * gyro[k] +
+               m_f * (C_v * late[k] + C_c * (inside[k] - late[k]));
     }
-    body_motion_add_spin(b, i, J);
+    spin_of(b, i, ps->m[i] + C_v * m_f, J, by_fluid);
+    add_to_spin(b, i, by_fluid);
 }
 
 static void clear(struct solid_bodies *b)
@@ -197,18 +249,6 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
     return failed;
 }
 
-/* The spin that an outline of this mass [kg] gets of an angular impulse. */
-static void spin_of(const struct solid_bodies *b, int i, double m,
-                    const double impulse[3], double gained[3])
-{
-    double G[6];
-
-    body_turn_gyration(b, i, G);
-    vector_solve(G, impulse, gained);
-    for (int k = 0; k < 3; k++)
-        gained[k] /= m;
-}
-
 void body_motion_add_spin(struct solid_bodies *b, int i,
                           const double impulse[3])
 {
@@ -216,11 +256,8 @@ void body_motion_add_spin(struct solid_bodies *b, int i,
     const double I = m * gyration(b, i);
     double gained[3] = {impulse[0] / I, impulse[1] / I, impulse[2] / I};
 
-    if (b->motion[i] != BODY_FREE) return;
     if (b->shape[i].kind == BODY_OUTLINE) spin_of(b, i, m, impulse, gained);
-    b->ps->wx[i] += gained[0];
-    b->ps->wy[i] += gained[1];
-    b->ps->wz[i] += gained[2];
+    add_to_spin(b, i, gained);
 }
 
 void body_motion_set_forces(struct solid_bodies *b, double dt)
@@ -252,10 +289,10 @@ void body_motion_add_momentum(const struct solid_bodies *b, double total[3])
     const struct particles *const ps = b->ps;
 
     for (int i = 0; i < ps->n; i++) {
-        const double m = displaced(b, i), C_v = b->C_v[i];
+        const double m = displaced(b, i);
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         for (int k = 0; k < 3 && b->motion[i] == BODY_FREE; k++)
             total[k] += ps->m[i] * u[k] - m * b->u_old[3 * i + k] +
-                        C_v * m * (u[k] - b->u_old[3 * i + k]);
+                        added_momentum(b, i, k, u[k]);
     }
 }

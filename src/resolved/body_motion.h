@@ -2,15 +2,18 @@
  * Chapter "Resolving the grains".
  *
  * The fluid inside a body moves with it, and the force of the fluid outside is
- * J/dt + rho V dU/dt [EW18 2, 3]. With Delta U = U^(n+1) - U^n and Delta U_old
- * the change in the step before,
+ * J/dt + rho V dU/dt [EW18 2, 3]. The change of the velocity in a step, Delta U
+ * = U^(n+1) - U^n, has a part by fluid and weight and one by contacts (24.15),
  *
- *   (rho_p + C_v rho) V Delta U = J + (1 + C_v) rho V Delta U_old
- *                                 + (rho_p - rho) V g dt + contacts
+ *   (rho_p + C_v rho) V Delta U_f = J + rho V Delta U_old + (rho_p - rho) V g
+ * dt
+ *                         + C_v rho V Delta U_f,old + C_c rho V Delta U_c,old
+ *   (rho_p + C_c rho) V Delta U_c = contacts
  *
- * a spring adds -k (X - X_0) to the contacts. Likewise with the moments of
- * inertia, with C_v or what (24.10) asks for. C_v rho V stands on both sides:
- * it does nothing to a steady motion, and keeps light bodies stable.
+ * of which _old is in the step before; a spring adds -k (X - X_0) to the
+ * contacts. Likewise with the moments of inertia, with C_v alone or what
+ * (24.10) asks for. C_v rho V stands on both sides: it does nothing to a steady
+ * motion, and keeps light bodies stable.
  */
 #ifndef RESOLVED_BODY_MOTION_H
 #define RESOLVED_BODY_MOTION_H
@@ -31,8 +34,9 @@ double body_motion_turning_mass(const struct solid_bodies *b, int i);
 void body_motion_add_spin(struct solid_bodies *b, int i,
                           const double impulse[3]);
 
-/* Adds rho_p V U - rho V U_old + C_v rho V (U - U_old), with U_old the velocity
- * that the fluid inside has got already [N s]. */
+/* Adds rho_p V U - rho V U_old + C_v rho V Delta U_f + C_c rho V Delta U_c,
+ * with U_old the velocity that the fluid inside has got already [N s] (24.13).
+ */
 void body_motion_add_momentum(const struct solid_bodies *b, double total[3]);
 
 #endif

@@ -24,17 +24,20 @@ double body_numbers_stokes(double rho_r, double Re);
  * [m^3] and smallest width [m]. 1/2 of a sphere. */
 double body_numbers_added_mass(double volume, double width);
 
-/* C_v [-] in a step of the velocity of a body, and of its spin: the least that
- * is asked for, or what keeps them from growing with the other sign in each
- * step (24.10), with x = nu dt / R^2 [-] of half its smallest width. */
+/* C_v [-] in a step of the velocity of one of n bodies, and of its spin: the
+ * least that is asked for, or what keeps them from growing with the other sign
+ * in each step (24.10), with x = nu dt / R^2 [-] of half its smallest width. */
 double body_numbers_virtual_mass(double least, double x, double rho_r,
-                                 double C_a);
+                                 double C_a, int n);
 double body_numbers_virtual_spin(double least, double x, double rho_r,
                                  double C_a);
 
-/* Speed after an impact over that before it [-] that the virtual mass C_v makes
- * of 1, at most: the impact lasts `steps` steps of the fluid by the mass with
- * C_v, and the spring acts (C_v - 1/2)/(rho_r + 1/2) of a step late (24.15). */
-double body_numbers_impact_gain(double rho_r, double C_v, double steps);
+/* C_c [-] that contacts have to accelerate: what no body has less of, 1/2, so
+ * that they gain nothing; not more than C_v (24.15). */
+double body_numbers_contact_mass(double C_v);
+
+/* The added mass of a body within others over that of one alone [-]: a sphere
+ * in the middle of a closed one, of which it fills the fraction phi (24.12). */
+double body_numbers_crowding(double phi);
 
 #endif

@@ -185,6 +185,25 @@ static void sum_links(struct solid_bodies *b)
     }
 }
 
+/* What body i turns with it of the fluid, about each axis: a cell that it
+ * holds, whose centre is at r, has rho V (r^2 - r_k^2). Where cells at its
+ * surface are left to the fluid that is less than of the whole sphere. */
+static void sum_inertia(struct solid_bodies *b, const struct fluid *fl, int i)
+{
+    const double rho = fl->options.rho, dt = fl->options.dt;
+    double *const I = &b->inertia[3 * i];
+
+    I[0] = I[1] = I[2] = 0.0;
+    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+        const struct hold_link *const l = &b->link[j];
+        const double x = l->hold * dt / rho;
+        const double share = b->by_fraction ? l->hold : x / (1.0 + x);
+        const double m = share * rho * fl->mesh->V[l->cell];
+        for (int k = 0; k < 3; k++)
+            I[k] += m * (vector_dot(l->r, l->r) - l->r[k] * l->r[k]);
+    }
+}
+
 static void clear_links(struct solid_bodies *b)
 {
     for (int j = 0; j < b->n_cells; j++) {
@@ -212,5 +231,7 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
         body_cells_each(b, fl->mesh, i, free_cell, &by);
     b->start[b->ps->n] = b->n_links;
     sum_links(b);
+    for (int i = 0; i < b->ps->n; i++)
+        sum_inertia(b, fl, i);
     b->dt_marked = fl->options.dt;
 }

@@ -18,8 +18,10 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o)
 {
     struct solid_bodies *const b = alloc_zeroed(1, sizeof *b);
-    double **const three[8] = {&b->u_old, &b->w_old,  &b->impulse, &b->angular,
-                               &b->force, &b->torque, &b->spring,  &b->anchor};
+    double **const three[] = {&b->u_old,      &b->w_old,   &b->u_by_fluid,
+                              &b->w_by_fluid, &b->impulse, &b->angular,
+                              &b->force,      &b->torque,  &b->spring,
+                              &b->anchor,     &b->inertia};
 
     b->options = *o;
     if (o->dem != NULL) b->contacts = *o->dem;
@@ -33,7 +35,7 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     b->C_v = alloc_doubles(n);
     b->C_spin = alloc_doubles(n);
     b->volume = alloc_doubles(n);
-    for (int a = 0; a < 8; a++)
+    for (size_t a = 0; a < sizeof three / sizeof three[0]; a++)
         *three[a] = alloc_doubles(3 * n);
     b->cells = cells;
     b->start = alloc_ints(n + 1);
@@ -64,7 +66,10 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b->volume);
     free(b->spring);
     free(b->anchor);
+    free(b->inertia);
     free(b->u_old);
+    free(b->u_by_fluid);
+    free(b->w_by_fluid);
     free(b->w_old);
     free(b->impulse);
     free(b->angular);
@@ -166,7 +171,9 @@ void solid_bodies_state(struct solid_bodies *b, struct state *s)
     particles_state(b->ps, s);
     if (b->dem != NULL) dem_state(b->dem, s);
     state_reals(s, "velocity_before", "m/s", b->u_old, n, 3);
+    state_reals(s, "velocity_by_fluid", "m/s", b->u_by_fluid, n, 3);
     state_reals(s, "spin_before", "rad/s", b->w_old, n, 3);
+    state_reals(s, "spin_by_fluid", "rad/s", b->w_by_fluid, n, 3);
     state_reals(s, "orientation", "-", b->turn, n, 4);
     if (s->loading && b->turn != NULL) body_turn_load(b);
     state_reals(s, "force", "N", b->force, n, 3);

@@ -38,8 +38,13 @@ struct solid_bodies {
     double *C_v, *C_spin;    /* [-] of each, of its rotation (body_motion.h) */
     double *spring, *anchor; /* [N/m], 0: held along this axis; [m]; 3 a body */
     double *u_old, *w_old;   /* [m/s], [rad/s] a step before, 3 a body */
+    /* [m/s], [rad/s] what fluid and weight change them by in a step, 3 a body
+     */
+    double *u_by_fluid, *w_by_fluid;
     double *impulse, *angular; /* [N s], [N m s] of friction in this step, 3 */
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
+    double *
+        inertia; /* [kg m^2] of the fluid that each turns with it, 3 (mark.c) */
     int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
     struct hold_link *link; /* those of body i are link[start[i]] ... */
     int *start, n_links, capacity;

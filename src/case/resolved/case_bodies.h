@@ -27,12 +27,9 @@ struct case_bodies_contact {
 };
 struct case_bodies_contact case_bodies_contact(const struct settings *s);
 
-/* The virtual mass C_v [-] of number i of a list, and what a contact of it has
- * to stop [kg]. */
+/* The virtual mass C_v [-] of number i of a list. */
 double case_bodies_virtual_mass(const struct settings *s, const char *of,
                                 int i);
-double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
-                                double C_v);
 int case_bodies_check_stiffness(const struct settings *s); /* 0, or 2 */
 
 /* case_bodies_report.c: prints the section of `check`. */

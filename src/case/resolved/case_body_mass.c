@@ -62,22 +62,23 @@ double case_bodies_virtual_mass(const struct settings *s, const char *of, int i)
                                       (rho * R * R);
     return body_numbers_virtual_mass(
         least, x, settings_item_real(s, of, i, "density") / rho,
-        body_numbers_added_mass(V, width));
+        body_numbers_added_mass(V, width), case_bodies_count(s));
 }
 
-double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
-                                double C_v)
+/* What a contact of number i of a list has to stop [kg]. */
+static double contact_mass(const struct settings *s, const char *of, int i)
 {
     const double rho_p = settings_item_real(s, of, i, "density"),
-                 rho = settings_real(s, "fluid.density");
+                 rho = settings_real(s, "fluid.density"),
+                 C_v = case_bodies_virtual_mass(s, of, i);
 
-    return (rho_p + C_v * rho) *
+    return (rho_p + body_numbers_contact_mass(C_v) * rho) *
            (of == list ? volume(settings_item_real(s, of, i, "diameter"))
                        : case_outlines_contact_volume(s, of, i));
 }
 
-/* The smallest mass in a contact of a body with this motion, virtual mass
- * included [kg]; HUGE_VAL: there is none. */
+/* The smallest mass in a contact of a body with this motion [kg]; HUGE_VAL:
+ * there is none. */
 static double lightest_of(const struct settings *s, const char *motion)
 {
     const char *const *const all = case_bodies_lists;
@@ -86,10 +87,7 @@ static double lightest_of(const struct settings *s, const char *motion)
     for (int l = 0; all[l] != NULL; l++)
         for (int i = 0; i < settings_length(s, all[l]); i++)
             if (case_bodies_is(s, all[l], i, motion))
-                least =
-                    fmin(least, case_bodies_contact_mass(
-                                    s, all[l], i,
-                                    case_bodies_virtual_mass(s, all[l], i)));
+                least = fmin(least, contact_mass(s, all[l], i));
     return least;
 }
 
