@@ -38,13 +38,10 @@ struct solid_bodies {
     double *C_v, *C_spin;    /* [-] of each, of its rotation (body_motion.h) */
     double *spring, *anchor; /* [N/m], 0: held along this axis; [m]; 3 a body */
     double *u_old, *w_old;   /* [m/s], [rad/s] a step before, 3 a body */
-    /* [m/s], [rad/s] what fluid and weight change them by in a step, 3 a body
-     */
-    double *u_by_fluid, *w_by_fluid;
+    double *u_by_fluid, *w_by_fluid; /* their changes, but by contacts */
     double *impulse, *angular; /* [N s], [N m s] of friction in this step, 3 */
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
-    double *
-        inertia; /* [kg m^2] of the fluid that each turns with it, 3 (mark.c) */
+    double *inertia; /* [kg m^2] of the fluid held in it, 3 a body (mark.c) */
     int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
     struct hold_link *link; /* those of body i are link[start[i]] ... */
     int *start, n_links, capacity;
@@ -52,12 +49,11 @@ struct solid_bodies {
     struct among_grains *among; /* NULL: there are no other particles */
     void (*free_among)(struct solid_bodies *b);
     void (*visit_among)(struct solid_bodies *b, struct state *s);
-    int cells;           /* [-] of the mesh */
-    double dt_marked;    /* [s] step that the links were made for; 0: none */
-    int *cell, n_cells;  /* [-] the cells with a link, each once */
-    int *body_of, *near; /* [-] work space of mark.c and of body_gaps.c */
-    double *hold;        /* [kg/(m^3 s)] sum of the links of a cell */
-    double *hold_u;      /* [N/m^3] sum of hold times velocity, 3 a cell */
+    double dt_marked; /* [s] step that the links were made for; 0: none */
+    int cells, *cell, n_cells; /* [-] all; those with a link, each once */
+    int *body_of, *near;       /* [-] work space of mark.c and of body_gaps.c */
+    double *hold;              /* [kg/(m^3 s)] sum of the links of a cell */
+    double *hold_u; /* [N/m^3] sum of hold times velocity, 3 a cell */
 };
 
 extern const double solid_bodies_immovable; /* [kg] mass of what is held */
@@ -74,11 +70,10 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 
 /* Springs [N/m] hold body i where it is now, where they are 0 without a way. */
 void solid_bodies_set_spring(struct solid_bodies *b, int i, const double k[3]);
-
 /* 1: a sphere on a spring, whose contacts are those of options.others. */
 int solid_bodies_hung(const struct solid_bodies *b, int i);
 
-/* All are there, and hold the borrowed fluid from now on. Non-zero if not. */
+/* All are there, and hold the borrowed fluid from now on; 0, or 1 if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
 void solid_bodies_state(struct solid_bodies *b, struct state *s);
 
