@@ -5,15 +5,14 @@
  * J/dt + rho V dU/dt [EW18 2, 3]. The change of the velocity in a step, Delta U
  * = U^(n+1) - U^n, has a part by fluid and weight and one by contacts (24.15),
  *
- *   (rho_p + C_v rho) V Delta U_f = J + rho V Delta U_old + (rho_p - rho) V g
- * dt
- *                         + C_v rho V Delta U_f,old + C_c rho V Delta U_c,old
+ *   (rho_p + C_v rho) V Delta U_f = J + (rho_p - rho) V g dt
+ *     + rho V Delta U_old + C_v rho V Delta U_f,old + C_c rho V Delta U_c,old
  *   (rho_p + C_c rho) V Delta U_c = contacts
  *
  * of which _old is in the step before; a spring adds -k (X - X_0) to the
  * contacts. Likewise with the moments of inertia, with C_v alone or what
- * (24.10) asks for. C_v rho V stands on both sides: it does nothing to a steady
- * motion, and keeps light bodies stable.
+ * (24.10) asks for, and a C_c of 0 for spheres. C_v rho V stands on both sides:
+ * it does nothing to a steady motion, and keeps light bodies stable.
  */
 #ifndef RESOLVED_BODY_MOTION_H
 #define RESOLVED_BODY_MOTION_H
