@@ -5,7 +5,6 @@
 #include "resolved.h"
 
 #include "facts.h"
-#include "resolved/body_numbers.h"
 #include "resolved/body_turn.h"
 #include "resolved/shapes/block_outline.h"
 
