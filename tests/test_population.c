@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "dem/population/grain_table.h"
 #include "dem/population/population.h"
 #include "facts.h"
 #include "kept.h"
@@ -377,7 +378,7 @@ static struct insertion_sphere *read_text(const char *text, long *n)
     FILE *const f = fopen(path, "w");
     fputs(text, f);
     fclose(f);
-    struct insertion_sphere *const list = insertion_read(path, n);
+    struct insertion_sphere *const list = grain_table_read(path, n);
     unlink(path);
     return list;
 }

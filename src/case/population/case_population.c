@@ -10,6 +10,7 @@
 #include "base/number.h"
 #include "coupling/population/replacement.h"
 #include "dem/population/overlaps.h"
+#include "dem/population/grain_table.h"
 #include "dem/population/population.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
@@ -98,7 +99,7 @@ static int create_source(const struct settings *s, int i, struct insertion *in)
     if (!has(s, i, "file")) return 0;
     settings_beside(s, settings_item_text(s, sources, i, "file"), path,
                     sizeof path);
-    in->own_list = insertion_read(path, &in->options.count);
+    in->own_list = grain_table_read(path, &in->options.count);
     in->options.list = in->own_list;
     if (in->options.rate == 0.0)
         in->options.overlap = particle_options_wall_overlap(s);

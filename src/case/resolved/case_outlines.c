@@ -12,6 +12,7 @@
 #include "case/case_mesh.h"
 #include "case/resolved/case_blocks.h"
 #include "case/resolved/case_bodies.h"
+#include "dem/population/grain_table.h"
 #include "dem/population/insertion.h"
 #include "dem/surfaces/stl.h"
 #include "resolved/shapes/clump.h"
@@ -36,7 +37,7 @@ static struct body_ball *read_balls(const struct settings *s, int i, long *n)
     char path[SETTINGS_PATH];
 
     path_of(s, case_outlines_clumps, i, path);
-    struct insertion_sphere *const list = insertion_read(path, n);
+    struct insertion_sphere *const list = grain_table_read(path, n);
     if (list == NULL) return NULL;
     struct body_ball *const ball = alloc_zeroed((size_t)*n, sizeof *ball);
     for (long k = 0; k < *n; k++) {

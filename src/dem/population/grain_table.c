@@ -13,31 +13,17 @@
 
 static const char atoms[] = "ITEM: ATOMS";
 
-/* The line is "9240 atoms", with which the head of a data file begins. */
-static int counts_atoms(const char *line)
+/* The line is "9240 atoms", as in the head of a data file; fills their number.
+ */
+static int counts_atoms(const char *line, long *n)
 {
-    long n;
     char word[8];
+    long count;
 
-    return sscanf(line, "%ld %7s", &n, word) == 2 && strcmp(word, "atoms") == 0;
-}
-
-/* By the first line that is neither empty nor a remark. */
-int grain_table_is(const char *path)
-{
-    FILE *const f = input_wrong(path) == NULL ? fopen(path, "r") : NULL;
-    char line[256] = "";
-    size_t at = 0;
-
-    if (f == NULL) return 0;
-    while (fgets(line, sizeof line, f) != NULL) {
-        at = strspn(line, " \t\r\n" CSV_UTF_8);
-        if (line[at] != '\0' && line[at] != '#') break;
-        line[at = 0] = '\0';
-    }
-    fclose(f);
-    return isalpha((unsigned char)line[at]) || line[at] == '"' ||
-           counts_atoms(line);
+    if (sscanf(line, "%ld %7s", &count, word) != 2 || strcmp(word, "atoms"))
+        return 0;
+    *n = count;
+    return 1;
 }
 
 /* The line in `text` that begins with this word, or NULL. */
@@ -47,20 +33,41 @@ static char *line_of(char *text, const char *word)
 
     for (char *at = text; at != NULL; at = strchr(at, '\n')) {
         at += *at == '\n';
+        at += strspn(at, " \t");
         if (strncmp(at, word, n) == 0 && !isalpha((unsigned char)at[n]))
             return at;
     }
     return NULL;
 }
 
-static int is_data(const char *text)
+/* A data file counts its atoms before their section; what its first line says
+ * is of no interest. */
+static int is_data(char *text, long *n)
 {
-    for (const char *at = text; at != NULL; at = strchr(at, '\n')) {
+    const char *const end = line_of(text, "Atoms");
+
+    for (const char *at = text; at != NULL && at < end; at = strchr(at, '\n')) {
         at += *at == '\n';
-        if (counts_atoms(at)) return line_of((char *)text, "Atoms") != NULL;
-        if (isalpha((unsigned char)*at) && at != text) return 0;
+        if (counts_atoms(at, n)) return 1;
     }
     return 0;
+}
+
+/* Takes the blanks before each line of a data file, and the remarks but for
+ * that on the style of the atoms. */
+static void tidy(char *text)
+{
+    char *to = text;
+
+    for (const char *at = text; *at != '\0'; at += *at == '\n') {
+        at += strspn(at, " \t\r");
+        const size_t n = strcspn(at, strncmp(at, "Atoms", 5) ? "#\n" : "\n");
+        memmove(to, at, n);
+        to += n;
+        at += strcspn(at, "\n");
+        if (*at == '\n') *to++ = '\n';
+    }
+    *to = '\0';
 }
 
 static int words_of_line(const char *at)
@@ -104,14 +111,18 @@ static char *atoms_of(char *text, char wrong[CSV_WRONG])
     return table;
 }
 
-/* Of a dump the names and rows of its last snapshot; else the text itself. */
-static char *table_of(char *text)
+/* Of a dump the names and rows of its last snapshot, and how many it counts;
+ * else the text itself. */
+static char *table_of(char *text, long *n)
 {
+    static const char count[] = "ITEM: NUMBER OF ATOMS";
     char *found = NULL, *end;
 
     for (char *at = text; (at = strstr(at, atoms)) != NULL; at += sizeof atoms)
         found = at;
     if (found == NULL) return text;
+    for (const char *at = text; (at = strstr(at, count)) != NULL && at < found;)
+        *n = strtol(at += sizeof count - 1, NULL, 10);
     found += sizeof atoms - 1;
     if ((end = strstr(found, "ITEM:")) != NULL) *end = '\0';
     return found;
@@ -122,7 +133,7 @@ static char *table_of(char *text)
  */
 static int find_columns(const struct csv *t, int column[4], double *factor)
 {
-    static const char *const sizes[] = {"d", "diameter", "radius"};
+    static const char *const sizes[] = {"d", "diameter", "radius", "r"};
     static const char *const axes[] = {"x", "y", "z", "xu", "yu", "zu"};
 
     for (int k = 0; k < 3; k++) {
@@ -130,9 +141,9 @@ static int find_columns(const struct csv *t, int column[4], double *factor)
         if (column[k] < 0) column[k] = csv_column(t, axes[3 + k]);
     }
     column[3] = -1;
-    for (int k = 0; k < 3 && column[3] < 0; k++) {
+    for (int k = 0; k < 4 && column[3] < 0; k++) {
         column[3] = csv_column(t, sizes[k]);
-        *factor = k == 2 ? 2.0 : 1.0;
+        *factor = k < 2 ? 1.0 : 2.0;
     }
     return column[0] < 0 || column[1] < 0 || column[2] < 0 || column[3] < 0;
 }
@@ -144,7 +155,7 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
         alloc_zeroed((size_t)t->n_rows, sizeof *list);
     char names[100];
     double factor;
-    int column[4];
+    int column[4], foreign = 0;
 
     if (find_columns(t, column, &factor) != 0) {
         csv_names(t, names, sizeof names);
@@ -152,6 +163,12 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
                  "expected columns x, y, z and d, diameter or radius [m]; its "
                  "columns are: %s",
                  names);
+        free(list);
+        return NULL;
+    }
+    for (int k = 0; k < 4 && !foreign; k++)
+        foreign = csv_check_unit(t, column[k], "m", wrong);
+    if (foreign) {
         free(list);
         return NULL;
     }
@@ -171,27 +188,60 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
     return list;
 }
 
+/* Dumps and data files may name the units of their numbers. */
+static int is_foreign(const char *text, char wrong[CSV_WRONG])
+{
+    static const char *const heads[] = {"ITEM: UNITS", "units = "};
+    char unit[32] = "si";
+
+    for (int i = 0; i < 2; i++) {
+        const char *const at = strstr(text, heads[i]);
+        if (at != NULL) sscanf(at + strlen(heads[i]), " %31[a-z]", unit);
+    }
+    if (strcmp(unit, "si") == 0) return 0;
+    snprintf(wrong, CSV_WRONG, "its units are %s; expected si", unit);
+    return 1;
+}
+
+/* The rows of a text, as many as it counts. */
+static struct insertion_sphere *parse(char **text, long *n,
+                                      char wrong[CSV_WRONG])
+{
+    long counted = -1;
+    struct insertion_sphere *list = NULL;
+    struct csv t;
+
+    if (is_foreign(*text, wrong)) return NULL;
+    if (is_data(*text, &counted)) {
+        tidy(*text);
+        char *const table = atoms_of(*text, wrong);
+        free(*text);
+        *text = table;
+    }
+    if (*text == NULL ||
+        csv_parse(&t, table_of(*text, &counted), "x y z d", wrong) != 0)
+        return NULL;
+    if (counted < 0 || counted == t.n_rows)
+        list = spheres_of(&t, wrong);
+    else
+        snprintf(wrong, CSV_WRONG, "it counts %ld atoms, but has %d", counted,
+                 t.n_rows);
+    *n = list != NULL ? t.n_rows : 0;
+    csv_release(&t);
+    return list;
+}
+
 struct insertion_sphere *grain_table_read(const char *path, long *n)
 {
     const char *why = "";
     char wrong[CSV_WRONG];
     size_t length;
-    struct insertion_sphere *list = NULL;
-    struct csv t;
     char *text = input_text(path, &length, &why);
 
     *n = 0;
-    snprintf(wrong, sizeof wrong, "%s", why);
-    if (text != NULL && is_data(text)) {
-        char *const table = atoms_of(text, wrong);
-        free(text);
-        text = table;
-    }
-    if (text != NULL && csv_parse(&t, table_of(text), wrong) == 0) {
-        list = spheres_of(&t, wrong);
-        *n = list != NULL ? t.n_rows : 0;
-        csv_release(&t);
-    }
+    snprintf(wrong, sizeof wrong, "%s", why != NULL ? why : "");
+    struct insertion_sphere *const list =
+        text != NULL ? parse(&text, n, wrong) : NULL;
     free(text);
     if (list == NULL) fprintf(stderr, "winnow: %s: %s\n", path, wrong);
     return list;

@@ -1,21 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/population/insertion.h"
-#include "dem/population/grain_table.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
-#include "base/tables/input.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/random/random.h"
 
 /* Positions tried for one sphere in a step: beyond 30 % of solids hardly any is
  * free, and a sphere without one is tried again in the next step. */
-enum { ATTEMPTS = 200, LINE = 256, AT_ONCE = 4096, MOST_CELLS = 1000 };
+enum { ATTEMPTS = 200, AT_ONCE = 4096, MOST_CELLS = 1000 };
 
 double insertion_diameter(const struct insertion_options *o, long k)
 {
@@ -283,59 +279,6 @@ int insertion_overlap(const struct insertion_options *o,
     near_particles_free(&c);
     particles_free(ps);
     return who[0] >= 0;
-}
-
-/* Non-zero if the line is neither a remark nor four numbers. */
-static int parse(const char *line, struct insertion_sphere *one, int *is_one)
-{
-    const char *const text = line + strspn(line, " \t\r\n");
-    char rest;
-
-    *is_one = *text != '#' && *text != '\0';
-    if (!*is_one) return 0;
-    return sscanf(text, "%lf %lf %lf %lf %c", &one->x[0], &one->x[1],
-                  &one->x[2], &one->d, &rest) != 4 ||
-           !number_is_length(one->d) || !number_is_coordinate(one->x[0]) ||
-           !number_is_coordinate(one->x[1]) || !number_is_coordinate(one->x[2]);
-}
-
-struct insertion_sphere *insertion_read(const char *path, long *n)
-{
-    if (grain_table_is(path)) return grain_table_read(path, n);
-    const char *const why = input_wrong(path);
-    FILE *const f = why == NULL ? fopen(path, "r") : NULL;
-    struct insertion_sphere *list = NULL;
-    long room = 0, number = 0;
-    char line[LINE];
-    int is_one, wrong = 0;
-
-    *n = 0;
-    if (f == NULL) {
-        fprintf(stderr, "winnow: %s: %s\n", path,
-                why != NULL ? why : strerror(errno));
-        return NULL;
-    }
-    while (!wrong && fgets(line, LINE, f) != NULL) {
-        if (*n == room) {
-            room = 2 * room + 64;
-            struct insertion_sphere *const more =
-                alloc_zeroed((size_t)room, sizeof *more);
-            if (*n > 0) memcpy(more, list, (size_t)*n * sizeof *more);
-            free(list);
-            list = more;
-        }
-        number++;
-        wrong = parse(line, &list[*n], &is_one);
-        *n += is_one;
-    }
-    fclose(f);
-    if (!wrong && *n > 0) return list;
-    fprintf(stderr,
-            "winnow: %s:%ld: expected x y z d, four numbers [m], d from 1e-12 "
-            "to 1e12\n",
-            path, number);
-    free(list);
-    return NULL;
 }
 
 void insertion_move(struct insertion_sphere *list, long n, const double by[3],

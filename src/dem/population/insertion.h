@@ -69,9 +69,6 @@ int insertion_overlap(const struct insertion_options *o,
 /* Number of spheres due by then [-]. */
 long insertion_count_due(const struct insertion *in, double t);
 
-/* The list in a file, to be freed; NULL after a message that names the line. */
-struct insertion_sphere *insertion_read(const char *path, long *n);
-
 /* Adds `by` [m] to the places of a list, and brings those back that are then
  * outside a periodic direction. */
 void insertion_move(struct insertion_sphere *list, long n, const double by[3],

@@ -100,10 +100,11 @@ static double varying(const struct boundary *b, int j, double t)
 }
 
 /* Finds the columns of a file; non-zero after a message if one is missing. */
-static int find_columns(struct rows *r, char wrong[INLET_PROFILE_TEXT])
+static int find_columns(struct rows *r, int t, char wrong[INLET_PROFILE_TEXT])
 {
     static const char *const axes[3] = {"x", "y", "z"};
-    char names[100];
+    char names[100], why[CSV_WRONG];
+    int foreign = 0;
 
     r->u = csv_column(r->file, "u");
     for (int k = 0; k < 3; k++) {
@@ -111,6 +112,12 @@ static int find_columns(struct rows *r, char wrong[INLET_PROFILE_TEXT])
         r->places[r->n_places] = k;
         r->n_places += r->place[r->n_places] >= 0;
     }
+    if (r->u >= 0) foreign = csv_check_unit(r->file, r->u, "-", why);
+    for (int k = 0; k < r->n_places && !foreign; k++)
+        foreign = csv_check_unit(r->file, r->place[k], "m", why);
+    if (!foreign && t >= 0) foreign = csv_check_unit(r->file, t, "s", why);
+    if (foreign) snprintf(wrong, INLET_PROFILE_TEXT, "%.200s", why);
+    if (foreign) return 1;
     if (r->u >= 0 && r->n_places > 0) return 0;
     csv_names(r->file, names, sizeof names);
     snprintf(wrong, INLET_PROFILE_TEXT,
@@ -178,7 +185,8 @@ static int create(const struct inlet_request *q, struct boundary *b,
         return 1;
     }
     const int t = csv_column(&file, "t");
-    const int n = find_columns(&r, wrong) == 0 ? count_levels(&r, t, wrong) : 0;
+    const int n =
+        find_columns(&r, t, wrong) == 0 ? count_levels(&r, t, wrong) : 0;
     if (n > 0) {
         struct levels *const l =
             alloc_zeroed(1, sizeof *l + (size_t)n * (1 + (size_t)q->patch->n) *
