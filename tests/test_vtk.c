@@ -78,13 +78,16 @@ static const char *element_of(const struct parts *p, const char *name)
 static unsigned char *array_of(const struct parts *p, const char *name,
                                size_t *size, const unsigned char **next)
 {
-    const char *const offset = strstr(element_of(p, name), "offset=\"");
-    const unsigned char *const head = p->bytes + atoll(offset + 8);
+    const char *const offset = strstr(element_of(p, name), "offset=\"") + 8;
+    const size_t digits = strspn(offset, "0123456789");
+    const unsigned char *const head = p->bytes + atoll(offset);
     const uint64_t n = word(head, 0), full = word(head, 1);
     const uint64_t last = word(head, 2);
     const unsigned char *packed = head + 8 * (3 + n);
     unsigned char *const plain = malloc((size_t)(n * full) + 1);
 
+    /* Some readers look for the number without zeros before it. */
+    ck_assert(offset[digits] == '"' && (digits == 1 || offset[0] != '0'));
     *size = 0;
     for (uint64_t i = 0; i < n; i++) {
         uLongf room = full;

@@ -11,6 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Blanks for an offset and the quote after it: some readers look for the text
+ * of the number, without zeros before it. */
+enum { OFFSET = 17 };
+
 /* An array whose bytes are still to be written. */
 struct pending {
     struct vtk_array array;
@@ -113,7 +117,7 @@ void vtk_file_array(struct vtk_file *f, const struct vtk_array *a, int n)
             "\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"",
             a->components);
     *next = (struct pending){*a, n, ftello(f->out)};
-    fprintf(f->out, "%016d\"/>\n", 0);
+    fprintf(f->out, "%*s/>\n", OFFSET, "");
 }
 
 /* VTK silently drops one of two arrays of the same name. */
@@ -145,7 +149,7 @@ int vtk_file_end(struct vtk_file *f)
         const off_t here = ftello(f->out);
 
         fseeko(f->out, a->at, SEEK_SET);
-        fprintf(f->out, "%016lld", (long long)(here - start));
+        fprintf(f->out, "%lld\"", (long long)(here - start));
         fseeko(f->out, here, SEEK_SET);
         vtk_encodings[0]->write(f->state, f->out, &a->array, a->n);
     }
