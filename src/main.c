@@ -2,6 +2,7 @@
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
 #include "base/left_out.h"
+#include "base/text.h"
 #include "base/version.h"
 #include "case/command.h"
 #include "case/nearest.h"
@@ -144,6 +145,17 @@ static int run_command(const struct command *c, int argc, char **argv,
     return c->act(l);
 }
 
+/* What is said of the words, and what is written of them, has lines. */
+static int wrong_word(int i, char *word)
+{
+    text_blank(word);
+    fprintf(stderr,
+            "winnow: word %d, %s, has a line break or another control "
+            "character in it\n",
+            i, word);
+    return 2;
+}
+
 /* The next file that is opened would get the number of a closed stream, and
  * messages would be written to it. So closed streams are opened on /dev/null;
  * results on a closed stdout still count as not written. Non-zero if that
@@ -163,6 +175,8 @@ int main(int argc, char **argv)
     if (open_streams() != 0) return 4;
 
     const char *const first = argc > 1 ? argv[1] : "";
+    for (int i = 1; i < argc; i++)
+        if (text_control(argv[i]) != NULL) return wrong_word(i, argv[i]);
     const char **const texts = alloc_zeroed(2 * (size_t)argc, sizeof *texts);
     struct command_line l = {.words = texts, .overrides = texts + argc};
     const struct command *c = NULL;

@@ -760,5 +760,60 @@ sed 's/^ *{ position = .0.06.*/boxes = ( { position = [0.05, 0.07, 0.05]; size =
 fact a_box_that_turns_goes_on_to_the_same_bits 0 "" gone_on box
 fact blocks_are_shown_as_they_turn 0 "" grep -q body_surfaces whole/manifest.txt
 
+# What strangers write, in every text and name: nothing of it is carried out.
+mkdir strange && cd strange || exit 1
+nasty="a'b\"c\$(touch pwned)\`touch pwned\`<i>&|;\\"
+text=$(printf %s "$nasty" | sed 's/[\\"]/\\&/g')
+echo "0.003 0.006 0.003 0.001" >"$nasty.spheres"
+cat >"$nasty.cfg" <<END
+title = "$text"; cites = "$text";
+mesh = { size = [0.006, 0.012, 0.006]; cells = [3, 6, 3]; };
+fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
+          bottom = { inlet = 0.2; }; top = { outlet = 0.0; }; sides = "no-slip"; front_back = "slip"; };
+particles = { contact = "linear"; step = 1e-5;
+    materials = ( { name = "$text"; stiffness = 100; restitution = 0.9; friction = 0.1; density = 1000.0; } );
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    walls = { material = "$text"; };
+    insert = ( { file = "$text.spheres"; material = "$text"; } );
+    place = ( { position = [0.003, 0.002, 0.003]; diameter = 1e-3; material = "$text"; } ); };
+averaging = { method = "kernel"; bandwidth = 4e-3; };
+exchange = { drag = "syamlal-obrien"; };
+effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {}; };
+output = { end = 4e-3; every = 2e-3; forces = ( { name = "$text"; } ); };
+END
+strange() { # COMMAND...: it does what it says, and runs nothing
+    fact "strange_$1" 0 "" "$winnow" "$@"
+    fact "strange_$1_runs_no_other_command" 0 "" test -z "$(find . -name pwned)"
+}
+strange check "$nasty.cfg"
+strange explain "$nasty.cfg"
+strange run "$nasty.cfg" -o "$nasty" -s "title=\"$text again\""
+strange status "$nasty"
+offered() { # the commands that status prints, as a shell reads them
+    winnow() { "$winnow" "$@" --quiet; }
+    "$winnow" status "$nasty" | sed -n 's/^\(repeat\|go further\) *//p' >offered
+    [ "$(wc -l <offered)" = 2 ] && . ./offered && [ -s ANOTHER/history.csv ] &&
+        tail -n +3 ANOTHER/case.cfg >again.cfg && tail -n +3 "$nasty/case.cfg" | cmp - again.cfg && [ ! -e pwned ]
+}
+fact commands_of_status_can_be_copied_whatever_the_names 0 "" offered
+fact titles_in_pictures_are_text 0 "" test -s "$nasty/bed.png"
+strange study "$nasty.cfg" -o s -s "title=\"$text\",\"'$text\"" -s fluid.step=2e-4,1e-4 \
+    --measure mean_height --quiet
+fact no_mark_of_a_page_is_in_that_of_a_study 1 "" grep -q '<i>' s/study.md s/study.svg
+fact that_study_has_its_picture 0 "" test -s s/study.svg
+strange export ../felt.cfg --to lammps -o plain
+strange export ../felt.cfg --to lammps -o deck -s "title=\"$text\\\"\\\"\\\" &\""
+decks() { diff plain/in.lammps deck/in.lammps | grep '^[<>]' | grep -v '^[<>] #'; }
+fact decks_differ_in_a_remark_alone 1 "" decks
+remark() { head -1 deck/in.lammps | grep '["&]'; }
+fact remark_has_nothing_that_lammps_reads_on_behind 1 "" remark
+line_break() { "$winnow" run ../tiny.cfg -o broken -s 'title="a
+b"' || ls broken; }
+fact word_with_a_line_break_is_refused_and_nothing_written 2 "word 6, title=\"a b\"," line_break
+printf 'title = "a\033[2Jb"; mesh = ;\n' >escape.cfg
+escape() { "$winnow" check escape.cfg 2>&1 | tr -d '\n' | LC_ALL=C grep -c '[[:cntrl:]]'; }
+fact line_that_is_shown_of_a_case_has_no_escape_code 1 0 escape
+cd .. || exit 1
+
 echo "command line: $facts passed, $failed failed"
 [ $failed -eq 0 ]

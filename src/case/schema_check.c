@@ -3,6 +3,7 @@
 
 #include "case/models.h"
 #include "base/left_out.h"
+#include "base/text.h"
 #include "case/case_check.h"
 #include "case/override.h"
 #include "case/schema.h"
@@ -39,12 +40,10 @@ static int is_word(const struct key *key, const config_setting_t *s)
            schema_allow_word(key, config_setting_get_string(s));
 }
 
-/* A name of one line, because messages have one line. */
 static int is_file_name(const config_setting_t *s)
 {
     return config_setting_type(s) == CONFIG_TYPE_STRING &&
-           config_setting_get_string(s)[0] != '\0' &&
-           strpbrk(config_setting_get_string(s), "\n\r") == NULL;
+           config_setting_get_string(s)[0] != '\0';
 }
 
 static int is_triple(const struct key *key, const config_setting_t *s,
@@ -289,6 +288,34 @@ static int check_group(const struct key *const *tables, const char *path,
         code = check_setting(tables, child, s);
     }
     return code != 0 ? code : check_required(tables, path, group);
+}
+
+static int check_texts(const char *path, const config_setting_t *s)
+{
+    const char *const text = config_setting_get_string(s);
+    char child[SCHEMA_TEXT];
+    int code = 0;
+
+    if (text != NULL && text_control(text) != NULL)
+        return source_wrong(s,
+                            "%s: expected a text of one line, found the "
+                            "control character %d in it",
+                            path, (unsigned char)*text_control(text));
+    for (int i = 0; i < config_setting_length(s) && code == 0; i++) {
+        const config_setting_t *const one =
+            config_setting_get_elem(s, (unsigned)i);
+        const char *const name = config_setting_name(one);
+        snprintf(child, sizeof child, "%s%s%s", path,
+                 path[0] != '\0' && name != NULL ? "." : "",
+                 name != NULL ? name : "");
+        code = check_texts(child, one);
+    }
+    return code;
+}
+
+int schema_check_texts(const config_t *tree)
+{
+    return check_texts("", config_root_setting(tree));
 }
 
 int schema_check_check(config_t *tree, const struct key *const *tables)

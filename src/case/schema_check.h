@@ -11,6 +11,10 @@
 
 #include <libconfig.h>
 
+/* 0, or 2 after a message for the first text, of whatever key, with a control
+ * character in it: texts end in scripts, pages and terminals. */
+int schema_check_texts(const config_t *tree);
+
 /* 0, or 2 after one message about the first thing that is wrong. */
 int schema_check_check(config_t *tree, const struct key *const *tables);
 

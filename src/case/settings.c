@@ -48,6 +48,7 @@ struct settings *settings_create(const char *file, int n_overrides,
     *code = source_read(&s->tree, file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
         *code = override_apply(&s->tree, overrides[i]);
+    if (*code == 0) *code = schema_check_texts(&s->tree);
     if (*code == 0 && mesh_readers[0] != NULL)
         *code = mesh_readers[0]->patches(s, &s->tree, s->tables, &s->patches);
     if (*code == 0) *code = schema_check_check(&s->tree, s->tables);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/source.h"
 
+#include "base/text.h"
 #include "case/case_check.h"
 
 #include <stdarg.h>
@@ -37,6 +38,7 @@ static void print_source_line(const char *file, int number)
         if (fgets(line, sizeof line, in) == NULL) line[0] = '\0';
     fclose(in);
     line[strcspn(line, "\r\n")] = '\0';
+    text_blank(line);
     if (line[0] != '\0')
         fprintf(stderr, "    %s\n", line + strspn(line, " \t"));
 }
@@ -123,13 +125,6 @@ static void place(const config_setting_t *at, char text[SOURCE_TEXT])
                 (unsigned)config_setting_source_line(at));
 }
 
-/* A name from a case may have line breaks in it; a message has one line. */
-static void blank_controls(char *text)
-{
-    for (; *text != '\0'; text++)
-        if ((unsigned char)*text < ' ') *text = ' ';
-}
-
 int source_wrong(const config_setting_t *at, const char *format, ...)
 {
     char where[SOURCE_TEXT], message[4 * SOURCE_TEXT];
@@ -139,8 +134,8 @@ int source_wrong(const config_setting_t *at, const char *format, ...)
     va_start(values, format);
     vsnprintf(message, sizeof message, format, values);
     va_end(values);
-    blank_controls(where);
-    blank_controls(message);
+    text_blank(where);
+    text_blank(message);
     fprintf(stderr, "winnow: %s: %s\n", where, message);
     return 2;
 }

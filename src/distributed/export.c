@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "base/file.h"
+#include "base/text.h"
 #include "case/build.h"
 #include "case/particle_options.h"
 #include "case/case_materials.h"
@@ -68,12 +69,14 @@ static void put_deck(FILE *f, const struct settings *s, const struct words *w,
     const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     const double steps = (double)case_steps_until_end(s) * case_steps_within(s);
 
-    fprintf(f,
-            "# %s\n# particles and walls of %s, written by winnow export; "
-            "without the fluid\n"
-            "# one run only: LAMMPS up to 2022 changes the dashpots of "
-            "walls in a second one\n",
-            settings_text(s, "title"), settings_file(s));
+    fputs("# ", f);
+    text_put(f, settings_text(s, "title"), TEXT_LAMMPS);
+    fputs("\n# particles and walls of ", f);
+    text_put(f, settings_file(s), TEXT_LAMMPS);
+    fputs(", written by winnow export; without the fluid\n"
+          "# one run only: LAMMPS up to 2022 changes the dashpots of "
+          "walls in a second one\n",
+          f);
     words_begin(w, put_line, f);
     fprintf(f, "read_data data.lammps\n");
     words_contacts(w, put_line, f);
@@ -95,16 +98,12 @@ static int write_file(const char *dir, const char *name,
                       const struct simulation *sim, int data)
 {
     char *const path = file_join(dir, name);
-    FILE *const f = fopen(path, "w");
-    int failed = f == NULL;
+    struct file *const f = file_create(path);
 
-    if (f != NULL && data) put_data(f, w, sim->particles);
-    if (f != NULL && !data) put_deck(f, s, w, sim->gravity);
-    if (f != NULL) failed = ferror(f) | (fclose(f) != 0);
-    if (failed)
-        perror(path);
-    else
-        printf("%s\n", path);
+    if (f != NULL && data) put_data(file_stream(f), w, sim->particles);
+    if (f != NULL && !data) put_deck(file_stream(f), s, w, sim->gravity);
+    const int failed = f == NULL || file_commit(f) != 0;
+    if (!failed) printf("%s\n", path);
     free(path);
     return failed;
 }

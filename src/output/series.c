@@ -3,8 +3,8 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "base/number.h"
-#include "output/xml.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -106,7 +106,7 @@ static void put_entry(FILE *out, struct series *s, int i)
     name_file(s, i, s->file);
     fprintf(out, "<DataSet timestep=\"%s\" part=\"0\" file=\"",
             number_text(s->time[i], text));
-    xml_put(out, s->file);
+    text_put(out, s->file, TEXT_XML);
     fprintf(out, "\"/>\n");
 }
 

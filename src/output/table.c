@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
+#include "base/text.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -26,23 +27,10 @@ static int report_failure(const char *what, const char *path)
     return 1;
 }
 
-/* Writes a name for CSV: in quotes if it contains a comma or a quote. */
-static void put_name(FILE *out, const char *name)
-{
-    if (strpbrk(name, ",\"\n") == NULL) {
-        fputs(name, out);
-        return;
-    }
-    fputc('"', out);
-    for (const char *p = name; *p; p++)
-        fputs(*p == '"' ? "\"\"" : (const char[2]){*p, '\0'}, out);
-    fputc('"', out);
-}
-
 static void put_head(FILE *out, int n, const char *const *names)
 {
     for (int i = 0; i < n; i++) {
-        put_name(out, names[i]);
+        text_put(out, names[i], TEXT_CSV);
         fputc(i < n - 1 ? ',' : '\n', out);
     }
 }

@@ -3,8 +3,8 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "base/number.h"
-#include "output/xml.h"
 
 #include <assert.h>
 #include <stdint.h>
@@ -112,7 +112,7 @@ void vtk_file_array(struct vtk_file *f, const struct vtk_array *a, int n)
     struct pending *const next = &f->pending[f->n_pending++];
 
     fprintf(f->out, "<DataArray type=\"%s\" Name=\"", vtk_array_type(a));
-    xml_put(f->out, a->name);
+    text_put(f->out, a->name, TEXT_XML);
     fprintf(f->out,
             "\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"",
             a->components);

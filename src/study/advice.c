@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -137,7 +138,8 @@ static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
     if (f->uncertainty > 0.0)
         fprintf(out, " +- %s %%",
                 number_rounded(100.0 * f->uncertainty, 2, text));
-    fprintf(out, ": %s", o->variant[v].label);
+    fputs(": ", out);
+    text_put(out, o->variant[v].label, TEXT_PAGE);
 }
 
 /* Why there is no error of any variant; NULL if there is one. */
@@ -234,8 +236,10 @@ void study_report_advice(const struct outcomes *o, FILE *out)
 {
     for (int m = 0; m < o->plan->n_measures; m++) {
         if (o->plan->truth[m].kind == TRUTH_NONE) continue;
-        fprintf(out, "%s, against %s:\n", o->plan->measure[m].text,
-                o->plan->truth[m].text);
+        text_put(out, o->plan->measure[m].text, TEXT_PAGE);
+        fputs(", against ", out);
+        text_put(out, o->plan->truth[m].text, TEXT_PAGE);
+        fputs(":\n", out);
         put_times(o, m, out);
         const char *const why = nothing_known(o, m);
         if (why != NULL) {

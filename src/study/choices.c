@@ -19,7 +19,8 @@ static size_t length_to(const char *text, char separator, int *open)
     size_t n = 0;
 
     for (; text[n] != '\0'; n++) {
-        if (text[n] == '"' && (n == 0 || text[n - 1] != '\\')) quoted = !quoted;
+        if (text[n] == '"') quoted = !quoted;
+        if (quoted && text[n] == '\\' && text[n + 1] != '\0') n++;
         if (quoted) continue;
         if (depth == 0 && text[n] == separator) break;
         depth += strchr("([{", text[n]) != NULL;

@@ -12,6 +12,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
+#include "base/text.h"
 #include "output/pictures/gnuplot.h"
 
 #include <math.h>
@@ -64,10 +65,12 @@ static void put_point(const struct outcomes *o, int m, int v, FILE *out)
     const double low = fmax(f->error - 2.0 * f->uncertainty, 1e-2 * f->error);
     const struct choices *const c = &o->plan->choices;
 
-    fprintf(out, "%.8g %.8g %.8g %.8g \"%s\"\n", o->variant[v].cost,
-            100.0 * f->error, 100.0 * low,
-            100.0 * (f->error + 2.0 * f->uncertainty),
-            o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]));
+    fprintf(out, "%.8g %.8g %.8g %.8g ", o->variant[v].cost, 100.0 * f->error,
+            100.0 * low, 100.0 * (f->error + 2.0 * f->uncertainty));
+    text_put(out,
+             o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]),
+             TEXT_DATA);
+    fputc('\n', out);
 }
 
 /* 1 if the variant costs more than the last of the front, and is better by more
@@ -145,17 +148,6 @@ static const char opening[] =
     "set linetype cycle 8\n"
     "set pointsize 0.9\n";
 
-/* A text in single quotes, as gnuplot has them: a quote within is doubled. */
-static void put_quoted(FILE *out, const char *text)
-{
-    fputc('\'', out);
-    for (; *text != '\0'; text++) {
-        if (*text == '\'') fputc('\'', out);
-        fputc(*text == '\n' ? ' ' : *text, out);
-    }
-    fputc('\'', out);
-}
-
 static void put_labels(const struct plan *p, int m, FILE *out)
 {
     const char *const measure = p->measure[m].text, *const truth =
@@ -163,11 +155,13 @@ static void put_labels(const struct plan *p, int m, FILE *out)
     char text[4 * MEASURE_NAME];
 
     fputs("set xlabel ", out);
-    put_quoted(out, plan_cost_is_processor(p) ? "processor time of a run [s]"
-                                              : p->cost.text);
+    text_put(out,
+             plan_cost_is_processor(p) ? "processor time of a run [s]"
+                                       : p->cost.text,
+             TEXT_GNUPLOT);
     fputs(" noenhanced\nset ylabel 'error [%]'\nset title ", out);
     snprintf(text, sizeof text, "%s against %s", measure, truth);
-    put_quoted(out, strlen(text) > 60 ? measure : text);
+    text_put(out, strlen(text) > 60 ? measure : text, TEXT_GNUPLOT);
     fputs(" font ',15' noenhanced offset 0,-0.5\n", out);
 }
 
@@ -266,7 +260,7 @@ static void put_line(const struct outcomes *o, int m, int first, int number,
             : alone  ? "points"
                      : "linespoints",
             number);
-    put_quoted(out, title);
+    text_put(out, title, TEXT_GNUPLOT);
     free(title);
     /* The values of the axis beside the points: once, where lines are many. */
     if (o->axis >= 0 && (number == 1 || points(o, m, -1) <= 12))
@@ -324,7 +318,7 @@ static int write_script(const struct outcomes *o, int panels)
     fprintf(out, "wide = %d; rows = %d; lines = %d; longest = %d\n%s", wide,
             rows, c.lines, c.longest, opening);
     fprintf(out, "set multiplot layout %d,%d title ", rows, wide);
-    put_quoted(out, o->plan->words.title);
+    text_put(out, o->plan->words.title, TEXT_GNUPLOT);
     fputs(" noenhanced\n", out);
     for (int m = 0; m < o->plan->n_measures; m++)
         if (points(o, m, -1) > 0) put_panel(o, m, out);

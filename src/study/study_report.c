@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/tables/input.h"
 #include "base/number.h"
+#include "base/text.h"
 #include "case/resume/read_summary.h"
 
 #include <math.h>
@@ -30,19 +31,6 @@ static const struct {
 enum { FROM_SUMMARY = sizeof from_summary / sizeof from_summary[0] };
 
 /* --- study.csv ------------------------------------------------------------ */
-
-/* A text in quotes if it has a comma. */
-static void put_text(FILE *out, const char *text)
-{
-    const int quoted = strpbrk(text, ",\"\n") != NULL;
-
-    if (quoted) fputc('"', out);
-    for (; *text != '\0'; text++) {
-        if (*text == '"') fputc('"', out);
-        fputc(*text, out);
-    }
-    if (quoted) fputc('"', out);
-}
 
 /* An empty field for what is not there. */
 static void put_number(FILE *out, double value)
@@ -77,7 +65,7 @@ static void put_choices(const struct plan *p, const struct run *r, FILE *out)
 
         for (int k = 0; k < c->key.n; k++) {
             fputc(',', out);
-            put_text(out, choices_in_entry(c, entry, k));
+            text_put(out, choices_in_entry(c, entry, k), TEXT_CSV);
         }
     }
 }
@@ -104,7 +92,7 @@ static void put_measure(const struct outcomes *o, const struct run *r, int m,
 
 static void put_run(const struct outcomes *o, const struct run *r, FILE *out)
 {
-    put_text(out, r->name);
+    text_put(out, r->name, TEXT_CSV);
     put_choices(o->plan, r, out);
     fprintf(out, ",%d,%d,%d", r->seed, r->time, r->code);
     for (int i = 0; i < FROM_SUMMARY; i++)
@@ -135,6 +123,14 @@ int study_report_runs(const struct outcomes *o)
 }
 
 /* --- study.md ------------------------------------------------------------- */
+
+static void put_page(const char *before, const char *text, const char *behind,
+                     FILE *out)
+{
+    fputs(before, out);
+    text_put(out, text, TEXT_PAGE);
+    fputs(behind, out);
+}
 
 /* Nothing for what is not there. */
 static void put_rounded(FILE *out, double value, int digits, const char *unit)
@@ -190,8 +186,7 @@ static void put_variant(const struct outcomes *o, const struct outcome *v,
                         FILE *out)
 {
     fputs("| ", out);
-    for (const char *at = v->label; *at != '\0'; at++)
-        fprintf(out, "%s%c", *at == '|' ? "\\" : "", *at);
+    text_put(out, v->label, TEXT_PAGE);
     fputs(" | ", out);
     put_rounded(out, v->seconds, 4, "");
     if (!plan_cost_is_processor(o->plan)) {
@@ -200,7 +195,8 @@ static void put_variant(const struct outcomes *o, const struct outcome *v,
     }
     if (v->broken != NULL) {
         char *const reason = reason_of(v->broken);
-        fprintf(out, " | exit code %d: %s", v->broken->code, reason);
+        fprintf(out, " | exit code %d: ", v->broken->code);
+        text_put(out, reason, TEXT_PAGE);
         free(reason);
     } else
         for (int m = 0; m < o->plan->n_measures; m++)
@@ -213,10 +209,10 @@ static void put_table(const struct outcomes *o, FILE *out)
     const struct plan *const p = o->plan;
     const int other = !plan_cost_is_processor(p);
 
-    fprintf(out, "| variant | processor [s]%s%s", other ? " | " : "",
-            other ? p->cost.text : "");
+    fputs("| variant | processor [s]", out);
+    if (other) put_page(" | ", p->cost.text, "", out);
     for (int m = 0; m < p->n_measures; m++)
-        fprintf(out, " | %s | error | order", p->measure[m].text);
+        put_page(" | ", p->measure[m].text, " | error | order", out);
     fputs(" |\n| --- | ---:", out);
     for (int i = 0; i < 3 * p->n_measures + other; i++)
         fputs(" | ---:", out);
@@ -234,8 +230,9 @@ static void put_fitted(const struct outcomes *o, FILE *out)
             if (choices_entry(&o->plan->choices, v, o->axis) > 0) continue;
             const double p = outcomes_fitted_order(o, v, m);
             char *const line = choices_label(&o->plan->choices, v, o->axis);
-            fprintf(out, "- %s%s%s: ", o->plan->measure[m].text,
-                    line[0] != '\0' ? ", " : "", line);
+            put_page("- ", o->plan->measure[m].text,
+                     line[0] != '\0' ? ", " : "", out);
+            put_page("", line, ": ", out);
             if (isfinite(p))
                 fprintf(out, "extrapolated with the order %.2f\n", p);
             else
@@ -260,10 +257,12 @@ int study_report_variants(const struct outcomes *o)
 
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
-    fprintf(out, "# %s\n\nCase %s; ", p->words.title, p->words.case_file);
-    for (int m = 0; m < p->n_measures; m++)
-        fprintf(out, "%s%s against %s", m > 0 ? ", " : "", p->measure[m].text,
-                p->truth[m].text);
+    put_page("# ", p->words.title, "\n\n", out);
+    put_page("Case ", p->words.case_file, "; ", out);
+    for (int m = 0; m < p->n_measures; m++) {
+        put_page(m > 0 ? ", " : "", p->measure[m].text, " against ", out);
+        put_page("", p->truth[m].text, "", out);
+    }
     fprintf(out, ".\nSeeds: %d; repetitions: %d, the least counts. %s\n\n",
             p->words.seeds, p->words.times, same_costs);
     put_table(o, out);

@@ -18,9 +18,10 @@ pid_t workers_start(const char *const *arguments, const char *log)
     posix_spawn_file_actions_t where;
     pid_t process = 0;
 
+    unlink(log); /* which might be a link */
     posix_spawn_file_actions_init(&where);
-    posix_spawn_file_actions_addopen(&where, 1, log,
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    posix_spawn_file_actions_addopen(
+        &where, 1, log, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
     posix_spawn_file_actions_adddup2(&where, 1, 2);
     errno = posix_spawn(&process, myself, &where, NULL,
                         (char *const *)(size_t)arguments, environ);

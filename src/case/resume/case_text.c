@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/tables/input.h"
 #include "base/number.h"
+#include "base/text.h"
 #include "case/case_file.h"
 #include "case/case_steps.h"
 #include "case/resume/mesh_files.h"
@@ -19,19 +20,6 @@
 enum { PATH = 512 };
 
 /* --- values --------------------------------------------------------------- */
-
-static void put_string(FILE *out, const char *text)
-{
-    fputc('"', out);
-    for (; *text != '\0'; text++) {
-        if (*text == '"' || *text == '\\') fputc('\\', out);
-        if (*text == '\n')
-            fputs("\\n", out);
-        else
-            fputc(*text, out);
-    }
-    fputc('"', out);
-}
 
 /* A real number keeps its point, or libconfig would read a whole one. */
 static void put_real(FILE *out, double x)
@@ -49,7 +37,7 @@ static void put_value(FILE *out, const config_setting_t *s)
     const char *const ends = type == CONFIG_TYPE_ARRAY ? "[]" : "()";
 
     if (type == CONFIG_TYPE_STRING)
-        put_string(out, config_setting_get_string(s));
+        text_put(out, config_setting_get_string(s), TEXT_CASE);
     else if (type == CONFIG_TYPE_BOOL)
         fputs(config_setting_get_bool(s) ? "true" : "false", out);
     else if (type == CONFIG_TYPE_FLOAT)
@@ -295,7 +283,7 @@ static void put_setting(const struct writer *w, const config_setting_t *s,
     } else if (is_file(path)) {
         char *const name =
             w->file_name(w->of, path, config_setting_get_string(s));
-        put_string(w->out, name);
+        text_put(w->out, name, TEXT_CASE);
         free(name);
     } else {
         put_value(w->out, s);

@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/tables/input.h"
+#include "base/text.h"
 #include "case/case_file.h"
 #include "case/command.h"
 #include "case/resume/case_text.h"
@@ -18,19 +19,20 @@
 #include "output/checkpoint/state_file.h"
 #include "output/manifest/ownership.h"
 
-/* Why the run ended, on one line, as a new string; NULL if it did not. */
-static char *reason_of(const char *dir)
-{
-    char *const text = read_summary_text(dir, "exit_reason");
-
-    for (char *at = text; at != NULL && (at = strchr(at, '\n')) != NULL;)
-        *at = ' ';
-    return text;
-}
-
+/* What others wrote is shown without control characters. */
 static void line(const char *name, const char *value)
 {
-    printf("%-11s %s\n", name, value);
+    printf("%-11s ", name);
+    text_put(stdout, value, TEXT_PLAIN);
+    putchar('\n');
+}
+
+/* Words of a command as a shell reads them: one that is copied from here runs
+ * what it shows, whatever a folder or a case is called. */
+static void word(const char *before, const char *text)
+{
+    fputs(before, stdout);
+    text_put(stdout, text, TEXT_SHELL);
 }
 
 /* The time of a state [s], and what its case says. */
@@ -95,7 +97,9 @@ static void print_case(struct state_file *f)
     for (int i = 1;; i++) {
         char *const text = override_of(f, i);
         if (text == NULL) return;
-        printf("%-11s -s %s\n", "", text);
+        printf("%-11s", "");
+        word(" -s ", text);
+        putchar('\n');
         free(text);
     }
 }
@@ -136,33 +140,19 @@ static void print_end(const char *dir, const char *reason)
 /* The command that continues the run; t of the saved state, if there is one. */
 static void print_what_next(const char *dir, const struct found *f, int done)
 {
-    if (f->file != NULL && !done)
-        printf("%-11s winnow run %s/case.cfg --resume -o %s\n", "resume", dir,
-               dir);
-    else if (f->file != NULL)
-        printf("%-11s winnow run %s/case.cfg --resume -o %s -s "
-               "output.end=%g\n",
-               "go further", dir, dir, 2.0 * end_of(f->file));
-    printf("%-11s winnow run %s/case.cfg -o ANOTHER\n", "repeat", dir);
-}
+    char *const case_file = file_join(dir, "case.cfg");
 
-/* A word of a command as a shell reads it. */
-static void print_quoted(const char *text)
-{
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRST"
-                                "UVWXYZ0123456789_./,=+-";
-
-    if (text[strspn(text, plain)] == '\0') {
-        fputs(text, stdout);
-        return;
+    if (f->file != NULL) {
+        printf("%-11s", done ? "go further" : "resume");
+        word(" winnow run ", case_file);
+        word(" --resume -o ", dir);
+        if (done) printf(" -s output.end=%g", 2.0 * end_of(f->file));
+        putchar('\n');
     }
-    putchar('\'');
-    for (; *text != '\0'; text++)
-        if (*text == '\'')
-            fputs("'\\''", stdout);
-        else
-            putchar(*text);
-    putchar('\'');
+    printf("%-11s", "repeat");
+    word(" winnow run ", case_file);
+    puts(" -o ANOTHER");
+    free(case_file);
 }
 
 /* The command that continues a run that has not begun. */
@@ -170,13 +160,14 @@ static void print_beginning(const char *dir, struct state_file *f)
 {
     char *const case_file = state_file_text(f, "case_file");
 
-    printf("%-11s winnow run %s --resume -o %s", "resume", case_file, dir);
+    printf("%-11s", "resume");
+    word(" winnow run ", case_file);
+    word(" --resume -o ", dir);
     free(case_file);
     for (int i = 1;; i++) {
         char *const text = override_of(f, i);
         if (text == NULL) break;
-        fputs(" -s ", stdout);
-        print_quoted(text);
+        word(" -s ", text);
         free(text);
     }
     putchar('\n');
@@ -244,7 +235,7 @@ static const char *find_state(const char *dir, struct found *f)
 static int print_folder(const char *dir)
 {
     struct found f = {NULL, 0.0};
-    char *const reason = reason_of(dir);
+    char *const reason = read_summary_text(dir, "exit_reason");
     const char *const name = find_state(dir, &f);
     const int ahead = print_ahead(dir);
 

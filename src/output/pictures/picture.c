@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
+#include "base/text.h"
 #include "output/pictures/gnuplot.h"
 #include "output/pictures/picture_script.h"
 
@@ -195,30 +196,14 @@ void picture_put_number(FILE *out, const char *name, double value,
             value == floor(value) && fabs(value) < 1e9 ? ".0" : "", unit);
 }
 
-/* A title within double quotes. Quotes, backslashes and backquotes have a
- * meaning to gnuplot there, so they are written as octal codes. */
-static void put_title(FILE *out, const char *title)
-{
-    fputs("title = \"", out);
-    for (const char *p = title; *p; p++) {
-        const unsigned char c = (unsigned char)*p;
-
-        if (c < 0x20 || c == 0x7f)
-            fputc(' ', out);
-        else if (c >= 0x80 || isalnum(c) || strchr(" .,:;()-+=/", c) != NULL)
-            fputc(c, out);
-        else
-            fprintf(out, "\\%03o", (unsigned)c);
-    }
-    fputs("\"\n", out);
-}
-
 void picture_put_box(FILE *out, const struct picture *p, double fast)
 {
     const double *const lo = p->mesh->lo, *const hi = p->mesh->hi;
 
     fprintf(out, "# The numbers of this run.\n");
-    put_title(out, p->title);
+    fputs("title = ", out);
+    text_put(out, p->title, TEXT_GNUPLOT);
+    fputc('\n', out);
     picture_put_number(out, "time", p->time, "s");
     picture_put_number(out, "x0", lo[0], "m");
     picture_put_number(out, "x1", hi[0], "m");

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/text.h"
+
+#include <ctype.h>
+#include <string.h>
+
+/* Bytes of the control character that begins here, or 0. Terminals take some of
+ * U+0080 to U+009F for the start of an escape code. */
+static size_t control_length(const char *text)
+{
+    const unsigned char *const c = (const unsigned char *)text;
+
+    if (c[0] == 0xc2 && c[1] >= 0x80 && c[1] <= 0x9f) return 2;
+    return (c[0] < 0x20 && c[0] != '\0') || c[0] == 0x7f;
+}
+
+const char *text_control(const char *text)
+{
+    while (*text != '\0' && control_length(text) == 0)
+        text++;
+    return *text != '\0' ? text : NULL;
+}
+
+void text_blank(char *text)
+{
+    for (; *text != '\0'; text++)
+        memset(text, ' ', control_length(text));
+}
+
+/* How a target quotes. */
+static const struct quoting {
+    const char *around;        /* quote before and behind, "" for none */
+    const char *plain;         /* a text of these alone needs no quote */
+    const char *written[5][2]; /* a character, and what stands for it */
+} quotings[] = {
+    [TEXT_PLAIN] = {"", NULL, {{NULL}}},
+    [TEXT_SHELL] = {"'",
+                    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                    "0123456789_./,=+-",
+                    {{"'", "'\\''"}}},
+    [TEXT_GNUPLOT] = {"\"", NULL, {{NULL}}},
+    [TEXT_DATA] = {"\"", NULL, {{"\"", "'"}}},
+    /* LAMMPS goes on reading behind & and after three quotes. */
+    [TEXT_LAMMPS] = {"", NULL, {{"&", "+"}, {"\"", "'"}}},
+    [TEXT_CASE] = {"\"", NULL, {{"\"", "\\\""}, {"\\", "\\\\"}}},
+    [TEXT_CSV] = {"\"", NULL, {{"\"", "\"\""}}},
+    [TEXT_PAGE] = {"", NULL, {{"&", "&amp;"}, {"<", "&lt;"}, {"|", "\\|"}}},
+    [TEXT_XML] = {
+        "",
+        NULL,
+        {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}}}};
+
+/* Within gnuplot's double quotes all but these and letters may have a meaning,
+ * and is written as an octal code. */
+static int is_octal(char c, enum text_target target)
+{
+    return target == TEXT_GNUPLOT && (unsigned char)c < 0x80 &&
+           !isalnum((unsigned char)c) && strchr(" .,:;()-+=/", c) == NULL;
+}
+
+static void put_character(FILE *out, char c, const struct quoting *q)
+{
+    for (int i = 0; i < 5 && q->written[i][0] != NULL; i++)
+        if (c == *q->written[i][0]) {
+            fputs(q->written[i][1], out);
+            return;
+        }
+    fputc(c, out);
+}
+
+void text_put(FILE *out, const char *text, enum text_target target)
+{
+    const struct quoting *const q = &quotings[target];
+    const int bare = target == TEXT_CSV
+                         ? strpbrk(text, ",\"") == NULL
+                         : q->plain != NULL && *text != '\0' &&
+                               text[strspn(text, q->plain)] == '\0';
+
+    if (!bare) fputs(q->around, out);
+    for (; *text != '\0'; text++) {
+        const size_t control = control_length(text);
+        if (control == 0 && is_octal(*text, target))
+            fprintf(out, "\\%03o", (unsigned)*text);
+        else
+            put_character(out, control > 0 ? ' ' : *text, q);
+        text += control > 1;
+    }
+    if (!bare) fputs(q->around, out);
+}

@@ -1,0 +1,36 @@
+/* text.h -- texts of strangers, where they leave the program.
+ *
+ * A title, a name, a value of a study: whoever wrote the case chose it, and it
+ * ends in a script, a page or a terminal of whoever runs it. No case and no
+ * command line may have a control character in a text (text_control), and what
+ * is written is written by text_put, in the quotes of its target.
+ */
+#ifndef BASE_TEXT_H
+#define BASE_TEXT_H
+
+#include <stdio.h>
+
+/* The first control character, such as a line break or an escape code; NULL if
+ * there is none. */
+const char *text_control(const char *text);
+
+/* Puts blanks in the place of control characters. */
+void text_blank(char *text);
+
+enum text_target {
+    TEXT_PLAIN,   /* a line of a terminal */
+    TEXT_SHELL,   /* a word of a command */
+    TEXT_GNUPLOT, /* a text of a script, in quotes */
+    TEXT_DATA,    /* a column of gnuplot's data */
+    TEXT_LAMMPS,  /* a remark in a deck */
+    TEXT_CASE,    /* a text of a case, in quotes */
+    TEXT_CSV,     /* a field, in quotes if it needs them */
+    TEXT_PAGE,    /* Markdown, in a table or not */
+    TEXT_XML
+};
+
+/* Writes a text so that the target reads it as it is; of a control character,
+ * and of what the target cannot quote, a sign in its place. */
+void text_put(FILE *out, const char *text, enum text_target target);
+
+#endif
