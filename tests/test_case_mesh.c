@@ -279,9 +279,33 @@ START_TEST(a_mesh_is_a_box_or_from_files)
 }
 END_TEST
 
+/* Nothing flows through it; the box of one cell has one. */
+START_TEST(a_patch_of_no_faces_needs_no_condition)
+{
+    int code;
+    struct settings *const s =
+        read_case("polymesh = \"../tests/data/poly/one-cell\";",
+                  "bottom = \"no-slip\"; top = \"slip\";", "", &code);
+
+    ck_assert_msg(s != NULL, "%s", said);
+    settings_free(s);
+    refused("polymesh = \"../tests/data/poly/one-cell\";",
+            "bottom = \"no-slip\";", "the patch top, 1 faces");
+}
+END_TEST
+
+START_TEST(a_file_of_gmsh_is_refused_with_what_makes_a_folder_of_it)
+{
+    refused("polymesh = \"case_mesh.cfg\";", sides,
+            "found the file build/case_mesh.cfg; gmshToFoam makes one");
+}
+END_TEST
+
 FACTS("case_mesh")
 {
     tcase_set_timeout(facts, 60.0);
+    FACT(a_patch_of_no_faces_needs_no_condition);
+    FACT(a_file_of_gmsh_is_refused_with_what_makes_a_folder_of_it);
     FACT(a_box_from_files_has_the_flow_of_our_box);
     FACT(a_box_sheared_by_nothing_has_the_flow_of_the_box);
     FACT(a_sheared_channel_has_poiseuilles_flow);

@@ -4,9 +4,11 @@
 #include "mesh/poly/locate.h"
 #include "mesh/poly/poly.h"
 #include "mesh/poly/poly_order.h"
+#include "mesh/poly/poly_raw.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -435,18 +437,144 @@ static void spoil(const char *name, const char *old, const char *by)
     }
 }
 
+/* --- as OpenFOAM writes with writeFormat binary --------------------------- */
+
+static FILE *begin_binary(const char *name, const char *class, int label,
+                          int scalar)
+{
+    char path[64];
+
+    snprintf(path, sizeof path, "build/poly/%s", name);
+    FILE *const f = fopen(path, "wb");
+    ck_assert_ptr_nonnull(f);
+    fprintf(f,
+            "FoamFile\n{\n    version 2.0;\n    format binary;\n    arch "
+            "\"LSB;label=%d;scalar=%d\";\n    class %s;\n    note "
+            "\"nCells: 1; }\";\n}\n",
+            label, scalar, class);
+    return f;
+}
+
+static void put_labels(FILE *f, int label, const int *list, int n)
+{
+    fprintf(f, "\n%d\n", n);
+    if (n == 0) return;
+    fputc('(', f);
+    for (int i = 0; i < n; i++) {
+        const int64_t wide = list[i];
+        const int32_t narrow = list[i];
+        fwrite(label == 64 ? (const void *)&wide : &narrow, 1,
+               (size_t)label / 8, f);
+    }
+    fputc(')', f);
+}
+
+static void put_faces(const struct poly_raw *r, int label, int compact)
+{
+    FILE *const f = begin_binary(
+        "faces", compact ? "faceCompactList" : "faceList", label, 64);
+
+    if (compact) {
+        put_labels(f, label, r->start, r->n_faces + 1);
+        put_labels(f, label, r->corner, r->start[r->n_faces]);
+    } else
+        fprintf(f, "%d\n(\n", r->n_faces);
+    for (int i = 0; i < r->n_faces && !compact; i++)
+        put_labels(f, label, &r->corner[r->start[i]],
+                   r->start[i + 1] - r->start[i]);
+    if (!compact) fputs(")\n", f);
+    fclose(f);
+}
+
+/* Whole numbers of 32 or 64 bits, faces in two lists or one each. */
+static void put_binary(const struct poly_raw *r, int label, int scalar,
+                       int compact)
+{
+    FILE *f = begin_binary("points", "vectorField", label, scalar);
+
+    fprintf(f, "%d\n(", r->n_points);
+    for (int i = 0; i < 3 * r->n_points; i++) {
+        const float narrow = (float)r->point[i];
+        fwrite(scalar == 64 ? (const void *)&r->point[i] : &narrow, 1,
+               (size_t)scalar / 8, f);
+    }
+    fputs(")\n", f);
+    fclose(f);
+    put_faces(r, label, compact);
+    f = begin_binary("owner", "labelList", label, scalar);
+    put_labels(f, label, r->owner, r->n_faces);
+    fclose(f);
+    f = begin_binary("neighbour", "labelList", label, scalar);
+    put_labels(f, label, r->neighbour, r->n_inner);
+    fclose(f);
+}
+
+START_TEST(a_binary_mesh_is_that_of_the_text)
+{
+    static const char *const names[] = {"box", "dual"};
+    const int label = _i & 1 ? 64 : 32, scalar = _i & 2 ? 64 : 32;
+    char dir[64];
+    struct poly_raw text = {0}, bytes = {0};
+
+    snprintf(dir, sizeof dir, "tests/data/poly/%s", names[_i >> 3]);
+    spoil("boundary", "ascii", "binary");
+    ck_assert_int_eq(poly_raw_read(&text, dir), 0);
+    put_binary(&text, label, scalar, _i & 4);
+    if (_i >> 3)
+        ck_assert_int_eq(system("cp tests/data/poly/dual/boundary build/poly"),
+                         0);
+    ck_assert_int_eq(poly_raw_read(&bytes, "build/poly"), 0);
+    ck_assert_int_eq(bytes.n_faces, text.n_faces);
+    ck_assert_int_eq(bytes.n_inner, text.n_inner);
+    ck_assert_int_eq(bytes.n_cells, text.n_cells);
+    ck_assert_int_eq(bytes.n_parts, text.n_parts);
+    for (int i = 0; i < 3 * text.n_points; i++)
+        ck_assert_double_eq(bytes.point[i], scalar == 64
+                                                ? text.point[i]
+                                                : (float)text.point[i]);
+    for (int i = 0; i < text.start[text.n_faces]; i++)
+        ck_assert_int_eq(bytes.corner[i], text.corner[i]);
+    for (int f = 0; f < text.n_faces; f++)
+        ck_assert_int_eq(bytes.owner[f], text.owner[f]);
+    for (int f = 0; f < text.n_inner; f++)
+        ck_assert_int_eq(bytes.neighbour[f], text.neighbour[f]);
+    poly_raw_release(&text);
+    poly_raw_release(&bytes);
+}
+END_TEST
+
+/* One cell, as blockMesh writes it: a list of equal numbers, a dictionary in a
+ * patch, and a patch of no faces, whose kind is of no interest. */
+START_TEST(one_cell_of_equal_owners_is_read)
+{
+    struct mesh *const m = poly_read("tests/data/poly/one-cell");
+
+    ck_assert_ptr_nonnull(m);
+    ck_assert_int_eq(m->n_cells, 1);
+    ck_assert_int_eq(m->n_faces, 6);
+    ck_assert_int_eq(m->n_patches, 4);
+    ck_assert_int_eq(m->patches[3].n, 0);
+    ck_assert_double_eq_tol(m->V[0], 1e-6, 1e-18);
+    mesh_free(m);
+}
+END_TEST
+
 START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
 {
     static const struct {
         const char *name, *old, *by, *message;
     } rows[] = {
-        {"points", "ascii", "binary", "points:4: format binary is not read"},
+        {"points", "ascii", "other", "points:4: format other is not read"},
+        {"points", "ascii;", "binary; arch \"MSB;label=32;scalar=64\";",
+         "points:4: arch \"MSB;label=32;scalar=64\" is not read"},
+        {"points", "ascii", "binary", "points:10: the file ends too early"},
+        {"owner", "ascii", "binary", "is more than there are faces"},
         {"points", "^60$", "61", "points"},
         {"faces", "4(1 6 26 21)", "4(1 6 99 21)", "point 99 of 60"},
         {"owner", "^98$", "97", "owner"},
         {"boundary", "wall;", "processor;", "type processor is not read"},
         {"boundary", "startFace *46", "startFace 40", "not of the boundary"},
-        {"neighbour", "^46$", "4600000", "more than the file can hold"},
+        {"neighbour", "^46$", "4600000", "4600000 entries, but there are 98"},
         {"owner", "^23$", "5", "is not closed: its faces miss"},
         {"points", "(0.25 0 0)", "(0.25 9 0)", "expected > 0"},
         {"points", "(0.25 0 0)", "(0.25 1e120 0)", "at most 1e12, found 1e120"},
@@ -481,5 +609,7 @@ FACTS("poly")
     FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10);
     FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10);
     FACT(the_order_of_the_cells_does_not_matter_to_the_flow);
-    FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 14);
+    FACT_FOR_EACH(a_binary_mesh_is_that_of_the_text, 16);
+    FACT(one_cell_of_equal_owners_is_read);
+    FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 17);
 }

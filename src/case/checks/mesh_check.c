@@ -152,7 +152,9 @@ static int check_patch(const struct settings *s, const struct mesh *m,
     const char *const side = settings_side(s, p->name);
     char path[128];
 
-    if (side == NULL && (p->is_symmetry || settings_mesh(s) == NULL)) return 0;
+    if (side == NULL &&
+        (p->is_symmetry || p->n == 0 || settings_mesh(s) == NULL))
+        return 0;
     if (side == NULL)
         return settings_wrong(s, "fluid",
                               "the patch %s, %d faces with %.3g m^2, has no "

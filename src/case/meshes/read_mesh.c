@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/tables/input.h"
 #include "mesh/mesh_form.h"
 #include "case/case_mesh.h"
 #include "case/extent/case_extent.h"
@@ -24,6 +25,12 @@ static int take_patches(const struct settings *s, const config_t *tree,
 
     if (form == NULL) return 0;
     settings_beside(s, config_setting_get_string(at), dir, sizeof dir);
+    if (input_wrong(dir) == NULL)
+        return source_wrong(at,
+                            "%s: expected the folder of an OpenFOAM mesh, "
+                            "found the file %s; gmshToFoam makes one of a .msh "
+                            "that Gmsh saved in format 2.2",
+                            form->keys[0].path, dir);
     if (!form->is_there(dir))
         return source_wrong(at, "%s: there is no mesh in the folder %s: %s",
                             form->keys[0].path, dir, form->looked_for);

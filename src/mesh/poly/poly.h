@@ -8,7 +8,7 @@
 #include "mesh/mesh_form.h"
 
 /* The mesh of the five files in dir, or in dir/polyMesh or
- * dir/constant/polyMesh, written as ascii, packed by gzip or not; NULL after
+ * dir/constant/polyMesh, ascii or binary, packed by gzip or not; NULL after
  * one message on stderr. Cells and faces are renumbered (poly_order.h);
  * boundary faces stay in their patch. */
 struct mesh *poly_read(const char *dir);

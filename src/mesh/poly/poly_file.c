@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,6 +61,14 @@ static void skip_blanks(struct poly_file *p)
     }
 }
 
+/* The end of a text in quotes that begins at `at`. */
+static long end_of_text(const struct poly_file *p, long at)
+{
+    for (at++; p->text[at] != '\0' && p->text[at] != '"';)
+        at += 1 + (p->text[at] == '\\' && p->text[at + 1] != '\0');
+    return at + (p->text[at] == '"');
+}
+
 void poly_file_word(struct poly_file *p, char word[POLY_WORD])
 {
     int n = 0;
@@ -67,6 +76,12 @@ void poly_file_word(struct poly_file *p, char word[POLY_WORD])
     word[0] = '\0';
     if (p->failed) return;
     skip_blanks(p);
+    if (p->text[p->at] == '"') {
+        const long end = end_of_text(p, p->at);
+        snprintf(word, POLY_WORD, "%.*s", (int)(end - p->at), &p->text[p->at]);
+        p->at = end;
+        return;
+    }
     while (p->text[p->at] != '\0' && n < POLY_WORD - 1) {
         const char c = p->text[p->at];
         const int sign = strchr("(){};", c) != NULL;
@@ -88,16 +103,77 @@ void poly_file_expect(struct poly_file *p, const char *expected)
         poly_file_wrong(p, "expected %s, found %s", expected, word);
 }
 
+void poly_file_begin(struct poly_file *p, int n)
+{
+    char word[POLY_WORD];
+
+    if (n == 0 && p->is_binary) { /* of an empty list there may be no sign */
+        skip_blanks(p);
+        if (p->text[p->at] != '(') return;
+    }
+    poly_file_word(p, word);
+    if (strcmp(word, "{") == 0 && n > 0)
+        p->same = p->at;
+    else if (!p->failed && strcmp(word, "(") != 0)
+        poly_file_wrong(p, "expected (, found %s", word);
+    p->in_bytes = p->is_binary && p->same == 0;
+}
+
+void poly_file_end(struct poly_file *p, int n)
+{
+    p->in_bytes = 0;
+    if (n == 0 && p->is_binary && p->text[p->at] != ')') return;
+    poly_file_expect(p, p->same > 0 ? "}" : ")");
+    p->same = 0;
+}
+
+/* The bytes of the next number, whose width is one of two; NULL if the file
+ * ends. */
+static const char *bytes_of(struct poly_file *p, int width)
+{
+    const char *const at = &p->text[p->at];
+
+    if (width > p->size - p->at) poly_file_wrong(p, "the file ends too early");
+    p->at += p->failed ? 0 : width;
+    return p->failed ? NULL : at;
+}
+
+static long whole_of_bytes(struct poly_file *p)
+{
+    int32_t narrow = 0;
+    int64_t wide = 0;
+    const int is_wide = p->label == sizeof wide;
+    const char *const at = bytes_of(p, p->label);
+
+    if (at == NULL) return 0;
+    memcpy(is_wide ? (void *)&wide : (void *)&narrow, at, (size_t)p->label);
+    return is_wide ? wide : narrow;
+}
+
+static double real_of_bytes(struct poly_file *p)
+{
+    float narrow = 0.0f;
+    double wide = 0.0;
+    const int is_wide = p->scalar == sizeof wide;
+    const char *const at = bytes_of(p, p->scalar);
+
+    if (at == NULL) return 0.0;
+    memcpy(is_wide ? (void *)&wide : (void *)&narrow, at, (size_t)p->scalar);
+    return is_wide ? wide : (double)narrow;
+}
+
 int poly_file_int(struct poly_file *p)
 {
-    char word[POLY_WORD], *end;
+    char word[POLY_WORD] = "", *end = word;
 
-    poly_file_word(p, word);
-    if (p->failed) return 0;
     errno = 0;
-    const long value = strtol(word, &end, 10);
+    if (p->same > 0) p->at = p->same;
+    if (!p->in_bytes) poly_file_word(p, word);
+    const long value = p->in_bytes ? whole_of_bytes(p) : strtol(word, &end, 10);
+    if (p->failed) return 0;
     if (*end == '\0' && errno == 0 && value >= 0 && value <= INT_MAX)
         return (int)value;
+    if (p->in_bytes) snprintf(word, sizeof word, "%ld", value);
     poly_file_wrong(p, "expected a whole number >= 0, found %s", word);
     return 0;
 }
@@ -106,21 +182,41 @@ int poly_file_count(struct poly_file *p, int least)
 {
     const int n = poly_file_int(p);
 
-    if (p->failed || (n <= p->size / least && n <= INT_MAX / 4)) return n;
+    if (p->failed || (n <= INT_MAX / 4 && (least == 0 || n <= p->size / least)))
+        return n;
     poly_file_wrong(p, "%d entries are more than the file can hold", n);
     return 0;
 }
 
 double poly_file_real(struct poly_file *p)
 {
-    char word[POLY_WORD], *end;
+    char word[POLY_WORD] = "", *end = word;
 
-    poly_file_word(p, word);
+    if (!p->in_bytes) poly_file_word(p, word);
+    const double value = p->in_bytes ? real_of_bytes(p) : strtod(word, &end);
     if (p->failed) return 0.0;
-    const double value = strtod(word, &end);
     if (*end == '\0' && number_is_coordinate(value)) return value;
+    if (p->in_bytes) snprintf(word, sizeof word, "%g", value);
     poly_file_wrong(p, "expected a number [m] of at most 1e12, found %s", word);
     return 0.0;
+}
+
+/* "LSB;label=32;scalar=64": the order of the bytes, and the widths in bits. */
+static void read_arch(struct poly_file *p, const char *arch)
+{
+    static const int one = 1;
+    const char *const order = *(const char *)&one ? "LSB" : "MSB";
+    const char *const label = strstr(arch, "label=");
+    const char *const scalar = strstr(arch, "scalar=");
+
+    if (label != NULL) p->label = atoi(label + 6) / 8;
+    if (scalar != NULL) p->scalar = atoi(scalar + 7) / 8;
+    if (strstr(arch, order) == NULL || (p->label != 4 && p->label != 8) ||
+        (p->scalar != 4 && p->scalar != 8))
+        poly_file_wrong(p,
+                        "arch %s is not read, only %s with labels and scalars "
+                        "of 32 or 64 bits; foamFormatConvert writes ascii",
+                        arch, order);
 }
 
 /* Reads the header, FoamFile { format ascii; ... }, if there is one. */
@@ -138,14 +234,19 @@ static void read_header(struct poly_file *p)
     }
     poly_file_expect(p, "{");
     while (!p->failed && strcmp(word, "}") != 0) {
+        char value[POLY_WORD];
         poly_file_word(p, word);
-        if (strcmp(word, "format") != 0) continue;
-        poly_file_word(p, word);
-        if (strcmp(word, "ascii") != 0)
-            poly_file_wrong(p,
-                            "format %s is not read, only ascii; "
-                            "foamFormatConvert writes it",
-                            word);
+        if (strcmp(word, "format") != 0 && strcmp(word, "arch") != 0 &&
+            strcmp(word, "class") != 0)
+            continue;
+        poly_file_word(p, value);
+        if (word[0] == 'a') read_arch(p, value);
+        if (word[0] == 'c') p->is_compact = strstr(value, "Compact") != NULL;
+        if (word[0] != 'f') continue;
+        p->is_binary = strcmp(value, "binary") == 0;
+        if (!p->is_binary && strcmp(value, "ascii") != 0)
+            poly_file_wrong(p, "format %s is not read, only ascii and binary",
+                            value);
     }
 }
 
@@ -178,7 +279,7 @@ static char *unpack(const char *path, long *size)
 
 void poly_file_open(struct poly_file *p, const char *dir, const char *name)
 {
-    *p = (struct poly_file){.line = 1};
+    *p = (struct poly_file){.line = 1, .label = 4, .scalar = 8};
     snprintf(p->path, sizeof p->path, "%s/%s", dir, name);
     errno = 0;
     p->text = unpack(p->path, &p->size);

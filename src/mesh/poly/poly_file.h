@@ -16,20 +16,29 @@ struct poly_file {
     long at;    /* [-] the next character */
     int line;   /* [-] counted from 1 */
     int failed;
+    int is_binary;     /* [-] 1: lists of numbers are bytes in brackets */
+    int is_compact;    /* [-] 1: faces are where each begins, and all corners */
+    int label, scalar; /* [byte] of a whole number and of a real one there */
+    int in_bytes;      /* [-] 1: within such a list */
+    long same; /* [-] where the number of a list of equal ones is, N{0}; or 0 */
 };
 
-/* Reads the file dir/name, or dir/name.gz, and its header; format must be
- * ascii. */
+/* Reads the file dir/name, or dir/name.gz, and its header. */
 void poly_file_open(struct poly_file *p, const char *dir, const char *name);
 void poly_file_close(struct poly_file *p);
 
 /* The next word, which ends before a blank or a sign; each of the signs ( ) { }
- * ; is a word of its own. */
+ * ; is a word of its own, and a text in quotes is one. */
 void poly_file_word(struct poly_file *p, char word[POLY_WORD]);
 void poly_file_expect(struct poly_file *p, const char *word);
 int poly_file_int(struct poly_file *p);
+/* The brackets around the n numbers of a list, which are words or bytes, or of
+ * whole numbers one in braces for all. */
+void poly_file_begin(struct poly_file *p, int n);
+void poly_file_end(struct poly_file *p, int n);
 /* The number of entries of a list: no more than the file can contain with
- * `least` characters or more each, and such that four times it is an int. */
+ * `least` characters or more each, and such that four times it is an int. With
+ * 0 the caller limits it, as N{0} has one number for all entries. */
 int poly_file_count(struct poly_file *p, int least);
 double poly_file_real(struct poly_file *p);
 

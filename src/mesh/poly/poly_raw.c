@@ -35,27 +35,26 @@ static int read_points(struct poly_raw *r, const char *dir)
     poly_file_open(&p, dir, "points");
     r->n_points = poly_file_count(&p, (int)strlen("(0 0 0)"));
     r->point = alloc_doubles(3 * r->n_points);
-    poly_file_expect(&p, "(");
+    poly_file_begin(&p, r->n_points);
     for (int i = 0; i < r->n_points && !p.failed; i++) {
-        poly_file_expect(&p, "(");
+        if (!p.in_bytes) poly_file_expect(&p, "(");
         for (int k = 0; k < 3; k++)
             r->point[3 * i + k] = poly_file_real(&p);
-        poly_file_expect(&p, ")");
+        if (!p.in_bytes) poly_file_expect(&p, ")");
     }
-    poly_file_expect(&p, ")");
+    poly_file_end(&p, r->n_points);
     poly_file_close(&p);
     return p.failed;
 }
 
-/* Reads one face, n ( a b c ... ), and adds its corners to the list. */
-static void read_face(struct poly_raw *r, struct poly_file *p, int f, int *room)
+/* Adds the n corners of face f to the list, where they are the next words or
+ * bytes. */
+static void add_corners(struct poly_raw *r, struct poly_file *p, int f, int n,
+                        int *room)
 {
-    const int n = poly_file_count(p, (int)strlen("0 "));
-
     if (n < 3) poly_file_wrong(p, "a face of %d points, expected >= 3", n);
     if (n > INT_MAX / 2 - r->start[f])
         poly_file_wrong(p, "more corners of faces than %d", INT_MAX / 2);
-    poly_file_expect(p, "(");
     if (p->failed) return;
     r->start[f + 1] = r->start[f] + n;
     if (r->start[f + 1] > *room) {
@@ -70,7 +69,40 @@ static void read_face(struct poly_raw *r, struct poly_file *p, int f, int *room)
         if (r->corner[i] >= r->n_points)
             poly_file_wrong(p, "point %d of %d", r->corner[i], r->n_points);
     }
+}
+
+/* n ( a b c ... ) for each face. */
+static void read_each_face(struct poly_raw *r, struct poly_file *p, int *room)
+{
+    poly_file_expect(p, "(");
+    for (int f = 0; f < r->n_faces && !p->failed; f++) {
+        const int n = poly_file_count(p, (int)strlen("0 "));
+        poly_file_begin(p, n);
+        add_corners(r, p, f, n, room);
+        poly_file_end(p, n);
+    }
     poly_file_expect(p, ")");
+}
+
+/* A list of where each face begins, and one of all corners. */
+static void read_compact_faces(struct poly_raw *r, struct poly_file *p,
+                               int *room)
+{
+    int *const first = alloc_ints(r->n_faces + 1);
+
+    poly_file_begin(p, r->n_faces + 1);
+    for (int f = 0; f <= r->n_faces; f++)
+        first[f] = poly_file_int(p);
+    poly_file_end(p, r->n_faces + 1);
+    const int n = poly_file_count(p, (int)strlen("0 "));
+    if (first[0] != 0 || first[r->n_faces] != n)
+        poly_file_wrong(p, "%d corners of faces, expected %d", n,
+                        first[r->n_faces]);
+    poly_file_begin(p, n);
+    for (int f = 0; f < r->n_faces && !p->failed; f++)
+        add_corners(r, p, f, first[f + 1] - first[f], room);
+    poly_file_end(p, n);
+    free(first);
 }
 
 static int read_faces(struct poly_raw *r, const char *dir)
@@ -79,14 +111,18 @@ static int read_faces(struct poly_raw *r, const char *dir)
     int room;
 
     poly_file_open(&p, dir, "faces");
-    r->n_faces = poly_file_count(&p, (int)strlen("3(0 1 2)"));
+    const int compact = p.is_binary && p.is_compact;
+    r->n_faces =
+        poly_file_count(&p, (int)strlen(compact ? "0 " : "3(0 1 2)")) - compact;
+    if (r->n_faces < 0) poly_file_wrong(&p, "there are no faces");
+    if (p.failed) r->n_faces = 0;
     room = 4 * r->n_faces;
     r->start = alloc_ints(r->n_faces + 1);
     r->corner = alloc_ints(room);
-    poly_file_expect(&p, "(");
-    for (int f = 0; f < r->n_faces && !p.failed; f++)
-        read_face(r, &p, f, &room);
-    poly_file_expect(&p, ")");
+    if (compact)
+        read_compact_faces(r, &p, &room);
+    else
+        read_each_face(r, &p, &room);
     poly_file_close(&p);
     return p.failed;
 }
@@ -98,12 +134,13 @@ static int *read_cells(struct poly_raw *r, const char *dir, const char *name,
     struct poly_file p;
 
     poly_file_open(&p, dir, name);
-    *n = poly_file_count(&p, (int)strlen("0 "));
+    *n = poly_file_count(&p, 0);
     if (*n > r->n_faces)
         poly_file_wrong(&p, "%d entries, but there are %d faces", *n,
                         r->n_faces);
+    if (p.failed) *n = 0;
     int *const cell = alloc_ints(*n);
-    poly_file_expect(&p, "(");
+    poly_file_begin(&p, *n);
     for (int f = 0; f < *n && !p.failed; f++) {
         cell[f] = poly_file_int(&p);
         if (cell[f] >= r->n_faces)
@@ -111,13 +148,27 @@ static int *read_cells(struct poly_raw *r, const char *dir, const char *name,
                             cell[f]);
         if (cell[f] >= r->n_cells) r->n_cells = cell[f] + 1;
     }
-    poly_file_expect(&p, ")");
+    poly_file_end(&p, *n);
     *failed |= p.failed;
     poly_file_close(&p);
     return cell;
 }
 
-/* Reads one entry of a patch, key value; a value in brackets is skipped. */
+/* Passes over what is left of an entry, up to its ; or, of a dictionary, to the
+ * brace that ends it. */
+static void skip_entry(struct poly_file *p, char word[POLY_WORD])
+{
+    int depth = 0, was_dictionary = 0;
+
+    for (; !p->failed; poly_file_word(p, word)) {
+        depth += strcmp(word, "{") == 0;
+        was_dictionary = strcmp(word, "}") == 0;
+        depth -= was_dictionary;
+        if (depth == 0 && (was_dictionary || strcmp(word, ";") == 0)) return;
+    }
+}
+
+/* Reads one entry of a patch: key value; or key { ... }. */
 static void read_entry(struct poly_file *p, struct poly_part *part,
                        const char *key)
 {
@@ -127,16 +178,12 @@ static void read_entry(struct poly_file *p, struct poly_part *part,
         part->n = poly_file_int(p);
     else if (strcmp(key, "startFace") == 0)
         part->first = poly_file_int(p);
-    else {
-        poly_file_word(p, word);
-        if (strcmp(key, "type") == 0)
-            snprintf(part->type, sizeof part->type, "%.63s", word);
-        if (strcmp(key, "neighbourPatch") == 0)
-            snprintf(part->other, sizeof part->other, "%.63s", word);
-    }
-    do
-        poly_file_word(p, word);
-    while (!p->failed && strcmp(word, ";") != 0);
+    poly_file_word(p, word);
+    if (strcmp(key, "type") == 0)
+        snprintf(part->type, sizeof part->type, "%.63s", word);
+    if (strcmp(key, "neighbourPatch") == 0)
+        snprintf(part->other, sizeof part->other, "%.63s", word);
+    skip_entry(p, word);
 }
 
 static void read_part(struct poly_raw *r, struct poly_file *p,
@@ -162,7 +209,7 @@ static void read_part(struct poly_raw *r, struct poly_file *p,
         read_entry(p, part, word);
     while (known[i] != NULL && strcmp(known[i], part->type) != 0)
         i++;
-    if (known[i] == NULL)
+    if (known[i] == NULL && part->n > 0)
         poly_file_wrong(p,
                         "patch %s: type %s is not read; expected patch, wall, "
                         "empty, symmetry, symmetryPlane or cyclic",
