@@ -226,6 +226,41 @@ START_TEST(side_is_found_alone_or_in_its_pair)
 }
 END_TEST
 
+/* libconfig takes whole and real numbers in one array only in round brackets; a
+ * text that looks like one, and the lines of messages, stay as they are. */
+START_TEST(vector_may_mix_whole_and_real_numbers)
+{
+    static const char *const arrays[] = {"[0, -9.81, 0]", "[0.0, -9.81, 0]",
+                                         "[ 0,\n\t-9.81 /* ] */, 0 ]"};
+    int code;
+    char said[CAPTURE_TEXT];
+    static const char *const none[] = {NULL};
+    double v[3];
+
+    for (int i = 0; i < 6; i++) {
+        char override[64];
+        snprintf(override, sizeof override, "effects.gravity=%s",
+                 arrays[i % 3]);
+        struct settings *const s =
+            i < 3 ? good_with(override)
+                  : read_case(with("[0.0, -9.81, 0.0]", arrays[i - 3]), none,
+                              &code, said);
+        ck_assert_ptr_nonnull(s);
+        settings_vector(s, "effects.gravity", v);
+        ck_assert_double_eq(v[0], 0.0);
+        ck_assert_double_eq(v[1], -9.81);
+        settings_free(s);
+    }
+    struct settings *const s = good_with("title=\"[1, 2.0]\"");
+    ck_assert_str_eq(settings_text(s, "title"), "[1, 2.0]");
+    settings_free(s);
+    refused(with("[1.0, 2.0, 3.0]", "[1, 2.0, -3]"), NULL,
+            "case.cfg:2: mesh.size: expected three numbers");
+    refused(with("[4, 5, 6]", "[4, 5.0, 6]"), NULL,
+            "case.cfg:2: mesh.cells: ~without point");
+}
+END_TEST
+
 START_TEST(override_replaces_adds_and_reaches_into_lists)
 {
     struct settings *s = good_with("fluid.density=1.2");
@@ -333,8 +368,8 @@ END_TEST
 
 START_TEST(syntax_error_quotes_the_line)
 {
-    refused("mesh = {\n  size = [0, 1.0, 1.0];\n};", NULL,
-            "case.cfg:2: ~write all numbers alike~    size = [0, 1.0, 1.0];");
+    refused("mesh = {\n  size = [0, 1.0 1.0];\n};", NULL,
+            "case.cfg:2: syntax error~    size = [0, 1.0 1.0];");
     refused("title = \"a\";\ntitle = \"b\";", NULL, "case.cfg:2: duplicate");
 }
 END_TEST
@@ -347,6 +382,8 @@ START_TEST(included_file_is_found_beside_the_case_and_named_in_errors)
     write_file(part, "\ncites = 3;\n");
     snprintf(text, sizeof text, "@include \"part.cfg\"\n%s", good);
     refused(text, NULL, "/part.cfg:2: cites");
+    write_file(part, "\nv = [0, 1.0];\n");
+    refused(text, NULL, "/part.cfg:2: ~write all numbers alike");
     write_file(part, "cites = \"us\";\n");
     snprintf(text, sizeof text, "@include \"part.cfg\"\n%s",
              with("viscosity", "viscsity"));
@@ -379,6 +416,7 @@ FACTS("settings")
     FACT(lists_hold_groups_with_defaults_of_their_own);
     FACT(inlet_is_a_number_or_a_course_in_time);
     FACT(side_is_found_alone_or_in_its_pair);
+    FACT(vector_may_mix_whole_and_real_numbers);
     FACT(override_replaces_adds_and_reaches_into_lists);
     FACT(unknown_key_names_file_line_and_the_nearest);
     FACT(missing_key_names_its_group_and_meaning);

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "case/case_check.h"
+#include "case/scan.h"
 #include "case/source.h"
 
 #include <assert.h>
@@ -58,6 +59,7 @@ static int read_quoted(config_t *tree, const char *quote, const char *value)
 
     config_init(tree);
     snprintf(text, size, "value = %s%s%s;", quote, value, quote);
+    scan_mixed(text);
     good = config_read_string(tree, text) &&
            config_setting_length(config_root_setting(tree)) == 1;
     free(text);
@@ -159,7 +161,7 @@ static int set(config_setting_t *group, const char *name, const char *text,
     else
         code = report_wrong(
             text, "the text after = is not one value of a case file; quote "
-                  "a text with blanks, write all numbers of a list alike");
+                  "a text with blanks");
     config_destroy(&tree);
     return code;
 }

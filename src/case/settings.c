@@ -45,7 +45,7 @@ struct settings *settings_create(const char *file, int n_overrides,
     s->tables = alloc_zeroed(s->n_tables + 1, sizeof *s->tables);
     memcpy(s->tables, tables, s->n_tables * sizeof *s->tables);
     s->file = strdup(file);
-    *code = source_read(&s->tree, file);
+    *code = source_read(&s->tree, s->file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
         *code = override_apply(&s->tree, overrides[i]);
     if (*code == 0) *code = schema_check_texts(&s->tree);

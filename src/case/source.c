@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/source.h"
 
+#include "base/tables/input.h"
 #include "base/text.h"
 #include "case/case_check.h"
+#include "case/scan.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -82,13 +84,21 @@ static void include_beside(config_t *tree, const char *file)
 
 int source_read(config_t *tree, const char *file)
 {
+    const char *why;
+    size_t length;
     int code = 0;
 
     config_init(tree);
     include_beside(tree, file);
     MODELS_UNTIL(code, case_checks, file, file, config_get_include_dir(tree));
     if (code != 0) return code;
-    return config_read_file(tree, file) ? 0 : wrong_syntax(tree, file);
+    char *const text = input_text(file, &length, &why);
+    if (text != NULL) scan_mixed(text);
+    const int good = text != NULL ? config_read_string(tree, text)
+                                  : config_read_file(tree, file);
+    free(text);
+    config_setting_set_hook(config_root_setting(tree), (void *)file);
+    return good ? 0 : wrong_syntax(tree, file);
 }
 
 int source_is_default(const config_setting_t *setting)
@@ -108,18 +118,20 @@ static void place(const config_setting_t *at, char text[SOURCE_TEXT])
 {
     const config_t *const tree = at->config;
     const size_t longest = SOURCE_TEXT - 16;
+    const char *const file = config_setting_get_hook(tree->root);
     const char *name = NULL;
 
     for (const config_setting_t *s = at; s != NULL;
          s = config_setting_parent(s)) {
-        if (config_setting_get_hook(s) != NULL && !source_is_default(s)) {
+        if (config_setting_get_hook(s) != NULL && !source_is_default(s) &&
+            !config_setting_is_root(s)) {
             snprintf(text, SOURCE_TEXT, "option -s %s",
                      (const char *)config_setting_get_hook(s));
             return;
         }
         if (name == NULL) name = config_setting_source_file(s);
     }
-    locate(tree, name, "the case", text);
+    locate(tree, name, file != NULL ? file : "the case", text);
     if (!config_setting_is_root(at) && strlen(text) < longest)
         sprintf(text + strlen(text), ":%u",
                 (unsigned)config_setting_source_line(at));

@@ -3,7 +3,7 @@
  * libconfig reads the file and keeps file and line of every setting. A value
  * that is not from a file has its source in its hook: the text of an override,
  * or the mark of a default. So every message can name the place where the case
- * has to be changed.
+ * has to be changed. The hook of the root is the path of the case.
  */
 #ifndef CASE_SOURCE_H
 #define CASE_SOURCE_H
@@ -17,7 +17,7 @@ extern const char source_default[];
 
 /* Reads the file and what it includes, looked for beside it. 0; or after one
  * message 2 for wrong syntax, 4 for a file that cannot be read. tree is
- * initialised in any case. */
+ * initialised in any case, and borrows `file`. */
 int source_read(config_t *tree, const char *file);
 
 /* 1 if the value is a default. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/text/digits.h"
 
-#include "case/text/scan.h"
+#include "case/scan.h"
 
 #include <errno.h>
 #include <limits.h>

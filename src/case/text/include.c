@@ -10,7 +10,7 @@
 
 #include "base/tables/input.h"
 #include "case/text/digits.h"
-#include "case/text/scan.h"
+#include "case/scan.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/text/scan.h"
+#include "case/scan.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -39,4 +39,25 @@ const char *scan_next(const char *t)
     while (scan_is_word(*t))
         t++;
     return t;
+}
+
+void scan_mixed(char *text)
+{
+    char *open = NULL;
+    int whole = 0, real = 0;
+
+    for (; *text != '\0'; text += scan_next(text) - text) {
+        const int n = (int)(scan_next(text) - text);
+        if (*text == '[') {
+            open = text;
+            whole = real = 0;
+        } else if (isdigit((unsigned char)*text) || *text == '.') {
+            const int is_whole = (int)strcspn(text, ".eE") >= n;
+            whole |= is_whole;
+            real |= !is_whole;
+        } else if (*text == ']' && open != NULL && whole && real) {
+            *open = '(';
+            *text = ')';
+        }
+    }
 }
