@@ -85,6 +85,18 @@ particles = { contact = "linear"; step = 1e-6;
 output = { end = 1.0; every = 0.01; };
 END_OF_CASE
 
+# One row at the end: the whole run is one step of the loop.
+cat >alone.cfg <<'END_OF_CASE'
+title = "two grains for long";
+mesh = { size = [0.01, 0.01, 0.01]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-6; list = "verlet";
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.003, 0.002, 0.003]; diameter = 1e-3; },
+              { position = [0.0031, 0.004, 0.003]; diameter = 1e-3; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 1000.0; every = 1000.0; };
+END_OF_CASE
+
 # signalled SIGNAL SECONDS ARGUMENTS...: sends a run the signal after so long;
 # its exit code is in code. One that has not ended after 10 s is killed.
 signalled() {
@@ -138,6 +150,13 @@ ends_as_interrupted() { # SIGNAL CASE
 for number in INT TERM HUP; do
     fact "${number}_ends_a_run_with_its_state" ends_as_interrupted $number tiny.cfg
 done
+for list in verlet link-cells all-pairs none; do
+    sed "s/verlet/$list/" alone.cfg >alone-$list.cfg
+    fact "signal_is_heard_within_a_step_of_an_hour_with_list_$list" \
+        ends_as_interrupted TERM alone-$list.cfg
+done
+sed 's/verlet"/&; integrator = "heun"/' alone.cfg >alone-heun.cfg
+fact signal_is_heard_within_a_step_of_an_hour_by_heun ends_as_interrupted TERM alone-heun.cfg
 fact signal_is_heard_while_spheres_look_for_room ends_as_interrupted TERM searching.cfg
 # A gnuplot that hangs: the second signal ends it.
 hangs() {
@@ -155,6 +174,41 @@ hangs() {
     [ $code -eq 130 ] && [ $turn -lt 10 ] && grep -q interrupted hanging/summary.json
 }
 fact second_signal_ends_a_gnuplot_that_hangs hangs
+# A grain that leaves, none, and one again, with every effect there is: what
+# looks for pairs has an end where there is nobody (a width grew from 0 for ever).
+cat >gone.cfg <<'END_OF_CASE'
+title = "one grain that leaves, and one that comes";
+mesh = { size = [0.01, 0.02, 0.01]; cells = [2, 4, 2]; };
+fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
+    bottom = { inlet = 0.2; }; top = { outlet = 0.0; };
+    sides = "no-slip"; front_back = "slip"; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 100; restitution = 0.8; friction = 0.3;
+        charge = 1e-12; };
+    place = ( { position = [0.005, 0.002, 0.005]; diameter = 1e-3; velocity = [0.0, -1.0, 0.0]; } );
+    insert = ( { count = 2; diameter = 1e-3; rate = 100.0; velocity = [0.0, -1.0, 0.0];
+        from = [0.0, 0.0, 0.0]; to = [0.01, 0.004, 0.01]; } );
+    sinks = ( { side = "bottom"; } ); };
+averaging = { method = "diffusion"; bandwidth = 4e-3; };
+exchange = { drag = "gidaspow"; };
+effects = { gravity = [0.0, -9.81, 0.0]; capillary = { tension = 0.07; };
+    van_der_waals = { hamaker = 1e-19; range = 1e-5; };
+    electrostatic = { range = 1e-3; }; pressure_gradient = {}; viscous_stress = {};
+    virtual_mass = {}; basset = {}; saffman = {}; fluid_torque = {}; magnus = {};
+    time_average = { time = 0.01; }; energy_budget = {};
+    stochastic_drag = { sigma_low = 0.1; sigma_high = 0.1; time = 0.01; };
+    lubrication = { roughness = 1e-5; range = 1e-4; }; bubbles = { height = 0.01; };
+    mixing = { sample = 2e-3; }; };
+output = { end = 0.03; every = 0.01; contacts = true; };
+END_OF_CASE
+sed '/^fluid/,/front_back/d; /^averag/,/^exch/d; s/pressure_grad.*//; s/virtual_m.*//
+    s/time_av.*/energy_budget = {};/; s/stochas.*//; s/lubri.*//' gone.cfg >dry.cfg
+sed 's/insert.*rate = 100.0/insert = ( { count = 1; diameter = 1e-3; rate = 10.0/
+    s/place.*//' dry.cfg >later.cfg
+ends_by_itself() { timeout -k 1 20 "$winnow" run "$1.cfg" -o "$1" --quiet; }
+for name in gone dry later; do
+    fact "run_without_a_grain_ends_by_itself_$name" ends_by_itself $name
+done
 survives_a_hangup() {
     (
         trap '' HUP

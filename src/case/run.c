@@ -61,6 +61,7 @@ struct run {
     void *memory;              /* of the saver */
     void *part[RUN_PARTS];     /* what the parts have created */
     int resumes;               /* [-] 1: it had begun, and goes on */
+    int cut;                   /* [-] 1: a signal ended the last step early */
     char why[RUN_PART_TEXT];   /* the computation broke down */
 };
 
@@ -101,7 +102,9 @@ static int advance(struct run *run, void *threads)
 
         MODELS_UNTIL(cut_short, run_parts, is_cut_short, sim);
         if (cut_short) return INTERRUPTED;
-        if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
+        run->cut = failed && interrupt_arrived();
+        if (run->cut) return INTERRUPTED;
+        if (failed) return broke_down(run);
         MODELS_EACH(run_parts, after_step, run->part[i_model], sim);
         if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
         if (run->saver != NULL && run->saver->after_step(run->memory) != 0)
@@ -155,7 +158,7 @@ static int finish(struct run *run, int code)
     struct recorder *const r = run->recorder;
 
     if (code != NOT_WRITTEN && run->saver != NULL &&
-        run->saver->end(run->memory, code == BROKE_DOWN) != 0)
+        run->saver->end(run->memory, code == BROKE_DOWN || run->cut) != 0)
         code = NOT_WRITTEN;
     if (code == 0 && recorder_last_row(r) != 0) code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)

@@ -28,7 +28,7 @@ struct saver {
     /* After each step that was sampled; non-zero after a message. */
     int (*after_step)(void *memory);
     /* After the last step, which need not have been sampled and, if it broke
-     * down, is no state to save; non-zero after a message. */
+     * down or was cut short, is no state to save; non-zero after a message. */
     int (*end)(void *memory, int broke_down);
     void (*free)(void *memory);
 };

@@ -107,7 +107,8 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r)
     const double now = r->max_overlap;
     if (r->lost > 0) r->max_overlap = fmax(now, dem->max_overlap);
     dem->max_overlap = now;
-    return r->lost > 0 || r->max_overlap > dem->deepest.most;
+    return r->lost > 0 || r->steps < steps ||
+           r->max_overlap > dem->deepest.most;
 }
 
 void dem_start_energy_budget(struct dem *dem)

@@ -53,7 +53,8 @@ void dem_free(struct dem *dem);
 const struct dem_options *dem_created_with(const struct dem *dem);
 
 /* Moves the particles by this number of steps. Non-zero if one is lost (the run
- * ends when this is found) or if an overlap was deeper than dem_limit_overlap
+ * ends when this is found), if a signal ended it early (base/interrupt.h, once
+ * dem_clock was called) or if an overlap was deeper than dem_limit_overlap
  * allows. The order of the particles may have changed. */
 int dem_run(struct dem *dem, int steps, struct dem_report *r);
 

@@ -20,6 +20,15 @@ struct dem {
     struct energy *energy;      /* NULL: no budget is kept */
 };
 
+/* 1 if it is time to look for a signal after step k of a run: about every 1e5
+ * steps of a particle, which take some ms, and not in each step. A run that
+ * ends there has fewer steps than it was asked for, and its state is not whole.
+ * Without the clock, as where a bed settles, the caller looks between runs. */
+static inline int dem_looks(const struct dem *dem, int k)
+{
+    return dem->motion_on && k % (2 + 100000 / (dem->ps->n + 1)) == 1;
+}
+
 /* Mean diameter of the particles [m]; 0 without any. */
 double dem_mean_diameter(const struct particles *ps);
 

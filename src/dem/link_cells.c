@@ -36,6 +36,7 @@ void link_cells_clear(struct link_cells *l, double reach)
 {
     double total = HUGE_VAL;
 
+    if (!(reach > 0.0)) reach = HUGE_VAL; /* no particle: one cell */
     for (double width = reach; total > max_cells(l->capacity); width *= 1.25) {
         total = 1.0;
         for (int k = 0; k < 3; k++) {

@@ -25,7 +25,8 @@ struct link_cells *link_cells_create(int capacity,
                                      const struct box_domain *box);
 void link_cells_free(struct link_cells *l);
 
-/* Empties the cells and makes them at least `reach` wide [m]. */
+/* Empties the cells and makes them at least `reach` wide [m]; 0: there is no
+ * particle, and one cell. */
 void link_cells_clear(struct link_cells *l, double reach);
 
 /* Adds particle i at x [m]. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/interrupt.h"
 #include "base/vector.h"
 #include "dem/dem_internal.h"
 #include "dem/implicit_drag.h"
@@ -172,9 +173,10 @@ static int check_lost(const struct reference *r, struct dem_report *report)
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
  * positions are at the same time. */
-static void take_steps(struct reference *r, const struct particles *ps,
-                       int steps, struct dem_report *report)
+static void take_steps(const struct dem *dem, struct reference *r, int steps,
+                       struct dem_report *report)
 {
+    const struct particles *const ps = dem->ps;
     const struct integrator *const by = r->options->integrator;
     const double dt = r->options->step;
 
@@ -186,6 +188,7 @@ static void take_steps(struct reference *r, const struct particles *ps,
         r->energy->released += r->energy->tangential;
         reference_forces(r, dt);
         report->steps++;
+        if (dem_looks(dem, k) && interrupt_arrived()) return;
     }
     if (steps > 0) kick(r, ps, by->last * dt);
 }
@@ -247,7 +250,7 @@ static void run_steps(struct dem *dem, int steps, struct dem_report *report)
         run->stale = 0;
         e->kinetic = kinetic_energy(r, dem->ps);
         e->added += energy_residual(e) - before;
-        take_steps(r, dem->ps, steps, report);
+        take_steps(dem, r, steps, report);
         e->kinetic = kinetic_energy(r, dem->ps);
     }
     store(r, dem->ps);

@@ -170,7 +170,7 @@ void contact_list_find(struct contact_list *c)
     c->n = 0;
     for (int i = 0; i < ps->n; i++)
         widest = ps->d[i] > widest ? ps->d[i] : widest;
-    link_cells_clear(c->cells, widest > 0.0 ? widest : 1.0);
+    link_cells_clear(c->cells, widest);
     for (int i = 0; i < ps->n; i++) {
         const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
         const int n = link_cells_around(c->cells, x, near);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <omp.h>
 
+#include "base/interrupt.h"
 #include "dem/fast/budget.h"
 #include "dem/fast/chunk_step.h"
 #include "dem/surfaces/prescribed_motion.h"
@@ -135,6 +136,17 @@ static void choose_contacts(struct dem *dem, struct contact_margin *r,
     r->used = 0.0;
 }
 
+/* 1 if a signal ends the run after step k: one thread looks for all. */
+static int is_interrupted(const struct dem *dem, int k)
+{
+    struct fast *const fast = fast_of(dem);
+
+    if (!dem_looks(dem, k)) return 0;
+    if (omp_get_thread_num() == 0) fast->interrupted = interrupt_arrived();
+    neighbours_barrier(fast->neighbours);
+    return fast->interrupted;
+}
+
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
  * positions are at the same time. Returns the number of steps done. */
@@ -159,6 +171,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
         struct step_parameters now = k + 1 < steps ? whole : last;
         now.t = time_after(dem, k + 1);
         chunk_step_load_and_move(nb, &now);
+        if (is_interrupted(dem, k)) return k + 1;
     }
     return steps;
 }
@@ -241,6 +254,7 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
         correct(dem, dt);
         neighbours_barrier(nb);
         r->used += fmax(closer, 2.0 * neighbours_speed(nb) * dt);
+        if (is_interrupted(dem, k)) return k + 1;
     }
     set_prescribed(dem, steps, 0.0);
     return steps;

@@ -14,12 +14,16 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/interrupt.h"
 #include "dem/box_domain.h"
 #include "dem/dem_internal.h"
 #include "dem/implicit_drag.h"
 
 /* Number of particles above which a second thread is faster. */
 enum { MANY = 1000 };
+
+/* Steps of a particle after which it looks for a signal: some 0.1 ms. */
+enum { LOOK = 10000 };
 
 /* The gains of an implicit drag in the first, the later and the last kick. */
 enum { KICKS = 3 };
@@ -121,16 +125,19 @@ static void drift(struct free_particle *t, const struct box_domain *box,
     rebound(t, box);
 }
 
-/* Kick, drift, kick, drift, ... (integrator.h). */
-static void travel(struct free_particle *t, const struct box_domain *box,
-                   const struct kicks *kicks, int steps)
+/* Kick, drift, kick, drift, ... (integrator.h). Non-zero if a signal ended it
+ * early. */
+static int travel(struct free_particle *t, const struct box_domain *box,
+                  const struct kicks *kicks, int steps)
 {
     for (int k = 0; k < steps; k++) {
+        if (k % LOOK == LOOK - 1 && interrupt_arrived()) return 1;
         const int q = k == 0 ? 0 : 1;
         kick(t, t->gain[q], kicks->dt[q]);
         drift(t, box, kicks->step);
     }
     if (steps > 0) kick(t, t->gain[2], kicks->dt[2]);
+    return 0;
 }
 
 static void store(const struct free_particle *t, const struct box_domain *box,
@@ -202,22 +209,28 @@ static double all_kinetic(const struct particles *ps)
     return sum;
 }
 
-/* One thread adds up the budget, in the order of the particles. */
-static void move_all(struct dem *dem, const struct box_domain *box, int steps)
+/* One thread adds up the budget, in the order of the particles. Returns how
+ * many of them a signal has stopped. */
+static int move_all(struct dem *dem, const struct box_domain *box, int steps)
 {
     struct particles *const ps = dem->ps;
     struct energy *const e = dem->energy;
     const struct kicks kicks = kicks_of(&dem->options);
+    int stopped = 0;
 
-#pragma omp parallel for schedule(static) if (ps->n >= MANY && e == NULL)
+#pragma omp parallel for schedule(static) reduction(+ : stopped)               \
+    if (ps->n >= MANY && e == NULL)
     for (int i = 0; i < ps->n; i++) {
         struct free_particle t = free_particle_of(dem, i, &kicks);
-        travel(&t, box, &kicks, steps);
+        stopped += i % MANY == MANY - 1 && interrupt_arrived();
+        if (stopped > 0) continue;
+        stopped += travel(&t, box, &kicks, steps);
         store(&t, box, ps, i);
         if (e == NULL) continue;
         e->work += t.work;
         e->damped_n += t.lost;
     }
+    return stopped;
 }
 
 static void run(struct dem *dem, int steps, struct dem_report *r)
@@ -231,7 +244,7 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
         e->kinetic = all_kinetic(dem->ps);
         e->added += energy_residual(e) - before;
     }
-    move_all(dem, box, steps);
+    if (move_all(dem, box, steps) > 0) r->steps = 0;
     if (e != NULL) e->kinetic = all_kinetic(dem->ps);
     measure(dem->ps, box, r);
     dem->motion_steps += dem->motion_on ? steps : 0;
