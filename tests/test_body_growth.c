@@ -58,7 +58,7 @@ static void fill(struct pool *p, int scene)
 
 /* What is left of a kick changes slowly after 30 steps. With the other sign in
  * each step it would be in the second difference, which is 4 times as large as
- * it. */
+ * it; where a clump turns into other cells that is up to 0.02 of the kick. */
 START_TEST(ew18_2_no_body_swings_from_step_to_step)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
@@ -81,8 +81,34 @@ START_TEST(ew18_2_no_body_swings_from_step_to_step)
         pool_run(&p, 1);
         v[i] = p.bodies->ps->vy[0];
     }
-    ck_assert_double_lt(fabs(v[2] - 2.0 * v[1] + v[0]), 0.01 * kick);
-    ck_assert_double_lt(fabs(v[3] - 2.0 * v[2] + v[1]), 0.01 * kick);
+    ck_assert_double_lt(fabs(v[2] - 2.0 * v[1] + v[0]), 0.03 * kick);
+    ck_assert_double_lt(fabs(v[3] - 2.0 * v[2] + v[1]), 0.03 * kick);
+    pool_free(&p);
+}
+END_TEST
+
+/* What turns with the sphere are the cells inside. Were the share of viscosity
+ * in those around it taken for more of them, the sphere, which is a tenth of
+ * that, would turn at 200 rad/s and the other way after as long as this. */
+START_TEST(ew18_3_a_light_sphere_in_a_thick_fluid_does_not_spin_up)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {12, 12, 12},
+                                   .rho = 1.0,
+                                   .mu = 1.0,
+                                   .dt = 0.01,
+                                   .time = "euler",
+                                   .n = 1};
+    const struct body_shape sphere = body_shape_sphere(0.4);
+    struct pool p;
+
+    pool_create(&p, &o);
+    solid_bodies_add(p.bodies, &sphere, (double[3]){0.5, 0.5, 0.5}, 0.1,
+                     BODY_FREE);
+    p.bodies->ps->wz[0] = 2.0;
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    pool_run(&p, 60);
+    ck_assert_double_lt(fabs(p.bodies->ps->wz[0]), 0.02);
     pool_free(&p);
 }
 END_TEST
@@ -182,6 +208,7 @@ FACTS("body_growth")
 {
     FACT(ew18_2_an_estimate_of_the_added_mass_is_on_the_safe_side);
     FACT_FOR_EACH(ew18_2_no_body_swings_from_step_to_step, SCENES);
+    FACT(ew18_3_a_light_sphere_in_a_thick_fluid_does_not_spin_up);
     FACT(lamb32_neighbours_multiply_the_added_mass);
     FACT(ew18_2_a_crowd_of_light_spheres_loses_its_agitation);
     FACT(ew18_2_a_sphere_comes_to_rest_on_a_floor_in_a_thick_fluid);

@@ -9,6 +9,7 @@
 #include "base/vector.h"
 #include "resolved/body_cells.h"
 #include "resolved/body_exit.h"
+#include "resolved/body_turn.h"
 
 const double mark_friction_inside = 1e3;
 
@@ -185,20 +186,30 @@ static void sum_links(struct solid_bodies *b)
     }
 }
 
+/* What of the fluid in the cell of link l moves with the body [-]. One outside
+ * is slowed down, but flows: were it counted, a light sphere in a viscous fluid
+ * would have less than no inertia. */
+static double share_of(const struct solid_bodies *b, const struct fluid *fl,
+                       const struct hold_link *l)
+{
+    const double least = 0.999 * mark_friction_inside; /* but for rounding */
+
+    if (b->by_fraction) return l->hold;
+    return l->hold * fl->options.dt >= least * fl->options.rho ? 1.0 : 0.0;
+}
+
 /* What body i turns with it of the fluid, about each axis: a cell that it
  * holds, whose centre is at r, has rho V (r^2 - r_k^2). Where cells at its
  * surface are left to the fluid that is less than of the whole sphere. */
 static void sum_inertia(struct solid_bodies *b, const struct fluid *fl, int i)
 {
-    const double rho = fl->options.rho, dt = fl->options.dt;
     double *const I = &b->inertia[3 * i];
 
     I[0] = I[1] = I[2] = 0.0;
     for (int j = b->start[i]; j < b->start[i + 1]; j++) {
         const struct hold_link *const l = &b->link[j];
-        const double x = l->hold * dt / rho;
-        const double share = b->by_fraction ? l->hold : x / (1.0 + x);
-        const double m = share * rho * fl->mesh->V[l->cell];
+        const double m =
+            share_of(b, fl, l) * fl->options.rho * fl->mesh->V[l->cell];
         for (int k = 0; k < 3; k++)
             I[k] += m * (vector_dot(l->r, l->r) - l->r[k] * l->r[k]);
     }
@@ -234,4 +245,69 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
     for (int i = 0; i < b->ps->n; i++)
         sum_inertia(b, fl, i);
     b->dt_marked = fl->options.dt;
+}
+
+/* I += m (r^2 - r r), as xx, xy, xz, yy, yz, zz. */
+static void add_moments(double I[6], double m, const double r[3])
+{
+    for (int k = 0, e = 0; k < 3; k++)
+        for (int l = k; l < 3; l++, e++)
+            I[e] += m * ((k == l ? vector_dot(r, r) : 0.0) - r[k] * r[l]);
+}
+
+/* Angular momentum over rho that body_motion.c takes to be inside. */
+static void spin_inside(const struct solid_bodies *b, int i, double L[3])
+{
+    const double w[3] = {b->ps->wx[i], b->ps->wy[i], b->ps->wz[i]};
+    double G[6];
+
+    for (int k = 0; k < 3; k++)
+        L[k] = b->inertia[3 * i + k] / b->rho * w[k];
+    if (b->shape[i].kind != BODY_OUTLINE) return;
+    body_turn_gyration(b, i, G);
+    body_turn_times(G, w, L);
+    for (int k = 0; k < 3; k++)
+        L[k] *= b->volume[i];
+}
+
+/* The cells that body i holds have another volume, centre and moments than it
+ * has. They move as one, with v + a x r, and have its momentum, V U and L:
+ *
+ *   held v + a x s = V U,   s x v + I a = L,   s = sum of V_c r */
+static void start_inside(struct solid_bodies *b, struct fluid *fl, int i)
+{
+    const double U[3] = {b->ps->vx[i], b->ps->vy[i], b->ps->vz[i]};
+    double held = 0.0, s[3] = {0.0}, I[6] = {0.0}, L[3], a[3], v[3], turn[3];
+
+    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+        const struct hold_link *const l = &b->link[j];
+        const double V = share_of(b, fl, l) * fl->mesh->V[l->cell];
+        held += V;
+        vector_along(s, V, l->r, s);
+        add_moments(I, V, l->r);
+    }
+    if (held == 0.0) return;
+    add_moments(I, -1.0 / held, s);
+    spin_inside(b, i, L);
+    vector_cross(s, U, turn);
+    vector_along(L, -b->volume[i] / held, turn, L);
+    vector_solve(I, L, a);
+    vector_cross(s, a, v);
+    vector_along(v, b->volume[i], U, v);
+    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+        const struct hold_link *const l = &b->link[j];
+        const double share = share_of(b, fl, l);
+        double *const u = &fl->u[3 * l->cell];
+        vector_cross(a, l->r, turn);
+        vector_along(u, share / held, v, u);
+        vector_along(u, share, turn, u);
+    }
+}
+
+void mark_start(struct solid_bodies *b, struct fluid *fl)
+{
+    mark_bodies(b, fl);
+    for (int i = 0; i < b->ps->n; i++)
+        if (b->motion[i] == BODY_FREE || b->motion[i] == BODY_SPRING)
+            start_inside(b, fl, i);
 }

@@ -30,6 +30,11 @@ extern const double mark_friction_inside;
  * changed. */
 void mark_bodies(struct solid_bodies *b, const struct fluid *fl);
 
+/* The fluid, which rests, has from the beginning what a body that it moves
+ * holds of it: of the velocity of the body and with the momentum rho V U.
+ * Otherwise the body would lose this in the first step. */
+void mark_start(struct solid_bodies *b, struct fluid *fl);
+
 /* Solid fraction of cell c [-], whose centre is at the distance s [m], as of a
  * plane surface. */
 double mark_fraction(const struct mesh *m, int c, double s);

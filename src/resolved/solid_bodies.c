@@ -9,6 +9,7 @@
 #include "base/alloc.h"
 #include "resolved/body_exit.h"
 #include "resolved/body_turn.h"
+#include "resolved/mark.h"
 
 const double solid_bodies_immovable = 1e60;
 
@@ -153,6 +154,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
     b->exit = body_exit_create(b, fl);
+    mark_start(b, fl);
     if (!free) return 0;
     /* To the dem of the spheres the others are points at their centres, which
      * no sphere comes to. */

@@ -73,7 +73,7 @@ void solid_bodies_set_spring(struct solid_bodies *b, int i, const double k[3]);
 /* 1: a sphere on a spring, whose contacts are those of options.others. */
 int solid_bodies_hung(const struct solid_bodies *b, int i);
 
-/* All are there, and hold the borrowed fluid from now on; 0, or 1 if not. */
+/* All are there and hold the borrowed fluid, which rests. Non-zero if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
 void solid_bodies_state(struct solid_bodies *b, struct state *s);
 
