@@ -201,7 +201,12 @@ $B/winnow: $B/src/main.o $B/libwinnow.a
 	@$(CC) $(OPT) -fopenmp -o $@ $^ $(LIBS)
 $B/libwinnow.a: $(OBJ)
 	@rm -f $@; ar rcs $@ $^
-$B/%.o: %.c
+# In one line, not in a page of the compiler's.
+$B/packages:
+	@sh .ci/install build
+	@mkdir -p $(@D)
+	@touch $@
+$B/%.o: %.c | $B/packages
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
@@ -233,6 +238,7 @@ $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 # The program within a test: its main by another name.
 $B/tests/winnow_main.o: $B/src/main.o
+	@mkdir -p $(@D)
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 

@@ -467,7 +467,7 @@ killed_run_is_a_result() {
     pid=$!
     until [ -s shot/runs/step=1e-5/history.csv ]; do sleep 0.02; done
     # shellcheck disable=SC2046 # two processes, of that study alone
-    kill -9 $(ps -o pid= --ppid $pid)
+    kill -9 $(cat /proc/[0-9]*/stat 2>/dev/null | awk -v of=$pid '$4 == of { print $1 }')
     wait $pid && [ "$(grep -c "exit code 137: ended by a signal" shot/study.md)" -eq 2 ]
 }
 fact a_run_that_a_signal_ends_is_a_result killed_run_is_a_result

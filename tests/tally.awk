@@ -4,7 +4,8 @@
 #   NAME: N passed, N failed
 #
 # Where make stopped more often than such lines tell of failures, something did not
-# compile or ended early: each of these is a failure, too.
+# compile or ended early: each of these is a failure, too. What says "skipped: why" is
+# named, and counts as nothing.
 #
 #   awk -f tests/tally.awk LOG...
 #
@@ -38,6 +39,7 @@ FNR == 1 { end_log() }
 /^FAILED / || /^[^ ]*:[0-9]+:[FE]:/ {
     if (++n_lines <= 20) line[n_lines] = substr($0, 1, 150)
 }
+/^skipped: / { print }
 /^FAILED make / { ended_wrong = 1 }
 /^FAILED make .*did not end/ { cut = "make " substr($3, 1, length($3) - 1) }
 # make[1]: *** [Makefile:56: faults-slow] Error 1. What calls make again says so, too.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Opens every page of the book in a browser, as wide as a phone and as a desk:
-# nothing may be wider than the window, every image must load, every formula must
-# take up room, and on a desk none may be wider than its column. Left out with a
+# nothing may be wider than the window, every image and font must load, every formula
+# must take up room, and on a desk none may be wider than its column. Left out with a
 # word where there is no Chromium.
 #
 #   sh chapters/tools/browser.sh build/book
@@ -48,6 +48,8 @@ async function open(page, width) {
   frame.style.width = width + 'px';
   frame.src = page;
   await new Promise(done => frame.onload = done);
+  for (const font of frame.contentDocument.fonts) // a page may be there before them
+    await font.load().catch(() => say('WRONG ' + page + ': no font ' + font.family));
   look(page, width);
 }
 (async () => {

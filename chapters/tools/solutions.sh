@@ -31,7 +31,7 @@ copy() {
     links src tests Makefile "$tree"
     links chapters/equations.md "$tree/chapters"
     links chapters/tools/rows.awk "$tree/chapters/tools"
-    links "$build/src" "$build/libwinnow.a" "$tree/build"
+    links "$build/src" "$build/libwinnow.a" "$build/packages" "$tree/build"
     links "$build"/tests/test_*.[od] "$tree/build/tests"
 }
 
