@@ -145,15 +145,24 @@ static int run_command(const struct command *c, int argc, char **argv,
     return c->act(l);
 }
 
-/* What is said of the words, and what is written of them, has lines. */
-static int wrong_word(int i, char *word)
+/* What is said of the words, and what is written of them, has lines. To a case
+ * a line break in a value is a blank. */
+static int wrong_word(int argc, char **argv)
 {
-    text_blank(word);
-    fprintf(stderr,
-            "winnow: word %d, %s, has a line break or another control "
-            "character in it\n",
-            i, word);
-    return 2;
+    for (int i = 1; i < argc; i++) {
+        const int sets =
+            strncmp(argv[i], "-s", 2) == 0 || strcmp(argv[i - 1], "-s") == 0;
+        for (char *c = argv[i]; sets && *c != '\0'; c++)
+            if (strchr("\t\r\n", *c) != NULL) *c = ' ';
+        if (text_control(argv[i]) == NULL) continue;
+        text_blank(argv[i]);
+        fprintf(stderr,
+                "winnow: word %d, %s, has a line break or another control "
+                "character in it\n",
+                i, argv[i]);
+        return 2;
+    }
+    return 0;
 }
 
 /* The next file that is opened would get the number of a closed stream, and
@@ -175,8 +184,8 @@ int main(int argc, char **argv)
     if (open_streams() != 0) return 4;
 
     const char *const first = argc > 1 ? argv[1] : "";
-    for (int i = 1; i < argc; i++)
-        if (text_control(argv[i]) != NULL) return wrong_word(i, argv[i]);
+    if (wrong_word(argc, argv) != 0) return 2;
+
     const char **const texts = alloc_zeroed(2 * (size_t)argc, sizeof *texts);
     struct command_line l = {.words = texts, .overrides = texts + argc};
     const struct command *c = NULL;

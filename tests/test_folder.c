@@ -31,6 +31,9 @@ static void assert_said(const char *part)
     free(said);
 }
 
+/* What tells that a run has written a file, of both that run_once writes. */
+static const char of_run[] = "\"program\": \"winnow \", <VTKFile";
+
 /* A run that writes two files and lists a third that it does not write. */
 static void run_once(const char *where)
 {
@@ -44,7 +47,7 @@ static void run_once(const char *where)
     for (int i = 0; i < 3; i++) {
         char *const path = folder_file(f, names[i]);
         ck_assert_ptr_nonnull(path);
-        if (i < 2) scratch_write(path, "of a run");
+        if (i < 2) scratch_write(path, of_run);
         free(path);
     }
     folder_free(f);
@@ -89,7 +92,7 @@ START_TEST(a_second_run_is_refused_and_a_dead_one_holds_nothing)
     ck_assert_ptr_null(folder_open(name));
     snprintf(number, sizeof number, "(process %ld)", (long)other);
     assert_said(number);
-    scratch_assert_text(scratch_path(name, "summary.json"), "of a run");
+    scratch_assert_text(scratch_path(name, "summary.json"), of_run);
     kill(other, SIGKILL);
     ck_assert_int_eq(waitpid(other, &status, 0), other);
     struct folder *const f = folder_open(name);
@@ -112,7 +115,7 @@ START_TEST(a_manifest_that_names_what_is_not_inside_is_refused)
              strange[_i]);
     scratch_write(scratch_path(name, "manifest.txt"), text);
     ck_assert_ptr_null(folder_open(name));
-    scratch_assert_text(scratch_path(name, "summary.json"), "of a run");
+    scratch_assert_text(scratch_path(name, "summary.json"), of_run);
     scratch_assert_text(scratch_path(dir, "x"), "mine");
     assert_said("manifest.txt:3: not the list of a run's files");
 }
@@ -138,6 +141,71 @@ START_TEST(a_line_cut_short_by_a_crash_is_no_name)
     ck_assert_int_eq(folder_begin(f, 0), 0);
     folder_free(f);
     ck_assert(scratch_exists(scratch_path(name, "notes")));
+}
+END_TEST
+
+/* Lists of others, and the last name of each, which holds "mine". */
+static const struct {
+    const char *list, *name;
+} foreign[] = {{"thesis.doc\n", "thesis.doc"},
+               {"fluid/\nfluid/thesis.doc\n", "fluid/thesis.doc"},
+               {"notes/\nnotes/history.csv\n", "notes/history.csv"},
+               {"history.csv\n", "history.csv"},
+               {"summary.json\n", "summary.json"},
+               {"checkpoint\n", "checkpoint"},
+               {"bed.png\n", "bed.png"},
+               {"fluid/fluid_000000.vtr\n", "fluid/fluid_000000.vtr"},
+               {"case.cfg\n", "case.cfg"},
+               {"case/\ncase/thesis.doc\n", "case/thesis.doc"}};
+enum { FOREIGN = sizeof foreign / sizeof foreign[0] };
+
+START_TEST(a_list_removes_only_what_a_run_has_written)
+{
+    char text[128];
+
+    for (int i = 0; i < 3; i++)
+        file_make_dirs(scratch_path(
+            name, (const char *const[]){"fluid", "notes", "case"}[i]));
+    snprintf(text, sizeof text, "%s%s", MANIFEST_HEAD, foreign[_i].list);
+    scratch_write(scratch_path(name, "manifest.txt"), text);
+    scratch_write(scratch_path(name, foreign[_i].name), "mine");
+    ck_assert_ptr_null(folder_open(name));
+    scratch_assert_text(scratch_path(name, foreign[_i].name), "mine");
+    assert_said("and no run has written that");
+}
+END_TEST
+
+START_TEST(a_link_in_the_place_of_a_file_of_a_run_stays)
+{
+    char away[72];
+
+    run_once(name);
+    snprintf(away, sizeof away, "%s/away", dir);
+    scratch_write(away, of_run);
+    ck_assert_int_eq(remove(scratch_path(name, "summary.json")), 0);
+    ck_assert_int_eq(symlink(away, scratch_path(name, "summary.json")), 0);
+    ck_assert_ptr_null(folder_open(name));
+    ck_assert(scratch_exists(scratch_path(name, "summary.json")));
+}
+END_TEST
+
+START_TEST(a_file_of_the_case_goes_with_the_case_that_names_it)
+{
+    run_once(name);
+    file_make_dirs(scratch_path(name, "case"));
+    scratch_write(scratch_path(name, "manifest.txt"),
+                  MANIFEST_HEAD "case.cfg\ncase/\ncase/plate.stl\n");
+    scratch_write(scratch_path(name, "case/plate.stl"), "of a run");
+    scratch_write(scratch_path(name, "case.cfg"),
+                  "# The case of this run, by winnow 0\n\n"
+                  "file = \"case/plate.stl\";");
+    remove(scratch_path(name, "summary.json"));
+    remove(scratch_path(name, "fluid/fluid_000000.vtr"));
+    struct folder *const f = folder_open(name);
+    ck_assert_ptr_nonnull(f);
+    ck_assert_int_eq(folder_begin(f, 0), 0);
+    folder_free(f);
+    ck_assert(!scratch_exists(scratch_path(name, "case")));
 }
 END_TEST
 
@@ -198,6 +266,9 @@ FACTS("folder")
     FACT_FOR_EACH(a_manifest_that_names_what_is_not_inside_is_refused, 10);
     FACT(a_manifest_of_another_program_is_refused);
     FACT(a_line_cut_short_by_a_crash_is_no_name);
+    FACT_FOR_EACH(a_list_removes_only_what_a_run_has_written, FOREIGN);
+    FACT(a_link_in_the_place_of_a_file_of_a_run_stays);
+    FACT(a_file_of_the_case_goes_with_the_case_that_names_it);
     FACT_FOR_EACH(a_foreign_file_that_would_be_overwritten_refuses_the_folder,
                   4);
     FACT(a_link_out_of_the_folder_is_not_followed);

@@ -314,6 +314,8 @@ static int check(const struct settings *s)
 {
     int code = check_sizes(s);
 
+    if (code == 0) code = case_sizes_check_file(s);
+
     for (int i = 0; i < settings_length(s, sources) && code == 0; i++)
         code = check_source(s, i);
     for (int i = 0; i < settings_length(s, sinks) && code == 0; i++)

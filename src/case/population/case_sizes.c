@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/alloc.h"
 #include "case/models.h"
@@ -95,3 +96,20 @@ struct sizes *case_sizes_create(const struct settings *s, const char *name)
 
 MODELS_KIND(case_sizes_kind, sizes_laws, "sizes", "distributions of diameters",
             "particles.sizes.distribution", NULL)
+
+int case_sizes_check_file(const struct settings *s)
+{
+    static const char key[] = "particles.bed.file";
+    const char *const name = settings_has(s, key) ? settings_text(s, key) : "";
+    char path[SETTINGS_PATH];
+
+    settings_beside(s, name, path, sizeof path);
+    if ((name[0] != '/' && strstr(name, "..") == NULL) ||
+        access(path, F_OK) == 0)
+        return 0;
+    return settings_wrong(s, key,
+                          "%s is not there, and a bed is written beside the "
+                          "case or in a folder there alone: expected a name "
+                          "that neither begins with / nor has .. in it",
+                          path);
+}

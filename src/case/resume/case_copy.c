@@ -149,18 +149,21 @@ static int write_text(struct folder *folder, const char *name, const char *text,
     return failed;
 }
 
-/* The file of a bed that the run itself has written is not copied. */
+/* The file of a bed that the run itself has written is not copied. The case
+ * goes first, for it tells which files in its folder are of the run. */
 int case_copy_write(struct case_copy *c, struct folder *folder)
 {
-    if (c->n > 0 && folder_make(folder, "case") != 0) return 1;
-    for (int i = 0; i < c->n; i++) {
+    int failed = write_text(folder, "case.cfg", c->case_text,
+                            strlen(c->case_text)) != 0 ||
+                 (c->n > 0 && folder_make(folder, "case") != 0);
+
+    for (int i = 0; i < c->n && !failed; i++) {
         struct named_file *const f = &c->file[i];
         read_file(f);
-        if (f->text != NULL &&
-            write_text(folder, f->name, f->text, f->length) != 0)
-            return 1;
+        if (f->text != NULL)
+            failed = write_text(folder, f->name, f->text, f->length);
     }
-    return write_text(folder, "case.cfg", c->case_text, strlen(c->case_text));
+    return failed;
 }
 
 /* The case without the remark above it. */

@@ -47,9 +47,9 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* The whole file with a closing zero. The descriptor is not duplicated: to
- * close another one would release the lock. */
-static char *text_of(int file, size_t *length)
+/* The descriptor is not duplicated: to close another one would release the
+ * lock. */
+char *manifest_text(int file, size_t *length)
 {
     struct stat s;
 
@@ -109,7 +109,7 @@ int manifest_read(struct manifest *m, int file, const char *path)
 
     *m = (struct manifest){0};
     errno = EIO;
-    m->text = text_of(file, &length);
+    m->text = manifest_text(file, &length);
     if (m->text == NULL) {
         fprintf(stderr, "winnow: cannot read %s: %s\n", path, strerror(errno));
         return 1;
@@ -227,7 +227,7 @@ int manifest_cut(int file, const char *path, long length, int here,
                  const char *dir)
 {
     size_t all = 0, kept = (size_t)length;
-    char *const text = text_of(file, &all);
+    char *const text = manifest_text(file, &all);
     int removed;
 
     if (text == NULL || all < kept || kept < strlen(MANIFEST_HEAD)) {

@@ -8,6 +8,8 @@
 #ifndef OUTPUT_MANIFEST_MANIFEST_H
 #define OUTPUT_MANIFEST_MANIFEST_H
 
+#include <stddef.h>
+
 #define MANIFEST_HEAD "winnow manifest 1\n"
 
 struct manifest {
@@ -21,6 +23,10 @@ struct manifest {
  * this folder or in one just below: the list is then not from a run. */
 int manifest_read(struct manifest *m, int file, const char *path);
 void manifest_release(struct manifest *m);
+
+/* An open file with a closing zero, to be freed; NULL with a reason in errno.
+ */
+char *manifest_text(int file, size_t *length);
 
 int manifest_has(const struct manifest *m, const char *name);
 

@@ -6,12 +6,12 @@
 #include "output/folder.h"
 #include "output/folder_owner.h"
 #include "output/manifest/manifest.h"
+#include "output/manifest/written.h"
 
 #include <assert.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,56 +20,6 @@
 
 static const char manifest[] = "manifest.txt";
 static const char ahead[] = FOLDER_EARLY_FILE;
-
-/* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {
-    ".",        "fluid",  "particles",   "surfaces",     "picture",
-    "profiles", "frames", "statistics",  "walls",        "contacts",
-    "case",     "bodies", "body_clumps", "body_surfaces"};
-static const char *const ours[] = {"./summary.json",
-                                   "./history.csv",
-                                   "./probes.csv",
-                                   "./surfaces.csv",
-                                   "./bodies.csv",
-                                   "./bodies.pvd",
-                                   "bodies/bodies_*.vtp",
-                                   "./body_*.pvd",
-                                   "body_*/body_*.vtp",
-                                   "./forces.csv",
-                                   "./walls.pvd",
-                                   "./contacts.pvd",
-                                   "walls/walls_*.vtp",
-                                   "contacts/contacts_*.vtp",
-                                   "./bed.png",
-                                   "./fluid.pvd",
-                                   "./particles.pvd",
-                                   "./surfaces.pvd",
-                                   "fluid/fluid_*vt?",
-                                   "particles/particles_*vtp",
-                                   "surfaces/surfaces_*.vtp",
-                                   "picture/particles.txt",
-                                   "picture/void_fraction.txt",
-                                   "picture/flow.txt",
-                                   "picture/walls.txt",
-                                   "picture/streamlines.txt",
-                                   "picture/bed.gp",
-                                   "picture/gnuplot.log",
-                                   "./bed.gif",
-                                   "frames/frame_*.txt",
-                                   "frames/bed.gp",
-                                   "frames/gnuplot.log",
-                                   "profiles/*.csv",
-                                   "statistics/*.csv",
-                                   "statistics/summary.json",
-                                   "./case.cfg",
-                                   "case/*",
-                                   "./checkpoint",
-                                   "./checkpoint.before",
-                                   "./checkpoint.*.?"};
-enum {
-    N_BELOW = sizeof below / sizeof below[0],
-    N_OURS = sizeof ours / sizeof ours[0]
-};
 
 struct ownership {
     char *dir;
@@ -175,23 +125,27 @@ static int take(struct ownership *f)
 
 /* --- contents of the folder ----------------------------------------------- */
 
-static int is_ours(const char *name)
+/* Non-zero after a message for the first name of the old list under which no
+ * run has written what is there: a list from elsewhere removes nothing. */
+static int lists_foreign(const struct ownership *f)
 {
-    char *const whole = file_join(".", name);
-    int found = 0;
-
-    for (int i = 0; i < N_OURS && !found; i++)
-        found = fnmatch(ours[i], strchr(name, '/') != NULL ? name : whole,
-                        FNM_PATHNAME) == 0;
-    free(whole);
-    return found;
+    for (int i = 0; i < f->old.n; i++) {
+        if (written_by_run(f->here, f->old.name[i])) continue;
+        fprintf(stderr,
+                "winnow: %s lists %s, and no run has written that; to run "
+                "here, move what is in the folder away, or choose another one "
+                "with -o\n",
+                f->path, f->old.name[i]);
+        return 1;
+    }
+    return 0;
 }
 
 static int is_foreign(const struct ownership *f, const char *name)
 {
     const char *const end = strrchr(name, '.');
 
-    if (!is_ours(name) || manifest_has(&f->old, name)) return 0;
+    if (written_contents(name) == NULL || manifest_has(&f->old, name)) return 0;
     if (end != NULL && strcmp(end, ".partial") == 0) return 0; /* half of one */
     if (f->fresh)
         fprintf(stderr,
@@ -282,9 +236,9 @@ static void *take_folder(const char *dir)
     f->path = file_join(dir, manifest);
     f->there = length_there(dir);
     int wrong = take(f) || manifest_read(&f->old, f->file, f->path);
-    for (int i = 0; i < N_BELOW && !wrong; i++)
-        wrong = looked_into(f, below[i]);
-    if (!wrong) return f;
+    for (int i = 0; written_folders[i] != NULL && !wrong; i++)
+        wrong = looked_into(f, written_folders[i]);
+    if (!wrong && !lists_foreign(f)) return f;
     leave(f);
     release(f);
     return NULL;
@@ -352,7 +306,7 @@ static int list(void *own, const char *name)
     const size_t length = strlen(name);
     char *const line = strcpy(alloc_zeroed(length + 2, 1), name);
 
-    assert(is_ours(name) || name[length - 1] == '/');
+    assert(written_contents(name) != NULL || written_folder(name));
     line[length] = '\n';
     errno = ENOSPC; /* if only a part is written */
     const ssize_t n = write(f->file, line, length + 1);
