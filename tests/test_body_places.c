@@ -10,6 +10,7 @@
 #include "facts.h"
 #include "resolved/blocks/body_gaps.h"
 #include "resolved/body_exit.h"
+#include "resolved/mark.h"
 #include "resolved/shapes/clump.h"
 
 /* Two spheres and a clump that touch or nearly touch, with spin and weight, in
@@ -385,6 +386,132 @@ START_TEST(ew18_4_a_body_that_slides_along_walls_is_held_beside_them)
 }
 END_TEST
 
+/* A fixed box in a channel of 16 cells a side with an inlet below and an outlet
+ * above, `gap` [m] from each of its four walls, all told of it. */
+static void create_plug(struct pool *p, const struct pool_options *o,
+                        double gap)
+{
+    const double side = 1.0 - 2.0 * gap;
+    const struct body_shape box = body_shape_box((double[3]){side, 0.4, side});
+
+    pool_create(p, o);
+    solid_bodies_add(p->bodies, &box, (double[3]){0.5, 0.7, 0.5}, 1.0,
+                     BODY_FIXED);
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
+    mark_bodies(p->bodies, p->fluid);
+}
+
+/* The largest velocity upward [m/s] at half of the height of the box: in its
+ * cells, but for the layer at the surface, or beside it. */
+static double fastest(const struct pool *p, int inside)
+{
+    double most = 0.0;
+
+    for (int c = 0; c < p->mesh->n_cells; c++) {
+        const double *const at = &p->mesh->centre[3 * c];
+        const int in = fabs(at[0] - 0.5) < 0.4 && fabs(at[2] - 0.5) < 0.4;
+        if (fabs(at[1] - 0.7) < 0.05 && in == inside)
+            most = fmax(most, fabs(p->fluid->u[3 * c + 1]));
+    }
+    return most;
+}
+
+/* Where 0.4 cells are left the body holds all of them, and what comes in could
+ * only go through it: that is told, and the bodies do not move on. Where 0.56
+ * cells or more are left the flow goes through the gap: inside the box it has
+ * less than 1 % of the velocity in the gap. */
+START_TEST(a_body_that_cuts_an_inlet_off_is_told_and_never_leaks)
+{
+    const struct pool_options o = {.size = {1.0, 1.6, 1.0},
+                                   .cells = {16, 26, 16},
+                                   .walls = {1, 1, 1},
+                                   .rho = 1.0,
+                                   .mu = 0.01,
+                                   .dt = 0.02,
+                                   .inlet = 0.3};
+    const double gap[] = {0.025, 0.035, 0.05, 0.1};
+    struct pool p;
+
+    create_plug(&p, &o, gap[_i]);
+    ck_assert_int_eq(p.bodies->seal.inlet, _i == 0);
+    ck_assert_int_eq(p.bodies->seal.beside, _i == 0);
+    if (_i == 0) {
+        ck_assert_double_eq_tol(p.bodies->seal.width, 0.4, 1e-9);
+        ck_assert_int_ne(body_motion_run(p.bodies, 1, o.dt), 0);
+    } else {
+        pool_run(&p, 5);
+        ck_assert_double_gt(fastest(&p, 0), 0.5);
+        ck_assert_double_lt(fastest(&p, 1), 0.01 * fastest(&p, 0));
+    }
+    pool_free(&p);
+}
+END_TEST
+
+/* A wall of 1 m by 1 m that moves across a closed box of the same size pushes
+ * the fluid into a part without a way out; one that leaves two cells free or
+ * that stands still does not, nor one that has the box to itself and turns. */
+START_TEST(a_piston_that_fits_its_closed_box_is_told)
+{
+    const struct pool_options o = {.size = {1.6, 1.0, 1.0},
+                                   .cells = {16, 10, 10},
+                                   .walls = {1, 1, 1},
+                                   .rho = 1.0,
+                                   .mu = 0.01,
+                                   .dt = 0.02};
+    const struct {
+        double side, v, w;
+        int told;
+    } piston[] = {{1.0, 0.3, 0.0, 1},
+                  {0.97, 0.3, 0.0, 1},
+                  {0.6, 0.3, 0.0, 0},
+                  {1.0, 0.0, 0.0, 0},
+                  {0.4, 0.3, 5.0, 0}};
+    const double side = piston[_i].side;
+    const struct body_shape box = body_shape_box((double[3]){0.4, side, side});
+    struct pool p;
+
+    pool_create(&p, &o);
+    solid_bodies_add(p.bodies, &box, (double[3]){0.73, 0.5, 0.5}, 1.0,
+                     BODY_PRESCRIBED);
+    p.bodies->ps->vx[0] = piston[_i].v;
+    p.bodies->ps->wx[0] = piston[_i].w;
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    mark_bodies(p.bodies, p.fluid);
+    ck_assert_int_eq(p.bodies->seal.pushes, piston[_i].told);
+    pool_free(&p);
+}
+END_TEST
+
+/* A pocket of fluid in a hollow box that moves is pushed by all of its walls,
+ * and has its way with them. */
+START_TEST(a_pocket_that_moves_with_its_body_needs_no_outlet)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {16, 16, 16},
+                                   .walls = {1, 1, 1},
+                                   .rho = 1.0,
+                                   .mu = 0.01,
+                                   .dt = 0.02,
+                                   .n = 6};
+    struct pool p;
+
+    pool_create(&p, &o);
+    for (int i = 0; i < 6; i++) {
+        double x[3] = {0.5, 0.5, 0.5}, size[3] = {0.6, 0.6, 0.6};
+        x[i / 2] += i % 2 ? 0.25 : -0.25;
+        size[i / 2] = 0.1;
+        const struct body_shape side = body_shape_box(size);
+        solid_bodies_add(p.bodies, &side, x, 1.0, BODY_FIXED);
+        p.bodies->ps->vx[i] = 0.3; /* as if they were one that moves */
+    }
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    mark_bodies(p.bodies, p.fluid);
+    ck_assert_int_eq(p.bodies->seal.pushes, 0);
+    ck_assert_int_lt(p.bodies->seal.outside, p.mesh->n_cells - 500);
+    pool_free(&p);
+}
+END_TEST
+
 /* A rod turns beside an outlet until an end of it is outside, while its weight
  * draws it in: it is moved by what acts on it, and does not stay there. */
 START_TEST(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back)
@@ -431,6 +558,9 @@ FACTS("body_places")
     FACT(ew18_2_a_body_leaves_through_an_outlet);
     FACT(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back);
     FACT_FOR_EACH(ew18_4_a_body_that_slides_along_walls_is_held_beside_them, 2);
+    FACT_FOR_EACH(a_body_that_cuts_an_inlet_off_is_told_and_never_leaks, 4);
+    FACT_FOR_EACH(a_piston_that_fits_its_closed_box_is_told, 5);
+    FACT(a_pocket_that_moves_with_its_body_needs_no_outlet);
     FACT(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it);
     FACT_FOR_EACH(a_body_on_a_spring_bounces_off_a_wall, 4);
     FACT_FOR_EACH(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed,

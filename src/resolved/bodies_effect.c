@@ -17,6 +17,13 @@ const char *bodies_effect_trouble(const void *memory)
     if (b->met)
         return "a body on a spring has come into another one, and contacts are "
                "those of spheres and clumps:";
+    if (b->seal.inlet)
+        return "bodies cut an inlet off from every outlet, and the flow would "
+               "go through them; leave a gap of a cell or more:";
+    if (b->seal.pushes)
+        return "a body pushes the fluid into a part of the box without an "
+               "outlet, and it would go through the bodies; leave a gap of a "
+               "cell or more:";
     return b->dem_report.lost > 0
                ? "a body left the box, or its velocity is no longer finite; "
                  "try a smaller fluid.step or a higher bodies.stiffness:"

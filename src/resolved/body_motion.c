@@ -229,8 +229,9 @@ static int move_once(struct solid_bodies *b, double step)
 /* Contacts and lubrication act in each particle step. The report is of all. */
 int body_motion_run(struct solid_bodies *b, int n, double step)
 {
-    int failed = b->met;
+    int failed = b->met || b->seal.inlet || b->seal.pushes;
 
+    if (failed) return failed;
     if (b->dem == NULL && b->springs == 0) return drift(b, n * step);
     if (b->dem != NULL && b->springs == 0 && b->blocks == 0 &&
         b->lubrication.reach == 0.0)

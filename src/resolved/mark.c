@@ -9,6 +9,7 @@
 #include "base/vector.h"
 #include "resolved/body_cells.h"
 #include "resolved/body_exit.h"
+#include "resolved/body_seal.h"
 #include "resolved/body_turn.h"
 
 const double mark_friction_inside = 1e3;
@@ -115,7 +116,7 @@ static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
             continue;
         }
         const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
-        const int j = b->body_of[next] - 1;
+        const int j = abs(b->body_of[next]) - 1;
         if (j >= 0 && j != i &&
             (b->motion[i] != BODY_FIXED || b->motion[j] != BODY_FIXED))
             return 1;
@@ -133,8 +134,9 @@ static int touch(const struct solid_bodies *b, int i, int j)
     return b->options.others != NULL && b->options.others->touch(b, i, j);
 }
 
-/* While links are made, body_of is 1 + the body around a cell, else 0. Bodies
- * that have no contacts may overlap, but not where a spring moves one. */
+/* While links are made, body_of is 1 + the body around a cell, else 0; negative
+ * where that leaves the cell to the fluid. Bodies that have no contacts may
+ * overlap, but not where a spring moves one. */
 static void assign_cell(void *by, int i, int c, const double r[3], double s)
 {
     struct solid_bodies *const b = ((struct marking *)by)->b;
@@ -172,6 +174,8 @@ static void hold_cell(void *by, int i, int c, const double r[3], double s)
         if (hold > 0.0) add_link(b, i, c, hold, r);
     } else if (!is_gap(b, fl->mesh, c, i))
         add_link(b, i, c, friction_inside(fl, c), r);
+    else
+        b->body_of[c] = -abs(b->body_of[c]);
 }
 
 /* The sums over the links of each cell. */
@@ -238,6 +242,7 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
         b->start[i] = b->n_links;
         body_cells_each(b, fl->mesh, i, hold_cell, &by);
     }
+    b->seal = body_seal_find(b, fl);
     for (int i = 0; i < b->ps->n; i++)
         body_cells_each(b, fl->mesh, i, free_cell, &by);
     b->start[b->ps->n] = b->n_links;

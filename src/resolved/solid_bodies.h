@@ -15,6 +15,7 @@
 #include "dem/dem.h"
 #include "fluid/fluid.h"
 #include "resolved/body_options.h"
+#include "resolved/body_seal.h"
 #include "resolved/body_shape.h"
 #include "resolved/hold_link.h"
 
@@ -26,7 +27,8 @@ struct solid_bodies {
     struct squeeze_film lubrication;
     struct particles *ps;       /* centres, velocities, masses */
     int springs, blocks, moves; /* [-] on springs; no spheres in dem; any */
-    int met;         /* [-] 1: two overlap that have no contacts (mark.c) */
+    int met; /* [-] 1: two overlap that have no contacts (mark.c) */
+    struct body_seal seal; /* of the cells as they are marked */
     int touching;    /* [-] contacts of options.others, a ball or point each */
     double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
@@ -57,7 +59,6 @@ struct solid_bodies {
 };
 
 extern const double solid_bodies_immovable; /* [kg] mass of what is held */
-
 /* n bodies at most; cells of the mesh; density of the fluid [kg/m^3]. */
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o);
@@ -72,7 +73,6 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 void solid_bodies_set_spring(struct solid_bodies *b, int i, const double k[3]);
 /* 1: a sphere on a spring, whose contacts are those of options.others. */
 int solid_bodies_hung(const struct solid_bodies *b, int i);
-
 /* All are there and hold the borrowed fluid, which rests. Non-zero if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
 void solid_bodies_state(struct solid_bodies *b, struct state *s);

@@ -262,9 +262,15 @@ static void print(const void *record)
 {
     const struct record *const r = record;
     const double F[3] = {force(r->sim, 0), force(r->sim, 1), force(r->sim, 2)};
+    char gap[BODY_SEAL_TEXT];
     double flow[3];
 
     fluid_mean_flow(r->sim->fluid, flow);
+    if (r->bodies->seal.beside > 0) {
+        body_seal_describe(&r->bodies->seal, gap);
+        printf("gaps below a cell are closed, the widest of %.2g cells: %s\n",
+               r->bodies->seal.width, gap);
+    }
     printf("force of the fluid on the bodies [%.6g, %.6g, %.6g] N, mean flow "
            "[%.6g, %.6g, %.6g] m/s; each body in %s/bodies.csv\n",
            F[0], F[1], F[2], flow[0], flow[1], flow[2], folder_name(r->folder));

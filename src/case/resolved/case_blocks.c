@@ -128,13 +128,7 @@ static int check_one(const struct settings *s, const char *list, int i)
     const struct body_shape shape = case_blocks_shape(s, list, i);
     body_shape_extent(&shape, extent);
     width_of(&shape, width);
-    if (check_place(s, list, i, width, extent) != 0) return 2;
-    struct body_outline *const turned = case_blocks_outline(s, list, i);
-    const struct body_shape as_it_stands =
-        turned != NULL ? body_shape_outline(turned) : shape;
-    const int code = case_bodies_check_cover(s, list, i, &as_it_stands);
-    body_outline_free(turned);
-    return code;
+    return check_place(s, list, i, width, extent);
 }
 
 int case_blocks_check(const struct settings *s)

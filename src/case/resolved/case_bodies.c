@@ -8,6 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
+#include "case/build_boundaries.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
@@ -131,20 +132,6 @@ static struct squeeze_film gaps(const struct settings *s)
                      : 0.0};
 }
 
-/* Non-zero after a message. */
-static int overlap(const struct settings *s, const struct solid_bodies *b)
-{
-    int pair[2];
-    const double depth = body_gaps_deepest(b, pair);
-
-    if (depth == 0.0) return 0;
-    return settings_wrong(s, "bodies",
-                          "body %d begins %g m deep in body %d (counted as in "
-                          "bodies.csv: spheres, boxes, cylinders, clumps, "
-                          "surfaces)",
-                          pair[0], depth, pair[1]);
-}
-
 static struct solid_bodies *create(const struct settings *s)
 {
     const struct case_bodies_contact contact = case_bodies_contact(s);
@@ -164,9 +151,77 @@ static struct solid_bodies *create(const struct settings *s)
     struct solid_bodies *const b =
         solid_bodies_create(n, cells[0] * cells[1] * cells[2],
                             settings_real(s, "fluid.density"), &o);
-    if (add_all(s, b) == 0 && overlap(s, b) == 0) return b;
+    if (add_all(s, b) == 0) return b;
     solid_bodies_free(b);
     return NULL;
+}
+
+/* Non-zero after a message. */
+static int overlap(const struct settings *s, const struct solid_bodies *b)
+{
+    int pair[2];
+    const double depth = body_gaps_deepest(b, pair);
+
+    if (depth == 0.0) return 0;
+    return settings_wrong(s, "bodies",
+                          "body %d begins %g m deep in body %d (counted as in "
+                          "bodies.csv: spheres, boxes, cylinders, clumps, "
+                          "surfaces)",
+                          pair[0], depth, pair[1]);
+}
+
+/* Non-zero after a message. */
+static int sealed(const struct settings *s, const struct solid_bodies *b)
+{
+    static const char way[] =
+        "the flow would go through bodies; leave a gap of a cell or more";
+
+    if (b->seal.outside == 0)
+        return settings_wrong(s, "bodies",
+                              "they cover all of the mesh, and no fluid is "
+                              "left; sizes are in m");
+    if (overlap(s, b) != 0) return 2;
+    if (b->seal.inlet)
+        return settings_wrong(
+            s, "bodies", "they cut an inlet off from every outlet: %s", way);
+    if (b->seal.pushes == 0) return 0;
+    return settings_wrong(s, "bodies",
+                          "body %d (counted as in bodies.csv) pushes the fluid "
+                          "into a part of the box without an outlet: %s",
+                          b->seal.pushes - 1, way);
+}
+
+int case_bodies_start(const struct settings *s, struct body_seal *seal)
+{
+    struct solid_bodies *const b = create(s);
+
+    if (b == NULL) return 2;
+    struct mesh *const m = case_mesh_create(s);
+    struct boundary *const boundaries = build_boundaries(s, m);
+    struct fluid fl = {.mesh = m,
+                       .u = alloc_doubles(3 * m->n_cells),
+                       .options = {.rho = settings_real(s, "fluid.density"),
+                                   .mu = settings_real(s, "fluid.viscosity"),
+                                   .dt = settings_real(s, "fluid.step"),
+                                   .boundaries = boundaries}};
+    int code = boundaries == NULL || solid_bodies_begin(b, &fl) != 0 ? 2 : 0;
+
+    if (code == 0) code = sealed(s, b);
+    *seal = b->seal;
+    free(fl.u);
+    build_boundaries_free(boundaries, m->n_patches);
+    mesh_free(m);
+    solid_bodies_free(b);
+    return code;
+}
+
+static int check(const struct settings *s)
+{
+    struct body_seal seal;
+    const int code = case_bodies_check(s);
+
+    if (code != 0 || !settings_has(s, "bodies")) return code;
+    return case_bodies_start(s, &seal);
 }
 
 static int has_room(const void *state, const double x[3], double R)
@@ -228,7 +283,7 @@ MODELS_KIND(case_bodies_method, body_methods, "body_method",
             "ways that bodies hold the fluid", "bodies.method", NULL)
 
 const struct case_part case_bodies_part = {.keys = case_bodies_keys,
-                                           .check_any = case_bodies_check,
+                                           .check_any = check,
                                            .complete_last = complete,
                                            .add_last = add,
                                            .print = case_bodies_report};

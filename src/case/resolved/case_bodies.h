@@ -5,7 +5,7 @@
 
 #include "case/case_part.h"
 #include "case/models.h"
-#include "resolved/body_shape.h"
+#include "resolved/body_seal.h"
 
 extern const struct kind case_bodies_method;
 extern const struct case_part case_bodies_part;
@@ -39,10 +39,9 @@ void case_bodies_report(const struct settings *s,
 /* case_bodies_check.c: 0, or 2 after a message; and the widths of a cell [m].
  */
 int case_bodies_check(const struct settings *s);
-/* 0, or 2 after a message: number i of a list, convex and of this shape, covers
- * all of the mesh. */
-int case_bodies_check_cover(const struct settings *s, const char *of, int i,
-                            const struct body_shape *shape);
+/* case_bodies.c: where they are at the start, and what they shut off; 0, or 2
+ * after a message. */
+int case_bodies_start(const struct settings *s, struct body_seal *seal);
 extern const double case_bodies_least_cells; /* [-] in a body */
 void case_bodies_cell_widths(const struct settings *s, double h[3]);
 

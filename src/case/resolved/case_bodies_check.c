@@ -63,25 +63,6 @@ static int check_mesh(const struct settings *s)
  * than 3 by rounding is 3. */
 const double case_bodies_least_cells = 3.0 * (1.0 - 1e-9);
 
-int case_bodies_check_cover(const struct settings *s, const char *of, int i,
-                            const struct body_shape *shape)
-{
-    double end[2][3], x[3];
-
-    case_mesh_ends(s, end[0], end[1]);
-    settings_item_vector(s, of, i, "position", x);
-    for (int corner = 0; corner < 8; corner++) {
-        double r[3];
-        for (int k = 0; k < 3; k++)
-            r[k] = end[corner >> k & 1][k] - x[k];
-        if (body_shape_distance(shape, r) >= 0.0) return 0;
-    }
-    return settings_wrong(s, of,
-                          "number %d covers all of the mesh, and no fluid is "
-                          "left; sizes are in m",
-                          i);
-}
-
 static int check_sphere(const struct settings *s, int i)
 {
     const double d = settings_item_real(s, list, i, "diameter");
@@ -120,8 +101,7 @@ static int check_sphere(const struct settings *s, int i)
                                       ? "expected less"
                                       : "expected less than half of it");
     }
-    const struct body_shape shape = body_shape_sphere(d);
-    return case_bodies_check_cover(s, list, i, &shape);
+    return 0;
 }
 
 /* What moves by its mass against a spring, along the axes that have one. */

@@ -158,6 +158,17 @@ static void report_bandwidth(const struct settings *s, double d)
                            : "");
 }
 
+/* The gaps of less than a cell whose cells are held. */
+static void report_gap(const struct settings *s)
+{
+    struct body_seal seal;
+    char where[BODY_SEAL_TEXT];
+
+    if (case_bodies_start(s, &seal) != 0 || seal.beside == 0) return;
+    body_seal_describe(&seal, where);
+    check_line("widest closed gap / h", seal.width, "-", where);
+}
+
 /* The residual of the splitting enters the next step. Where viscosity crosses
  * more than a cell in a step, a free body answers it with its acceleration. */
 static void report_viscous(const struct settings *s, double number, int free)
@@ -196,6 +207,7 @@ void case_bodies_report(const struct settings *s,
                    : e.cells < 11.5
                        ? "about 5 % of the drag where they are apart"
                        : "2 to 3 % of the drag where they are apart");
+    report_gap(s);
     report_bandwidth(s, e.d);
     report_viscous(s, nu * dt / (narrowest * narrowest), e.free > 0);
     check_line("CFL of the bodies", e.speed * dt / narrowest, "-",

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/body_seal.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/box_domain.h"
+#include "resolved/solid_bodies.h"
+
+/* A body pushes into a part if that takes so much of what it displaces [-]: a
+ * piston all of it, a sphere less than this between three others. */
+static const double share = 0.5;
+
+enum { OPEN = 0, SEEN = -1 }; /* of body_of */
+
+struct search {
+    struct solid_bodies *b;
+    const struct fluid *fl;
+    struct box_domain box;
+    double *all, *here; /* [m^3/s] that a body displaces; into this part */
+    int inlets, outlets, any_outlet; /* [-] faces of this part */
+    struct body_seal found;
+};
+
+/* From the centre of body i to the middle of face f [m], seen from cell c. */
+static void from_centre(const struct search *s, int i, int c, int f, double out,
+                        double r[3])
+{
+    const struct particles *const ps = s->b->ps;
+    const struct mesh *const m = s->fl->mesh;
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+    const double part = f < m->n_internal ? 0.5 : 1.0;
+
+    for (int k = 0; k < 3; k++)
+        r[k] = box_domain_nearest(&s->box, k, m->centre[3 * c + k] - x[k]) +
+               part * out * m->d[3 * f + k];
+}
+
+/* What body i sweeps through the face of a cell of its own, outward [m^3/s]. */
+static double swept(const struct search *s, int i, int c, int f, double out)
+{
+    const struct particles *const ps = s->b->ps;
+    const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+    double r[3], v[3];
+
+    from_centre(s, i, c, f, out, r);
+    vector_cross(w, r, v);
+    v[0] += ps->vx[i], v[1] += ps->vy[i], v[2] += ps->vz[i];
+    return out * vector_dot(v, &s->fl->mesh->S[3 * f]);
+}
+
+static double height_at(const struct search *s, int i, int c, int f, double out)
+{
+    double r[3];
+
+    from_centre(s, i, c, f, out, r);
+    return body_shape_distance(&s->b->shape[i], r);
+}
+
+static const struct boundary *boundary_at(const struct search *s, int f)
+{
+    const struct patch *const patch = s->fl->mesh->patches;
+    int p = 0;
+
+    while (f >= patch[p].first + patch[p].n)
+        p++;
+    return &s->fl->options.boundaries[p];
+}
+
+/* The gap between a cell that body i holds and the other side of a face. */
+static void look_into_gap(struct search *s, int i, int c, int f, double out)
+{
+    const struct mesh *const m = s->fl->mesh;
+    const int wall = f >= m->n_internal;
+    const int next = wall || m->owner[f] != c ? m->owner[f] : m->neighbour[f];
+    const int j = wall ? -1 : s->b->body_of[next] - 1;
+    const double h = vector_length(&m->d[3 * f]) * (wall ? 2.0 : 1.0);
+
+    if (wall ? boundary_at(s, f)->kind >= BOUNDARY_INLET : j < 0 || j == i)
+        return;
+    const double gap = height_at(s, i, c, f, out) +
+                       (wall ? 0.0 : height_at(s, j, next, f, -out));
+    if (gap <= fmax(s->found.width, 1e-9) * h) return;
+    s->found.width = gap / h;
+    s->found.beside = i + 1;
+    s->found.across = j + 1;
+}
+
+static void look_at_held(struct search *s, int c)
+{
+    const struct mesh *const m = s->fl->mesh;
+    const int i = s->b->body_of[c] - 1;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const int f = m->cell_face[a];
+        look_into_gap(s, i, c, f, m->out[a]);
+        if (f >= m->n_internal) continue;
+        const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
+        if (s->b->body_of[next] <= 0)
+            s->all[i] += 0.5 * fabs(swept(s, i, c, f, m->out[a]));
+    }
+}
+
+static int flows_in(const struct boundary *p)
+{
+    int flows = 0;
+
+    for (int i = 0; i < p->n_points && p->kind == BOUNDARY_INLET; i++)
+        flows |= p->velocity[i] > 0.0;
+    return flows;
+}
+
+/* All cells of the part that begins at one, in `part`; returns their number. */
+static int fill(struct search *s, int first, int *part)
+{
+    const struct mesh *const m = s->fl->mesh;
+    int *const of = s->b->body_of, n = 0;
+
+    part[n++] = first;
+    of[first] = SEEN;
+    for (int e = 0; e < n; e++) {
+        const int c = part[e];
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            if (f >= m->n_internal) {
+                s->outlets += boundary_at(s, f)->kind == BOUNDARY_OUTLET;
+                s->inlets += flows_in(boundary_at(s, f));
+                continue;
+            }
+            const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
+            const int i = of[next] - 1;
+            if (i >= 0) s->here[i] += swept(s, i, next, f, -m->out[a]);
+            if (of[next] != OPEN) continue;
+            of[next] = SEEN;
+            part[n++] = next;
+        }
+    }
+    return n;
+}
+
+/* Whether what is pushed into this part gets out of it. */
+static void judge(struct search *s)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < s->b->ps->n; i++)
+        sum += s->here[i];
+    for (int i = 0; i < s->b->ps->n && s->outlets == 0; i++)
+        if (s->all[i] > 0.0 && fabs(s->here[i]) > share * s->all[i] &&
+            fabs(sum) > share * s->all[i])
+            s->found.pushes = i + 1;
+    s->found.inlet |= s->inlets > 0 && s->outlets == 0 && s->any_outlet;
+    memset(s->here, 0, (size_t)s->b->ps->n * sizeof *s->here);
+}
+
+/* 1 if bodies cover all faces of an inlet. */
+static int covered(const struct search *s, int p)
+{
+    const struct patch *const at = &s->fl->mesh->patches[p];
+    int open = !flows_in(&s->fl->options.boundaries[p]);
+
+    for (int f = at->first; f < at->first + at->n; f++)
+        open |= s->b->body_of[s->fl->mesh->owner[f]] <= 0;
+    return !open;
+}
+
+static void look_at_patches(struct search *s)
+{
+    for (int p = 0; p < s->fl->mesh->n_patches; p++) {
+        s->any_outlet |= s->fl->options.boundaries[p].kind == BOUNDARY_OUTLET;
+        s->found.inlet |= covered(s, p);
+    }
+}
+
+struct body_seal body_seal_find(struct solid_bodies *b, const struct fluid *fl)
+{
+    const struct dem_options *const o = &b->contacts;
+    struct search s = {.b = b,
+                       .fl = fl,
+                       .box = box_domain_of(o->lo, o->hi, o->periodic),
+                       .all = alloc_doubles(2 * b->ps->n)};
+    int *const of = b->body_of, *const part = b->cell, n = 0;
+
+    s.here = s.all + b->ps->n;
+    look_at_patches(&s);
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        s.found.outside += of[c] == 0;
+        if (of[c] > 0) look_at_held(&s, c);
+        of[c] = of[c] > 0 ? of[c] : OPEN;
+    }
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        if (of[c] != OPEN) continue;
+        s.inlets = s.outlets = 0;
+        n += fill(&s, c, &part[n]);
+        judge(&s);
+    }
+    for (int e = 0; e < n; e++)
+        of[part[e]] = OPEN;
+    free(s.all);
+    return s.found;
+}
+
+void body_seal_describe(const struct body_seal *s, char text[BODY_SEAL_TEXT])
+{
+    char other[32] = "a wall";
+
+    if (s->across > 0) snprintf(other, sizeof other, "body %d", s->across - 1);
+    snprintf(text, BODY_SEAL_TEXT, "body %d to %s, no fluid flows between them",
+             s->beside - 1, other);
+}
