@@ -98,6 +98,7 @@ START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
         s.scheme = methods[_i % METHODS].scheme;
         s.cap = methods[_i % METHODS].cap;
         s.interpolation = ways[_i / METHODS];
+        s.time = time_schemes[j / 4];
         check_momentum(&s);
     }
 }

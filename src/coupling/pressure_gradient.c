@@ -54,6 +54,18 @@ static void add_reaction(struct simulation *sim, int i, double V,
     coupling_add_impulse(sim, i, impulse);
 }
 
+/* Model A in the first step of BDF2: the fluid receives more than the reaction,
+ * and gives the rest back. */
+static void add_rest(struct simulation *sim, int i, double V,
+                     const double gradient[3])
+{
+    double impulse[3];
+
+    for (int k = 0; k < 3; k++)
+        impulse[k] = V * gradient[k] * sim->dt;
+    coupling_add_impulse(sim, i, impulse);
+}
+
 /* The pressure part of [LS 5.1, XS11 2.6]. The solved p acts only on the part
  * of a particle that is in eps_s: see averaging_apply_cap. */
 static void pressure_gradient_before_particles(void *memory,
@@ -63,6 +75,7 @@ static void pressure_gradient_before_particles(void *memory,
     const struct particles *const ps = sim->particles;
     const double rho = sim->fluid->options.rho;
     const int shared = sim->fluid->options.pressure_shared;
+    const double weight = sim->fluid->impulse_weight;
 
     averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
     averaging_apply_cap(sim->averaging, 3, self->gradient);
@@ -75,7 +88,10 @@ static void pressure_gradient_before_particles(void *memory,
             impulse[k] = f[k] * sim->dt;
         }
         effects_report(sim, f, 1.0);
-        if (!shared) add_reaction(sim, i, V, impulse);
+        if (!shared)
+            add_reaction(sim, i, V, impulse);
+        else if (weight != 1.0)
+            add_rest(sim, i, (weight - 1.0) * V, &self->gradient[3 * i]);
     }
 }
 

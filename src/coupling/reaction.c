@@ -210,10 +210,12 @@ static void subtract_inertia(struct simulation *sim, double expected[3],
 }
 
 /* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a
- * particle, with u^new interpolated by the adjoint of the averaging. */
+ * particle, with u^new interpolated by the adjoint of the averaging; and in the
+ * first step of BDF2 it is to receive half of that once more. */
 static void subtract_received(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
+    const double more = sim->fluid->impulse_weight - 1.0;
     double expected[3] = {0.0, 0.0, 0.0}, scale = 0.0;
 
     for (int i = 0; i < sim->particles->n; i++)
@@ -223,7 +225,8 @@ static void subtract_received(struct simulation *sim)
                 sim->dt * cp->k[i] * (cp->smooth[j] - cp->u_mean[j]);
             expected[k] += estimate + cp->unpaid_impulse[j];
             scale += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
-            cp->unpaid_impulse[j] = -estimate;
+            cp->unpaid_impulse[j] =
+                -estimate - more * (estimate + cp->unpaid_impulse[j]);
         }
     if (cp->inertia != NULL) subtract_inertia(sim, expected, &scale);
     if (cp->replacement != NULL)

@@ -71,11 +71,27 @@ static void extrapolate(int n, double ahead, const double *x,
         to[i] = x[i] + ahead * (x[i] - older[i]);
 }
 
+/* An impulse of 1 in this step moves the fluid by 1 / now at once, and that by
+ * `pending` in the steps after it. The weight is 1 where the steps are as long
+ * as the one before, and 3/2 in the first one of BDF2, which is one of Euler:
+ * whoever gives the impulse has to know. What was gained before is weighted
+ * anew where the step has changed. */
+static void weigh_impulses(struct fluid *fl)
+{
+    struct time_levels *const l = fl->levels;
+    const double pending = scheme(&fl->options)->pending;
+
+    fl->impulse_weight = (1.0 + pending) / l->weights.now;
+    for (int k = 0; k < 3; k++)
+        l->reweighted[k] = fl->momentum_gained[k] *
+                           (fl->impulse_weight * l->weights.older - pending);
+}
+
 /* The residual of the last step is an impulse, so as a force it changes with
- * the time step. */
+ * the time step, and with the weight of the step. */
 static void rescale_residual(struct fluid *fl)
 {
-    const double ratio = fl->dt_older / fl->options.dt;
+    const double ratio = fl->dt_older / fl->options.dt / fl->impulse_weight;
 
     if (fl->dt_older == 0.0 || ratio == 1.0) return;
     for (int i = 0; i < 3 * fl->mesh->n_cells; i++)
@@ -88,8 +104,9 @@ void ddt_begin(struct fluid *fl)
     struct time_levels *const levels = fl->levels;
     double r = fl->dt_older > 0.0 ? fl->options.dt / fl->dt_older : 0.0;
 
-    rescale_residual(fl);
     levels->weights = scheme(&fl->options)->weights(r);
+    weigh_impulses(fl);
+    rescale_residual(fl);
     choose_masses(fl);
     PARALLEL_RANGES(n, 8, set_old_time_source, fl);
     memcpy(levels->phi_old, fl->phi, (size_t)faces * sizeof *fl->phi);
@@ -121,38 +138,38 @@ void ddt_renew_flux(struct fluid *fl)
                3 * (size_t)fl->mesh->n_cells * sizeof *fl->u);
 }
 
-/* In a two-step scheme the effect of a force is distributed over several steps:
- * `now` times the gain of momentum in this step, minus `older` times that of
- * the step before, is the impulse of the forces. The difference to the gain of
- * this step is added to the impulse that is ahead. */
-static void update_impulse_ahead(struct fluid *fl)
+static void set_momentum_gained(struct fluid *fl)
 {
-    const struct time_weights *const w = &fl->levels->weights;
-
     for (int k = 0; k < 3; k++) {
         double gained = 0.0;
         for (int c = 0; c < fl->mesh->n_cells; c++)
             gained += fl->options.rho * fl->mesh->V[c] *
                       (fl->levels->eps_new[c] * fl->u[3 * c + k] -
                        fl->levels->eps_old[c] * fl->u_older[3 * c + k]);
-        fl->impulse_ahead[k] +=
-            (w->now - 1.0) * gained - w->older * fl->momentum_gained[k];
         fl->momentum_gained[k] = gained;
     }
 }
 
 void ddt_end(struct fluid *fl)
 {
+    const int n = fl->mesh->n_cells;
     double *const oldest = fl->eps_nm1;
 
     if (fl->u_older != NULL) {
         double *const phi = fl->phi_older;
-        update_impulse_ahead(fl);
+        set_momentum_gained(fl);
         fl->phi_older = fl->levels->phi_old;
         fl->levels->phi_old = phi;
     }
     fl->eps_nm1 = fl->eps_n;
     fl->eps_n = oldest;
-    memcpy(fl->eps_n, fl->eps, (size_t)fl->mesh->n_cells * sizeof *fl->eps);
+    memcpy(fl->eps_n, fl->eps, (size_t)n * sizeof *fl->eps);
     fl->dt_older = fl->options.dt;
+    for (int i = 0; i < 3 * n && fl->impulse_weight != 1.0; i++)
+        fl->momentum->residual[i] *= fl->impulse_weight;
+}
+
+double ddt_pending(const struct fluid *fl)
+{
+    return scheme(&fl->options)->pending;
 }

@@ -75,7 +75,7 @@ void fluid_momentum(const struct fluid *fl, double momentum[3])
 
     PARALLEL_RANGES(fl->mesh->n_cells, 8, add_momentum, fl, eps, partial);
     for (int k = 0; k < 3; k++) {
-        momentum[k] = fl->impulse_ahead[k];
+        momentum[k] = ddt_pending(fl) * fl->momentum_gained[k];
         for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
             momentum[k] += partial[s].momentum[k] + dt * partial[s].residual[k];
     }

@@ -105,9 +105,12 @@ struct fluid {
     double *eps_us;          /* [m/s] eps_s u_s, 3 a cell */
     double dt_older;         /* [s] the step before, 0 before the first */
     /* In two-step schemes: the values one step before the last, else NULL; and
-     * the momentum that is ahead of the impulse of the forces (ddt.c). */
-    double *u_older, *phi_older;                 /* [m/s], [m^3/s] */
-    double momentum_gained[3], impulse_ahead[3]; /* [N s] */
+     * what the fluid gained in the last step. */
+    double *u_older, *phi_older; /* [m/s], [m^3/s] */
+    double momentum_gained[3];   /* [N s] */
+    /* Of an impulse of 1 in the last step, what the fluid gains in all [-]: 1,
+     * but for the first step of BDF2 (ddt.c). */
+    double impulse_weight;
     double relabelled[3]; /* [N s] momentum that averaging moved between cells
                              by itself: see fluid_momentum */
     /* The mass [kg] of the fluid that inserted particles displaced, minus that

@@ -40,7 +40,6 @@ static void sums_state(struct fluid *fl, struct state *s)
 {
     state_reals(s, "mean_gradient", "Pa/m", fl->mean_gradient, 3, 1);
     state_reals(s, "momentum_gained", "N s", fl->momentum_gained, 3, 1);
-    state_reals(s, "impulse_ahead", "N s", fl->impulse_ahead, 3, 1);
     state_reals(s, "relabelled", "N s", fl->relabelled, 3, 1);
     state_real(s, "replaced", "kg", &fl->replaced);
     state_reals(s, "replaced_momentum", "N s", fl->replaced_momentum, 3, 1);

@@ -128,7 +128,9 @@ double momentum_balance_residual(const struct fluid *fl, const double before[3],
     if (fl->immersed != NULL) add_immersed(fl->immersed, &s);
     fluid_momentum(fl, after);
     for (int k = 0; k < 3; k++) {
-        const double known = s.impulse[k] + fl->relabelled[k] - relabelled[k];
+        const double known = fl->impulse_weight * s.impulse[k] +
+                             fl->levels->reweighted[k] + fl->relabelled[k] -
+                             relabelled[k];
         worst = fmax(worst, fabs(after[k] - before[k] - known));
         s.gross += fabs(before[k]) + fabs(after[k]);
     }

@@ -10,10 +10,10 @@
 #include "fluid/time_levels.h"
 
 /* Change of the total momentum by the subtracted term u times the residual of
- * continuity: rho dt sum u_P defect_P. */
+ * continuity: rho dt sum u_P defect_P, with the weight of this step. */
 static void count_relabelled(struct fluid *fl)
 {
-    const double scale = fl->options.rho * fl->options.dt;
+    const double scale = fl->options.rho * fl->options.dt * fl->impulse_weight;
     double sum[3] = {0.0, 0.0, 0.0};
 
     vec3_sum(fl->mesh->n_cells, fl->momentum->defect, fl->u, sum);

@@ -24,7 +24,9 @@ struct time_levels {
      * its own, convecting_flux_own [m^3/s]. */
     const double *convecting_flux;
     double *convecting_flux_own;
-    double *u_known; /* [m/s] u extrapolated to the new time; NULL: u */
+    double *u_known;      /* [m/s] u extrapolated to the new time; NULL: u */
+    double reweighted[3]; /* [N s] change of what is pending of the last gain,
+                             because the step has changed */
 };
 
 /* ddt.c: sets the terms of the previous steps; sets the convecting flux of
@@ -32,6 +34,9 @@ struct time_levels {
 void ddt_begin(struct fluid *fl);
 void ddt_renew_flux(struct fluid *fl);
 void ddt_end(struct fluid *fl);
+
+/* What follows of a gain of momentum, of 1 [-]: see time_scheme.h. */
+double ddt_pending(const struct fluid *fl);
 
 /* 1 if the step has outer iterations or a two-step scheme: convected mass and
  * flux are then those of the new time, not of the previous step. */

@@ -33,6 +33,7 @@ const struct time_scheme time_scheme_bdf2 = {
     .equations = "Curtiss52",
     .function = "weights_bdf2",
     .time_levels = 2,
+    .pending = 0.5, /* 1/3 + 1/9 + ... */
     .weights = weights_bdf2,
 };
 

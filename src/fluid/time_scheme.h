@@ -20,6 +20,9 @@ struct time_weights {
 struct time_scheme {
     MODEL_MEMBERS;   /* base/model.h */
     int time_levels; /* [-] number of old time levels: 1 or 2 */
+    /* [-] of a gain of 1 in a step, what the steps after it add, all as long,
+     * without a force: the sum of (older / now)^n. */
+    double pending;
     /* r: this step over the one before it; 0 where there is none. */
     struct time_weights (*weights)(double r /* [-] */);
 };

@@ -9,6 +9,7 @@
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
 #include "dem/population/population.h"
+#include "fluid/time_levels.h"
 
 /* Of the first particles that are inserted or removed; coupling_free releases
  * it. */
@@ -72,11 +73,11 @@ static void start_fluid_velocity(struct simulation *sim, int first)
  * the displaced fluid is removed with its velocity. Returns the lowest old eps
  * [-]: not above 0 if the inserted solid volume exceeds the fluid volume.
  *
- * The displaced momentum is rho eps u of the latest time level. A two-step
- * scheme also has the gain of momentum since the level before, which changes as
- * well. */
+ * The displaced momentum is rho eps u of the latest time level and, in a
+ * two-step scheme, what is pending of its gain since the level before. */
 static double replace_fluid(struct fluid *fl, const double *eps_before)
 {
+    const int gains = fl->u_older != NULL && fl->dt_older > 0.0;
     double lowest = 1.0;
 
     for (int c = 0; c < fl->mesh->n_cells; c++) {
@@ -89,9 +90,10 @@ static double replace_fluid(struct fluid *fl, const double *eps_before)
         fl->replaced -= mass;
         for (int k = 0; k < 3; k++) {
             const double u = fl->u[3 * c + k];
-            fl->replaced_momentum[k] -= mass * u;
-            if (fl->u_older != NULL)
-                fl->momentum_gained[k] += mass * (u - fl->u_older[3 * c + k]);
+            const double gained =
+                gains ? mass * (u - fl->u_older[3 * c + k]) : 0.0;
+            fl->replaced_momentum[k] -= mass * u + ddt_pending(fl) * gained;
+            fl->momentum_gained[k] += gained;
         }
     }
     return lowest;

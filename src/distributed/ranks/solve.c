@@ -277,8 +277,8 @@ static void measure(struct solve *s, struct fluid *fl)
         through = fmax(through, flow + 0.5 * fabs(p->source[c]));
         cfl = fmax(cfl, flow * dt / (fl->eps[c] * s->m->V[c]));
         for (int k = 0; k < 3; k++)
-            sum[k] += fl->options.rho * dt * fl->momentum->defect[c] *
-                      fl->u[3 * c + k];
+            sum[k] += fl->impulse_weight * fl->options.rho * dt *
+                      fl->momentum->defect[c] * fl->u[3 * c + k];
     }
     defect = halo_largest(s->h, defect);
     through = halo_largest(s->h, through);
