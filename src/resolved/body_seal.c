@@ -40,13 +40,15 @@ static void from_centre(const struct search *s, int i, int c, int f, double out,
                part * out * m->d[3 * f + k];
 }
 
-/* What body i sweeps through the face of a cell of its own, outward [m^3/s]. */
+/* What body i sweeps through the face of a cell of its own, outward [m^3/s].
+ * Contacts move one that is fixed by what rounding leaves. */
 static double swept(const struct search *s, int i, int c, int f, double out)
 {
     const struct particles *const ps = s->b->ps;
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
     double r[3], v[3];
 
+    if (s->b->motion[i] == BODY_FIXED) return 0.0;
     from_centre(s, i, c, f, out, r);
     vector_cross(w, r, v);
     v[0] += ps->vx[i], v[1] += ps->vy[i], v[2] += ps->vz[i];
