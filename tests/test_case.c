@@ -22,6 +22,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 static char said[CAPTURE_TEXT];
 
@@ -255,6 +256,26 @@ START_TEST(profiles_along_other_directions_have_other_names)
             "{field=\"p\";along=\"y\";x=0.01;})",
             "profiles 2 and 3 are of the same field on the same line from the "
             "same time: both would be p_along_y_x10mm_from0s.csv");
+}
+END_TEST
+
+/* Names are compared by sorting, not each with all others for each: 1,000 of
+ * them would take an hour. */
+START_TEST(a_thousand_profiles_are_read_in_a_second_or_two)
+{
+    static char many[80000];
+    size_t at = (size_t)sprintf(many, "output.profiles=(");
+    int code;
+
+    for (int i = 0; i < 1000; i++)
+        at += (size_t)sprintf(many + at, "%s{field=\"p\";height=%de-5;}",
+                              i > 0 ? "," : "", i);
+    strcpy(many + at, ")");
+    const clock_t start = clock();
+    struct settings *const s = read_case("cases/mueller-bed.cfg", many, &code);
+    ck_assert_ptr_nonnull(s);
+    ck_assert_double_lt((double)(clock() - start) / CLOCKS_PER_SEC, 10.0);
+    settings_free(s);
 }
 END_TEST
 
@@ -634,6 +655,7 @@ FACTS("scene")
     FACT(sink_without_a_side_requires_a_region);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(profiles_along_other_directions_have_other_names);
+    FACT(a_thousand_profiles_are_read_in_a_second_or_two);
     FACT(a_profile_has_one_place_beside_its_direction);
     FACT(contact_law_requires_its_constants);
     FACT(materials_are_known_by_their_names);

@@ -222,6 +222,32 @@ START_TEST(a_profile_of_points_in_a_plane_keeps_a_constant)
 }
 END_TEST
 
+/* 400 points in mixed order, 1 below the middle and 3 above: a face away from
+ * the middle sees its own side alone, though the points are sorted in y. */
+START_TEST(only_the_four_nearest_points_of_many_count)
+{
+    char text[16000];
+    size_t at = (size_t)sprintf(text, "y,z,u\n");
+
+    for (int i = 0; i < 400; i++) {
+        const int k = i * 171 % 400;
+        const double y = (k % 20 + 0.5) / 20.0;
+        at += (size_t)sprintf(text + at, "%g,%g,%d\n", y,
+                              0.1 * (k / 20 + 0.5) / 20.0, y < 0.5 ? 1 : 3);
+    }
+    write_file(text);
+    struct simulation *const sim =
+        inlet("inlet = 1.0; profile = \"file\"; file = \"inlet.csv\";");
+    for (int j = 0; j < 8; j++) {
+        const double *const e = sim->mesh->box.edge[1];
+        const double u = boundary_inlet_profile(&sim->boundaries[0], j, 0.0);
+        if (e[j + 1] < 0.4) ck_assert_double_eq_tol(u, 1.0, 1e-13);
+        if (e[j] > 0.6) ck_assert_double_eq_tol(u, 3.0, 1e-13);
+    }
+    build_free(sim);
+}
+END_TEST
+
 START_TEST(an_inlet_that_cannot_be_is_refused)
 {
 #define INLET(text)                                                            \
@@ -429,6 +455,7 @@ FACTS("inlets")
     FACT(a_formula_of_time_enters_as_it_says);
     FACT(a_profile_from_a_table_or_a_file_is_linear_between_its_rows);
     FACT(a_profile_of_points_in_a_plane_keeps_a_constant);
+    FACT(only_the_four_nearest_points_of_many_count);
     FACT(an_inlet_that_cannot_be_is_refused);
     FACT(a_pressure_at_the_inlet_drives_poiseuille_flow);
     FACT(taylor_couette_flow_has_its_torque_to_a_thousandth);

@@ -26,10 +26,8 @@ static double value(const struct settings *s, int number, const char *key)
 int case_materials_number(const struct settings *s, const char *name)
 {
     if (strcmp(name, first) == 0) return 0;
-    for (int k = 0; k < settings_length(s, list); k++)
-        if (strcmp(name, settings_item_text(s, list, k, "name")) == 0)
-            return k + 1;
-    return -1;
+    const int k = settings_item_named(s, list, name);
+    return k < 0 ? -1 : k + 1;
 }
 
 /* The numbers of the keys that the contact law alone reads (contact.h). */

@@ -27,11 +27,12 @@ static int is_patch(const char *name, size_t length)
 /* 1 if the path is the row's, with any side of the box for <patch>. */
 static int matches(const char *row, const char *path)
 {
-    const char *const at = strstr(row, KEY_ANY_PATCH);
-    const char *const name = at != NULL ? path + (at - row) : NULL;
+    size_t n = 0;
 
-    return key_matches(row, path) &&
-           (at == NULL || is_patch(name, strcspn(name, ".")));
+    while (row[n] != '\0' && row[n] == path[n] && row[n] != KEY_ANY_PATCH[0])
+        n++;
+    if (row[n] != KEY_ANY_PATCH[0]) return row[n] == path[n];
+    return key_matches(row, path) && is_patch(path + n, strcspn(path + n, "."));
 }
 
 const struct key *schema_find(const struct key *const *tables, const char *path)

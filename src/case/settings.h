@@ -68,6 +68,9 @@ void settings_point(const struct settings *s, const char *path, int i,
  * out. */
 int settings_is_list(const struct settings *s, const char *path);
 int settings_length(const struct settings *s, const char *list);
+/* The number of the first group of a list with that name; -1: there is none. */
+int settings_item_named(const struct settings *s, const char *list,
+                        const char *name);
 
 /* The path of a key of the i-th group of a list, for the functions above, and
  * these with such a path. */

@@ -62,19 +62,49 @@ static void short_name(const struct settings *s, int i,
              "xyz"[l.across], 1e3 * l.at);
 }
 
+struct name {
+    char text[PROFILES_NAME];
+    int i; /* [-] of its profile */
+};
+
+static int by_text(const void *a, const void *b)
+{
+    const struct name *const p = a, *const q = b;
+    const int order = strcmp(p->text, q->text);
+
+    return order != 0 ? order : p->i - q->i;
+}
+
+/* The names of all profiles, sorted; freed by the caller. */
+static struct name *names_of(const struct settings *s)
+{
+    const int n = settings_length(s, list);
+    struct name *const all = alloc_zeroed((size_t)n, sizeof *all);
+
+    for (int i = 0; i < n; i++) {
+        short_name(s, i, all[i].text);
+        all[i].i = i;
+    }
+    qsort(all, (size_t)n, sizeof *all, by_text);
+    for (int k = n - 1; k > 0; k--) {
+        char *const text = all[k].text;
+        if (strcmp(text, all[k - 1].text) != 0) continue;
+        snprintf(text + strlen(text), PROFILES_NAME - strlen(text), "_from%gs",
+                 settings_item_real(s, list, all[k].i, "from"));
+    }
+    qsort(all, (size_t)n, sizeof *all, by_text);
+    return all;
+}
+
 void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
 {
-    char other[PROFILES_NAME];
-    int again = 0;
+    struct name *const all = names_of(s);
+    int k = 0;
 
-    short_name(s, i, name);
-    for (int j = 0; j < i && !again; j++) {
-        short_name(s, j, other);
-        again = strcmp(name, other) == 0;
-    }
-    if (again)
-        snprintf(name + strlen(name), PROFILES_NAME - strlen(name), "_from%gs",
-                 settings_item_real(s, list, i, "from"));
+    while (all[k].i != i)
+        k++;
+    strcpy(name, all[k].text);
+    free(all);
 }
 
 /* --- checks --------------------------------------------------------------- */
@@ -112,21 +142,24 @@ static int check_place(const struct settings *s, int i)
 }
 
 /* Of two profiles in one file only the last would be left. */
-static int check_name(const struct settings *s, int i)
+static int check_names(const struct settings *s)
 {
-    char own[PROFILES_NAME], other[PROFILES_NAME];
+    struct name *const all = names_of(s);
+    const struct name *again = NULL;
+    int code = 0;
 
-    profiles_name(s, i, own);
-    for (int j = 0; j < i; j++) {
-        profiles_name(s, j, other);
-        if (strcmp(own, other) == 0)
-            return settings_wrong(s, list,
-                                  "profiles %d and %d are of the same field on "
-                                  "the same line from the same time: both "
-                                  "would be %s.csv; leave one of them out",
-                                  j, i, own);
-    }
-    return 0;
+    for (int k = 1; k < settings_length(s, list); k++)
+        if (strcmp(all[k].text, all[k - 1].text) == 0 &&
+            (again == NULL || all[k].i < again->i))
+            again = &all[k];
+    if (again != NULL)
+        code = settings_wrong(s, list,
+                              "profiles %d and %d are of the same field on the "
+                              "same line from the same time: both would be "
+                              "%s.csv; leave one of them out",
+                              again[-1].i, again->i, again->text);
+    free(all);
+    return code;
 }
 
 static int check(const struct settings *s)
@@ -136,9 +169,7 @@ static int check(const struct settings *s)
 
     for (int i = 0; i < n && code == 0; i++)
         code = check_place(s, i);
-    for (int i = 0; i < n && code == 0; i++)
-        code = check_name(s, i);
-    return code;
+    return code != 0 ? code : check_names(s);
 }
 
 /* --- a run ---------------------------------------------------------------- */
@@ -154,7 +185,6 @@ static int create_line(const struct recorder_view *v, int i, struct line *line)
         return settings_wrong(s, list, "the case has no field %s", field.name);
     line->upright = v->sim->gravity[where.along] != 0.0;
     line->profile = profile_create(v->drawn->mesh, &where, 1, &field);
-    profiles_name(s, i, line->name);
     return line->profile == NULL;
 }
 
@@ -181,6 +211,10 @@ static void *create(const struct recorder_view *v, int *failed)
     l->line = alloc_zeroed((size_t)n, sizeof *l->line);
     for (int i = 0; i < n && !*failed; i++)
         *failed = create_line(v, i, &l->line[i]) != 0;
+    struct name *const names = names_of(v->settings);
+    for (int k = 0; k < n; k++)
+        strcpy(l->line[names[k].i].name, names[k].text);
+    free(names);
     if (!*failed) return l;
     release(l);
     return NULL;

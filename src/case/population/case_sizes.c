@@ -43,16 +43,6 @@ static struct sizes_options options(const struct settings *s, int i)
     return o;
 }
 
-static int index_of(const struct settings *s, const char *name)
-{
-    const int n = settings_length(s, list);
-    int i = 0;
-
-    while (i < n && strcmp(settings_item_text(s, list, i, "name"), name) != 0)
-        i++;
-    return i < n ? i : -1;
-}
-
 int case_sizes_check(const struct settings *s)
 {
     for (int i = 0; i < settings_length(s, list); i++) {
@@ -64,7 +54,7 @@ int case_sizes_check(const struct settings *s)
         if (wrong != NULL)
             return settings_wrong(s, list, "%s, which is %s: %s", name,
                                   o.law->name, wrong);
-        if (index_of(s, name) != i)
+        if (settings_item_named(s, list, name) != i)
             return settings_wrong(s, list, "two are called %s", name);
     }
     return 0;
@@ -75,7 +65,7 @@ int case_sizes_check_name(const struct settings *s, const char *key,
 {
     struct nearest n;
 
-    if (index_of(s, name) >= 0) return 0;
+    if (settings_item_named(s, list, name) >= 0) return 0;
     nearest_init(&n, name);
     for (int i = 0; i < settings_length(s, list); i++)
         nearest_offer(&n, settings_item_text(s, list, i, "name"));
@@ -87,7 +77,8 @@ int case_sizes_check_name(const struct settings *s, const char *key,
 
 struct sizes *case_sizes_create(const struct settings *s, const char *name)
 {
-    const struct sizes_options o = options(s, index_of(s, name));
+    const struct sizes_options o =
+        options(s, settings_item_named(s, list, name));
     struct sizes *const made = sizes_create(&o);
 
     free((void *)o.point);

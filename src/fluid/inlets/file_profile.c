@@ -11,17 +11,27 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/tables/csv.h"
 #include "fluid/inlets/face_mean.h"
 
+/* A row with two or three places. */
+struct point {
+    double key; /* [m] its place along the axis on which the rows are sorted */
+    double x[3], u;
+    int row; /* [-] of the file */
+};
+
 /* The rows of one level of a file. */
 struct rows {
     const struct csv *file;
     int first, n;
     int u, place[3], places[3], n_places; /* [-] columns, and their axes */
+    int axis;             /* [-] of `places`, along which they are sorted */
+    struct point *sorted; /* unless they are on a line */
 };
 
 static double number_at(const struct rows *r, int row, int column)
@@ -32,42 +42,111 @@ static double number_at(const struct rows *r, int row, int column)
 static double on_line(const struct rows *r, double s)
 {
     const int x = r->place[0];
-    int i = 0;
+    int i = 0, end = r->n - 1;
 
     if (s <= number_at(r, 0, x)) return number_at(r, 0, r->u);
-    while (i < r->n - 1 && s > number_at(r, i + 1, x))
-        i++;
-    if (i == r->n - 1) return number_at(r, i, r->u);
-    const double below = number_at(r, i, x), above = number_at(r, i + 1, x);
+    if (s > number_at(r, end, x)) return number_at(r, end, r->u);
+    while (end - i > 1) {
+        const int middle = i + (end - i) / 2;
+        *(s > number_at(r, middle, x) ? &i : &end) = middle;
+    }
+    const double below = number_at(r, i, x), above = number_at(r, end, x);
     return number_at(r, i, r->u) +
-           (number_at(r, i + 1, r->u) - number_at(r, i, r->u)) * (s - below) /
+           (number_at(r, end, r->u) - number_at(r, i, r->u)) * (s - below) /
                (above - below);
 }
 
+static int by_key(const void *a, const void *b)
+{
+    const struct point *const p = a, *const q = b;
+
+    if (p->key != q->key) return p->key < q->key ? -1 : 1;
+    return p->row - q->row;
+}
+
+/* Sorts the points of a level along the axis on which they are widest. */
+static void sort(struct rows *r)
+{
+    double most = -1.0;
+
+    for (int k = 0; k < r->n_places; k++) {
+        double lo = HUGE_VAL, hi = -HUGE_VAL;
+        for (int i = 0; i < r->n; i++) {
+            lo = fmin(lo, number_at(r, i, r->place[k]));
+            hi = fmax(hi, number_at(r, i, r->place[k]));
+        }
+        if (hi - lo > most) r->axis = k;
+        most = fmax(most, hi - lo);
+    }
+    for (int i = 0; i < r->n; i++) {
+        struct point *const p = &r->sorted[i];
+        *p = (struct point){.u = number_at(r, i, r->u), .row = i};
+        for (int k = 0; k < r->n_places; k++)
+            p->x[k] = number_at(r, i, r->place[k]);
+        p->key = p->x[r->axis];
+    }
+    qsort(r->sorted, (size_t)r->n, sizeof *r->sorted, by_key);
+}
+
+/* The four points that are nearest to a place, the nearest first; of two that
+ * are equally far the one that comes first in the file. */
+struct nearest_points {
+    const struct point *point[4];
+    double square[4]; /* [m^2] */
+};
+
+static void offer(struct nearest_points *near, const struct rows *r,
+                  const struct point *p, const double x[3])
+{
+    double square = 0.0;
+    int at = 4;
+
+    for (int k = 0; k < r->n_places; k++) {
+        const double d = p->x[k] - x[r->places[k]];
+        square += d * d;
+    }
+    while (at > 0 && (square < near->square[at - 1] ||
+                      (square == near->square[at - 1] &&
+                       p->row < near->point[at - 1]->row)))
+        at--;
+    for (int i = 3; i > at; i--) {
+        near->point[i] = near->point[i - 1];
+        near->square[i] = near->square[i - 1];
+    }
+    if (at == 4) return;
+    near->point[at] = p;
+    near->square[at] = square;
+}
+
+/* From the place on to both sides, until all further points are farther along
+ * the axis alone than the four. */
 static double among_points(const struct rows *r, const double x[3])
 {
-    double nearest[4] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL}, u[4] = {0.0};
+    struct nearest_points near = {
+        .square = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+    const double key = x[r->places[r->axis]];
     double sum = 0.0, weights = 0.0;
+    int right = 0, end = r->n;
 
-    for (int i = 0; i < r->n; i++) {
-        double square = 0.0;
-        int at = 3;
-        for (int k = 0; k < r->n_places; k++) {
-            const double d = number_at(r, i, r->place[k]) - x[r->places[k]];
-            square += d * d;
-        }
-        if (square == 0.0) return number_at(r, i, r->u);
-        if (square >= nearest[3]) continue;
-        for (; at > 0 && square < nearest[at - 1]; at--) {
-            nearest[at] = nearest[at - 1];
-            u[at] = u[at - 1];
-        }
-        nearest[at] = square;
-        u[at] = number_at(r, i, r->u);
+    while (right < end) {
+        const int middle = right + (end - right) / 2;
+        if (r->sorted[middle].key < key)
+            right = middle + 1;
+        else
+            end = middle;
     }
-    for (int i = 0; i < 4 && nearest[i] < HUGE_VAL; i++) {
-        sum += u[i] / nearest[i];
-        weights += 1.0 / nearest[i];
+    for (int left = right - 1; left >= 0 || right < r->n;) {
+        const double before = left < 0 ? HUGE_VAL : key - r->sorted[left].key;
+        const double behind =
+            right == r->n ? HUGE_VAL : r->sorted[right].key - key;
+        const double least = fmin(before, behind);
+        if (least * least > near.square[3]) break;
+        offer(&near, r, &r->sorted[before < behind ? left-- : right++], x);
+    }
+    if (near.square[0] == 0.0) return near.point[0]->u;
+    for (int i = 0; i < 4 && near.square[i] < HUGE_VAL; i++) {
+        sum += near.point[i]->u / near.square[i];
+        weights += 1.0 / near.square[i];
     }
     return sum / weights;
 }
@@ -159,6 +238,7 @@ static void fill(struct levels *l, struct rows *r, int t,
 {
     const int rows = r->file->n_rows;
 
+    r->sorted = alloc_zeroed((size_t)rows, sizeof *r->sorted);
     for (int i = 0; i < l->n; i++) {
         r->n = 1;
         while (t >= 0 && r->first + r->n < rows &&
@@ -166,11 +246,13 @@ static void fill(struct levels *l, struct rows *r, int t,
             r->n++;
         if (t < 0) r->n = rows;
         l->time[i] = t >= 0 ? number_at(r, 0, t) : 0.0;
+        if (r->n_places > 1) sort(r);
         for (int j = 0; j < l->n_faces; j++)
             l->value[(long)i * l->n_faces + j] =
                 face_mean(q->mesh, q->patch->first + j, value_at, r);
         r->first += r->n;
     }
+    free(r->sorted);
 }
 
 static int create(const struct inlet_request *q, struct boundary *b,
