@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "dem/dem_method.h"
+#include "dem/integrator.h"
 #include "dem/surfaces/surface.h"
 #include "facts.h"
 #include "capture.h"
@@ -101,6 +103,44 @@ START_TEST(a_particle_that_is_not_a_number_is_reported_with_its_id)
                      0);
     ck_assert_int_eq(r.lost, 1);
     ck_assert_int_eq(r.lost_id, 11);
+}
+END_TEST
+
+/* One at rest, one thrown at it by `ahead` diameters a step, from a place where
+ * none of the steps ends in a contact: a run of all methods. Beside it, and not
+ * through it, there is nothing to report. */
+static struct dem_report shoot(int method, double ahead, double beside)
+{
+    static const char *const methods[] = {"verlet", "all-pairs", "link-cells",
+                                          "verlet"};
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(&contact_linear, 1e-5, 0.05);
+    struct dem_report r;
+
+    o.method = dem_method_named(methods[method]);
+    if (method == 3) o.integrator = integrator_named("heun");
+    o.periodic[1] = 1;
+    spheres_add(ps, 0.0, 0.0495, 0.0, 1e-3);
+    const int i = spheres_add(ps, beside, 0.0495 - 3.5e-3 * ahead, 0.0, 1e-3);
+    ps->vy[i] = ahead * 1e-3 / o.step;
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, 7, &r) != 0, r.crossing.found);
+    if (r.crossing.found) /* Heun's method looks before a step */
+        ck_assert_int_eq(r.steps, method == 3 ? 4 : 3);
+    dem_free(dem);
+    particles_free(ps);
+    return r;
+}
+
+START_TEST(two_that_pass_through_each_other_within_a_step_are_reported)
+{
+    const struct dem_report r = shoot(_i, 3.0, 0.0);
+
+    ck_assert_int_eq(r.crossing.found, 1);
+    ck_assert_int_eq(r.crossing.id[0], 1);
+    ck_assert_int_eq(r.crossing.id[1], 0);
+    ck_assert_int_eq(shoot(_i, 3.0, 0.9e-3).crossing.found, 1);
+    ck_assert_int_eq(shoot(_i, 3.0, 1.1e-3).crossing.found, 0);
 }
 END_TEST
 
@@ -388,6 +428,8 @@ FACTS("dem_run")
     FACT(xs11_2_1_one_particle_flies_a_parabola_in_any_direction);
     FACT(a_particle_that_shoots_through_a_wall_is_reported_with_its_id);
     FACT_FOR_EACH(a_particle_that_is_not_a_number_is_reported_with_its_id, 6);
+    FACT_FOR_EACH(two_that_pass_through_each_other_within_a_step_are_reported,
+                  4);
     FACT_FOR_EACH(a_periodic_box_has_no_seam, 2);
     FACT_FOR_EACH(a_periodic_box_keeps_its_momentum, 2);
     FACT(a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message);

@@ -113,6 +113,19 @@ START_TEST(ls_4_11_suggested_step_resolves_critical_damping)
 }
 END_TEST
 
+/* Soft and fast: the contact lasts, but a longer step would miss it. */
+START_TEST(in_a_safe_step_nobody_moves_by_more_than_its_radius)
+{
+    const struct contact_law *const law = contact_law_named("linear");
+    const struct material m = {.stiffness = 100.0, .restitution = 0.9};
+
+    ck_assert_double_eq(limits_longest_step(law, &m, 1e-3, 1000.0, 300.0),
+                        0.5 * 1e-3 / 300.0);
+    ck_assert_double_eq_tol(limits_step(law, &m, 1e-3, 1000.0, 300.0) / 1e-6,
+                            1.0, 1e-14);
+}
+END_TEST
+
 FACTS("limits")
 {
     tcase_set_timeout(facts, 60);
@@ -120,5 +133,6 @@ FACTS("limits")
     FACT(linear_contact_time_does_not_depend_on_the_speed);
     FACT(hertz_step_grows_with_slowness_up_to_rayleigh);
     FACT_FOR_EACH(suggested_step_keeps_restitution, 20);
+    FACT(in_a_safe_step_nobody_moves_by_more_than_its_radius);
     FACT(ls_4_11_suggested_step_resolves_critical_damping);
 }

@@ -17,6 +17,15 @@ double dem_mean_diameter(const struct particles *ps)
     return ps->n > 0 ? sum / ps->n : 0.0;
 }
 
+double dem_least_diameter(const struct particles *ps)
+{
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < ps->n; i++)
+        least = fmin(least, ps->d[i]);
+    return least;
+}
+
 double dem_range(const struct dem_options *o)
 {
     double range = 0.0;

@@ -19,6 +19,7 @@
 #define DEM_DEM_H
 
 #include "base/state.h"
+#include "dem/crossing.h"
 #include "dem/dem_options.h"
 #include "dem/particles.h"
 
@@ -36,6 +37,7 @@ struct dem_report {
     int lost_id; /* [-] the first of them; -1: none */
     double lost_at[3]; /* [m] where it was found */
     int lost_through;  /* [-] the surface that it passed through; -1: none */
+    struct dem_crossing crossing; /* the run ends there */
 };
 
 struct dem;
@@ -53,9 +55,10 @@ void dem_free(struct dem *dem);
 const struct dem_options *dem_created_with(const struct dem *dem);
 
 /* Moves the particles by this number of steps. Non-zero if one is lost (the run
- * ends when this is found), if a signal ended it early (base/interrupt.h, once
- * dem_clock was called) or if an overlap was deeper than dem_limit_overlap
- * allows. The order of the particles may have changed. */
+ * ends when this is found), if two have crossed, if a signal ended it early
+ * (base/interrupt.h, once dem_clock was called) or if an overlap was deeper
+ * than dem_limit_overlap allows. The order of the particles may have changed.
+ */
 int dem_run(struct dem *dem, int steps, struct dem_report *r);
 
 /* The deepest overlap of all runs so far, if it is deeper than expected. */

@@ -32,6 +32,9 @@ static inline int dem_looks(const struct dem *dem, int k)
 /* Mean diameter of the particles [m]; 0 without any. */
 double dem_mean_diameter(const struct particles *ps);
 
+/* The smallest [m]; HUGE_VAL without any. */
+double dem_least_diameter(const struct particles *ps);
+
 /* Largest gap [m] at which a force acts. */
 double dem_range(const struct dem_options *o);
 

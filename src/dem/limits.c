@@ -5,6 +5,7 @@
 
 static const double steps_a_contact = 25.0, min_steps_a_contact = 15.0;
 static const double fraction_of_rayleigh = 0.1;
+static const double way_of_a_step = 0.5; /* of d */
 static const double max_over_undamped = 5.0 / 3.0;
 
 double limits_rayleigh(double r, double rho, double G, double nu)
@@ -37,13 +38,16 @@ static double resolved_time(const struct contact_law *law,
 double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v)
 {
-    return fmin(resolved_time(law, m, d, rho, v) / steps_a_contact,
-                fraction_of_rayleigh * law->wave_time(m, 0.5 * d, rho));
+    const double wave = fraction_of_rayleigh * law->wave_time(m, 0.5 * d, rho);
+
+    return fmin(fmin(resolved_time(law, m, d, rho, v) / steps_a_contact, wave),
+                way_of_a_step * min_steps_a_contact / steps_a_contact * d / v);
 }
 
 double limits_longest_step(const struct contact_law *law,
                            const struct material *m, double d, double rho,
                            double v)
 {
-    return resolved_time(law, m, d, rho, v) / min_steps_a_contact;
+    return fmin(resolved_time(law, m, d, rho, v) / min_steps_a_contact,
+                way_of_a_step * d / v);
 }

@@ -29,9 +29,11 @@ double limits_contact_time(const struct contact_law *law,
 double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v);
 
-/* The longest step [s] that still resolves a contact: 1/15 of its time. In both
- * the contact time is at most 5/3 of that without damping, a limit that is
- * reached at e = 0.015. */
+/* The longest step [s] that still resolves a contact: 1/15 of its time; and in
+ * which none moves by more than d/2, so that none is past another one before
+ * the two have met. (In the suggested step by 0.3 d.) In both the contact time
+ * is at most 5/3 of that without damping, a limit that is reached at e = 0.015.
+ */
 double limits_longest_step(const struct contact_law *law,
                            const struct material *m, double d, double rho,
                            double v);

@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/vector.h"
+#include "dem/crossing.h"
 #include "dem/dem_internal.h"
 #include "dem/implicit_drag.h"
 #include "dem/reference.h"
@@ -170,6 +171,35 @@ static int check_lost(const struct reference *r, struct dem_report *report)
     return report->lost;
 }
 
+static int cross(const struct reference *r, int i, int j, double dt)
+{
+    const struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
+    double x[3], way[3];
+
+    for (int k = 0; k < 3; k++) {
+        x[k] = box_domain_nearest(&r->box, k, a->x[k] - b->x[k]);
+        way[k] = dt * (a->v[k] - b->v[k]);
+    }
+    return crossing(x, way, a->R + b->R);
+}
+
+/* The first pair that crossed in the last drift: each that moved by more than
+ * the smallest radius is compared with all. */
+static struct dem_crossing find_crossing(const struct reference *r, double dt)
+{
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < r->n; i++)
+        least = fmin(least, r->sphere[i].R);
+    for (int i = 0; i < r->n; i++) {
+        if (vector_length(r->sphere[i].v) * dt <= least) continue;
+        for (int j = 0; j < r->n; j++)
+            if (j != i && cross(r, i, j, dt))
+                return (struct dem_crossing){1, {r->id[i], r->id[j]}};
+    }
+    return (struct dem_crossing){0};
+}
+
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
  * positions are at the same time. */
@@ -184,6 +214,8 @@ static void take_steps(const struct dem *dem, struct reference *r, int steps,
         kick(r, ps, k == 0 ? by->first * dt : dt);
         drift(r, ps, dt);
         if (check_lost(r, report) > 0) return;
+        report->crossing = find_crossing(r, dt);
+        if (report->crossing.found) return;
         /* reference_forces subtracts the energy that is left in the springs */
         r->energy->released += r->energy->tangential;
         reference_forces(r, dt);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/checks/case_scales.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -76,6 +77,89 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
     return largest;
 }
 
+/* The speed [m/s] at which a sphere meets a wall or another one that starts
+ * with v [m/s] within lo ... hi [m]: what it gains on the longest way down to
+ * the walls, in the time of the run; in a fluid at most that of a free fall
+ * with the smallest drag coefficient of a sphere, 0.44. A periodic direction
+ * has no end; a bed, also one from a file, is at rest. */
+static double fall_speed(const struct settings *s, double v, double d,
+                         const double lo[3], const double hi[3])
+{
+    double end[2][3], g[3], gained = 0.0;
+    int periodic[3];
+
+    particle_options_gravity(s, g);
+    case_mesh_ends(s, end[0], end[1]);
+    case_mesh_periodic(s, periodic);
+    for (int k = 0; k < 3; k++) {
+        const double way = g[k] > 0.0 ? end[1][k] - lo[k] : hi[k] - end[0][k];
+        if (!periodic[k]) gained += fabs(g[k]) * fmax(way - 0.5 * d, 0.0);
+    }
+    const double G = vector_length(g);
+    double dv = fmin(sqrt(v * v + 2.0 * gained) - v,
+                     G * settings_real(s, "output.end"));
+    if (settings_has(s, "fluid")) {
+        const double ratio = settings_real(s, "particles.grains.density") /
+                             settings_real(s, "fluid.density");
+        dv = fmin(dv, sqrt(4.0 / 3.0 * G * d * fabs(ratio - 1.0) / 0.44));
+    }
+    return v + dv;
+}
+
+/* [m/s] of the spheres that are placed, and of those that are inserted. */
+static double fastest_sphere(const struct settings *s, double d_most)
+{
+    static const char *const list[] = {"particles.place", "particles.insert"};
+    double fastest = 0.0, v[3], lo[3], hi[3];
+
+    for (int i = 0; i < settings_length(s, list[0]); i++) {
+        settings_item_vector(s, list[0], i, "velocity", v);
+        settings_item_vector(s, list[0], i, "position", lo);
+        const double d = settings_item_real(s, list[0], i, "diameter");
+        fastest = fmax(fastest, fall_speed(s, vector_length(v), d, lo, lo));
+    }
+    for (int i = 0; i < settings_length(s, list[1]); i++) {
+        settings_item_vector(s, list[1], i, "velocity", v);
+        fastest = fmax(fastest, vector_length(v));
+        if (settings_item_has(s, list[1], i, "file") &&
+            !settings_item_has(s, list[1], i, "rate"))
+            continue; /* a bed */
+        case_mesh_ends(s, lo, hi);
+        if (settings_item_has(s, list[1], i, "from")) {
+            settings_item_vector(s, list[1], i, "from", lo);
+            settings_item_vector(s, list[1], i, "to", hi);
+        }
+        fastest =
+            fmax(fastest, fall_speed(s, vector_length(v), d_most, lo, hi));
+    }
+    return fastest;
+}
+
+/* [m/s] of walls and particles that move as prescribed (motion.h); one that
+ * turns about its centre or this point reaches to the end of the mesh. */
+static double fastest_motion(const struct settings *s, const char *list,
+                             const char *point)
+{
+    double fastest = 0.0, v[3], A[3], w[3], c[3], lo[3], hi[3];
+
+    case_mesh_ends(s, lo, hi);
+    for (int i = 0; i < settings_length(s, list); i++) {
+        const double f = settings_item_real(s, list, i, "frequency");
+        const int own = settings_item_has(s, list, i, "centre");
+        double reach = 0.0;
+        settings_item_vector(s, list, i, "velocity", v);
+        settings_item_vector(s, list, i, "amplitude", A);
+        settings_item_vector(s, list, i, "spin", w);
+        if (own || point != NULL)
+            settings_item_vector(s, list, i, own ? "centre" : point, c);
+        for (int k = 0; k < 3 && (own || point != NULL); k++)
+            reach = hypot(reach, fmax(c[k] - lo[k], hi[k] - c[k]));
+        fastest = fmax(fastest, vector_length(v) + vector_length(w) * reach +
+                                    2.0 * M_PI * f * vector_length(A));
+    }
+    return fastest;
+}
+
 struct case_scales case_scales_of(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);
@@ -94,7 +178,9 @@ struct case_scales case_scales_of(const struct settings *s)
     }
     particle_options_gravity(s, g);
     k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
-    k.impact = fmax(k.impact, case_limits_initial_speed(s));
+    k.impact = fmax(k.impact, fastest_sphere(s, k.d_most));
+    k.impact = fmax(k.impact, fastest_motion(s, "particles.surfaces", "point"));
+    k.impact = fmax(k.impact, fastest_motion(s, "particles.prescribed", NULL));
     if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
     mesh_free(m);
     return k;
@@ -138,6 +224,14 @@ int case_scales_check(const struct settings *s)
     if (settings_bool(s, "particles.unsafe_step")) return 0;
     const struct case_limits m = case_limits_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
+    if (0.5 * m.d < k.impact * m.longest * (1.0 + 1e-9))
+        return settings_wrong(
+            s, "particles.step",
+            "at %.3g m/s a sphere of %.3g m moves by more than half of its "
+            "diameter in %.3g s, and could pass through another one: at most "
+            "%.3g s, better %.3g s; to run all the same set "
+            "particles.unsafe_step = true",
+            k.impact, m.d, k.dem_dt, m.longest, m.suggested);
     return settings_wrong(
         s, "particles.step",
         "%.3g s does not resolve the impacts of %s of %.3g m, which last %.3g "

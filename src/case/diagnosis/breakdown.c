@@ -73,6 +73,20 @@ static void describe_lost(const struct simulation *sim, const char *when,
              r->max_overlap, r->max_speed);
 }
 
+static void describe_crossing(const struct simulation *sim, const char *when,
+                              char text[RUN_PART_TEXT])
+{
+    const struct dem_report *const r = &sim->dem_report;
+
+    snprintf(text, RUN_PART_TEXT,
+             "particles %d and %d passed through each other %s, within a "
+             "particle step of %g s and without a contact; the highest speed "
+             "was %.3g m/s.\nTry a smaller particles.step: none may move by "
+             "more than half of its diameter in one",
+             r->crossing.id[0], r->crossing.id[1], when,
+             dem_created_with(sim->dem)->step, r->max_speed);
+}
+
 static void describe_overlap(const struct simulation *sim, const char *when,
                              char text[RUN_PART_TEXT])
 {
@@ -140,6 +154,8 @@ static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
         describe_through(sim, when, text);
     else if (sim->particles != NULL && sim->dem_report.lost > 0)
         describe_lost(sim, when, text);
+    else if (sim->particles != NULL && sim->dem_report.crossing.found)
+        describe_crossing(sim, when, text);
     else if (sim->dem != NULL &&
              sim->dem_report.max_overlap > dem_deepest(sim->dem).most)
         describe_overlap(sim, when, text);

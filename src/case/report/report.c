@@ -225,7 +225,7 @@ int report_case(const struct settings *s)
     }
     print_cost(s, &k);
     report_accuracy(s, &k);
-    return 0;
+    return case_scales_check(s); /* as a run is refused */
 }
 
 static int act(const struct command_line *l)

@@ -148,7 +148,8 @@ static void report(struct dem *dem, long rebuilds, struct dem_report *r)
     const struct neighbours *const nb = fast_of(dem)->neighbours;
 
     *r = (struct dem_report){.steps = fast_of(dem)->steps_done,
-                             .rebuilds = rebuilds};
+                             .rebuilds = rebuilds,
+                             .crossing = fast_of(dem)->crossing};
     for (int s = 0; s < nb->n_chunks; s++) {
         const struct chunk *const own = &nb->chunks[s];
         r->contacts += own->measures.contacts;
@@ -182,6 +183,9 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
         nb->skin = skin_of(&dem->options, dem_mean_diameter(nb->ps));
         fast->min_margin = dem_mean_diameter(nb->ps) / MARGIN_PARTS;
     }
+    if (nb->stale || nb->smallest == 0.0)
+        nb->smallest = dem_least_diameter(dem->ps);
+    fast->crossing.found = 0;
     neighbours_begin_run(nb);
 #pragma omp parallel num_threads(team_size(nb))
     fast_move(dem, steps);

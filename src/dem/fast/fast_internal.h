@@ -13,6 +13,7 @@ struct fast {
     struct neighbours *neighbours;
     double min_margin; /* [m] */
     long steps_done;   /* [-] steps of the run at hand */
+    struct dem_crossing crossing;
     int interrupted;   /* [-] 1: by a signal */
     struct heun *heun; /* NULL: another integrator */
 };

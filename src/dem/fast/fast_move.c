@@ -7,6 +7,7 @@
 #include "base/interrupt.h"
 #include "dem/fast/budget.h"
 #include "dem/fast/chunk_step.h"
+#include "dem/fast/crossings.h"
 #include "dem/surfaces/prescribed_motion.h"
 
 /* Number of steps for which contacts are chosen ahead. */
@@ -136,6 +137,20 @@ static void choose_contacts(struct dem *dem, struct contact_margin *r,
     r->used = 0.0;
 }
 
+/* 1 if two have crossed in the last drift, in which a gap became smaller by
+ * `closer` [m] at most: where that is less than the smallest diameter, no two
+ * can have. */
+static int is_crossed(const struct dem *dem, double closer)
+{
+    struct fast *const fast = fast_of(dem);
+
+    if (!(closer > fast->neighbours->smallest)) return 0;
+    if (omp_get_thread_num() == 0)
+        fast->crossing = crossings_find(fast->neighbours, dem->options.step);
+    neighbours_barrier(fast->neighbours);
+    return fast->crossing.found;
+}
+
 /* 1 if a signal ends the run after step k: one thread looks for all. */
 static int is_interrupted(const struct dem *dem, int k)
 {
@@ -166,6 +181,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
         prescribed_motion_move_surfaces(nb, time_after(dem, k + 1));
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         r->used += closer;
+        if (is_crossed(dem, closer)) return k;
         if (r->used > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
         struct step_parameters now = k + 1 < steps ? whole : last;
@@ -242,6 +258,7 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
     chunk_step_move(nb, &still); /* for the speeds */
     for (; k < steps; k++) {
         const double closer = 2.0 * neighbours_speed(nb) * dt;
+        if (is_crossed(dem, closer)) return k;
         if (r->used + closer > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
         set_prescribed(dem, k, dt);

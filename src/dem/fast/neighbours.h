@@ -31,11 +31,12 @@ struct neighbours {
     struct prescribed_particles
         *prescribed; /* particles with a motion of their own; NULL */
     struct barrier *barrier;
-    int *rank;     /* [-] new index of each particle after a sort */
-    double skin;   /* [m] set by the caller before neighbours_begin_run */
-    double range;  /* [m] gap up to which the neighbour list must be complete,
-                      for forces at a distance; 0 without any */
-    double margin; /* [m] of the contacts */
+    int *rank;       /* [-] new index of each particle after a sort */
+    double skin;     /* [m] set by the caller before neighbours_begin_run */
+    double smallest; /* [m] diameter; 0: not known yet */
+    double range;    /* [m] gap up to which the neighbour list must be complete,
+                        for forces at a distance; 0 without any */
+    double margin;   /* [m] of the contacts */
     double margin_used; /* [m] of it since they were chosen */
     int stale;          /* [-] 1: the particles were changed from outside */
     int history_given;  /* [-] 1: the histories were set by
