@@ -58,7 +58,7 @@ check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
 slow: commands-slow core-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
-      cylinder-slow
+      cylinder-slow steps-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
@@ -111,8 +111,10 @@ vtk: $B/winnow $B/tests/test_vtk
 tools:
 	@sh tests/book.sh
 	@sh tests/tally.sh
-steps-check: $B/winnow $(STEPS)
+steps-check: $B/winnow $(STEPS) $(STEPS:$B/%=$B/san/%)
 	@sh tests/steps.sh $B
+steps-slow: $(STEPS:$B/%=$B/san/%)
+	@sh tests/steps.sh $B long
 commands: $B/winnow
 	@sh tests/commands.sh $B
 solutions: $(PATCHES:=.tried)
@@ -126,11 +128,13 @@ core: $B/winnow ## the rooms' own files alone: build/core/winnow, compared with 
 core-slow: core
 	@+sh tests/core.sh $B folders
 
-steps: $(STEPS) ## the twelve steps to a fluidized bed: build/steps/01-bounce and on
-$B/steps/%: chapters/steps/%.c
-	@mkdir -p $(@D)
-	@echo "compile $<"
-	@$(CC) -std=c11 -O2 -ffp-contract=off $(WARN) -o $@ $< -lm
+steps: $(STEPS) ## the thirteen steps to a fluidized bed: build/steps/01-bounce and on
+$B/steps/%: chapters/steps/%.c chapters/steps/steps.h
+	@$(COMPILE_STEP)
+$B/san/steps/%: chapters/steps/%.c chapters/steps/steps.h
+	@$(COMPILE_STEP) -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
+COMPILE_STEP = mkdir -p $(@D) && echo "compile $<" && \
+               $(CC) -std=c11 -O2 -ffp-contract=off $(WARN) -o $@ $< -lm
 
 validate: $B/winnow ## long runs against measurements and papers (hours, then a day; goes on where it was interrupted)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
@@ -243,7 +247,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 $B/tests/fuzz: $B/tests/winnow_main.o
 
 .PHONY: distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
-        steps steps-check cli free vtk tools commands faults-slow pairs-slow \
+        steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \
         commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate validate-bed bench figures fuzz replay weave book help clean tests always
 .SECONDARY:

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The pictures of the twelve steps on one page, figures/steps.png. Asks for
+# The pictures of the thirteen steps on one page, figures/steps.png. Asks for
 # rsvg-convert (Debian: librsvg2-bin) and montage (imagemagick).
 #
 #   make steps && sh figures/steps.sh
@@ -13,5 +13,5 @@ for program in chapters/steps/*.c; do
     rsvg-convert -w 560 -h 380 --keep-aspect-ratio --background-color white \
         "$work/$name.svg" -o "$work/$name.png"
 done
-montage -label '%t' "$work"/*.png -tile 3x4 -geometry 330x226+8+4 -pointsize 13 \
+montage -font "$(fc-match -f '%{file}' sans)" -label '%t' "$work"/*.png -tile 3x5 -geometry 330x226+8+4 -pointsize 13 \
     +dither -colors 32 PNG8:figures/steps.png

@@ -3,108 +3,101 @@
  *
  * A grain falls on a floor and bounces. While it flies, Newton's law moves it:
  *
- *     dy/dt = v,   m dv/dt = -m g                                    [LS 4.16]
+ *     dx/dt = v,   m dv/dt = -m g                                    [LS 4.16]
  *
  * in steps of velocity Verlet (2.12). The impact takes no time here: the grain
  * leaves with e times the speed with which it came. This e is the restitution.
  * The exact speed of impact number k = 0, 1, ... is e^k sqrt(2 g h).
  *
- *     build/steps/01-bounce [END]       END [s] is the time at which it ends
- */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
+ *     build/steps/01-bounce [e=0.9] [dt=1e-3] [end=10]
+ *
+ * All steps keep their data in this way: x[0][i] is the place of grain i along
+ * the floor, x[1][i] its height, and so for each vector. */
+#include "steps.h"
 
-static const double g = 9.81;   /* [m/s^2] gravity */
-static const double R = 0.6e-3; /* [m] radius of the grain */
-static const double e = 0.7;    /* [-] restitution */
-static const double h = 0.02;   /* [m] height of the fall */
-static const double dt = 1e-5;  /* [s] time step */
+enum { N = 1 };                         /* grains */
+static const double g = 9.81;           /* [m/s^2] gravity */
+static double e = 0.7;                  /* [-] restitution */
+static double h = 0.02;                 /* [m] height of the fall */
+static double x[2][N + 1], v[2][N + 1]; /* [m], [m/s]; entry N: the floor */
+static double R[N + 1];                 /* [m] */
 
-enum { EVERY = 50, MOST = 2000 }; /* one step in 50 is kept for the files */
+enum { SHOWN = 5 };
+static int impacts;
+static double t_hit[SHOWN], v_hit[SHOWN]; /* [s], [m/s] the first, the last */
 
-static double path_t[MOST], path_y[MOST]; /* [s], [m] */
-static int n_path;
+const struct number numbers[] = {
+    {"e", &e, 0.0, 1.0, 0.05, "restitution [-]"},
+    {"h", &h, 0.0, 0.02, 0.001, "height of the fall [m]"},
+    {"dt", &dt, 1e-6, 2e-3, 0.0, "time step [s]"},
+    {"end", &end, 0.0, 10.0, 0.1, "time at which it ends [s]"},
+    {0}};
+static double dt = 1e-5, end = 0.3; /* [s] */
 
-/* Opens the file PROGRAM + ending; the files lie beside the program. */
-static FILE *create(const char *program, const char *ending)
+void start(void)
 {
-    char name[1000];
-    snprintf(name, sizeof name, "%s%s", program, ending);
-    FILE *const file = fopen(name, "w");
-    if (file != NULL) return file;
-    perror(name);
-    exit(4);
-}
-
-/* The path as a line through its points; time is the first coordinate. */
-static void write_vtk(FILE *file)
-{
-    fprintf(file,
-            "# vtk DataFile Version 3.0\nheight against time\nASCII\n"
-            "DATASET STRUCTURED_GRID\nDIMENSIONS %d 1 1\n"
-            "POINTS %d double\n",
-            n_path, n_path);
-    for (int k = 0; k < n_path; k++)
-        fprintf(file, "%.9g %.9g 0\n", path_t[k], path_y[k]);
-    fclose(file);
-}
-
-/* Height against time: 500 by 320 points for t_end by 22 mm. */
-static void write_svg(FILE *file, double t_end)
-{
-    fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='560' "
-                  "height='380' font-family='sans-serif' font-size='14'>\n"
-                  "<rect width='560' height='380' fill='white'/>\n"
-                  "<path d='M50 20V340H550' fill='none' stroke='black'/>\n"
-                  "<text x='56' y='16'>height of the centre [mm]</text>\n"
-                  "<text x='24' y='54'>20</text>\n"
-                  "<text x='24' y='199'>10</text>\n"
-                  "<text x='32' y='345'>0</text>\n"
-                  "<path d='M46 49H550M46 194H550' stroke='#ccc'/>\n");
-    fprintf(file,
-            "<text x='280' y='360'>time [s]</text>\n"
-            "<text x='46' y='360'>0</text><text x='530' y='360'>%g</text>\n",
-            t_end);
-    fprintf(file, "<polyline fill='none' stroke='#1f5fa8' stroke-width='2' "
-                  "points='");
-    for (int k = 0; k < n_path; k++)
-        fprintf(file, "%.1f,%.1f ", 50.0 + 500.0 * path_t[k] / t_end,
-                340.0 - 320.0 * path_y[k] / 0.022);
-    fprintf(file, "'/>\n</svg>\n");
-    fclose(file);
-}
-
-int main(int argc, char **argv)
-{
-    const double t_end = argc > 1 ? atof(argv[1]) : 0.3;
-    const int n_steps = (int)lround(t_end / dt);
-    double y = R + h, v = 0.0; /* [m], [m/s] */
-    int impacts = 0;
-
-    for (int step = 0; step < n_steps; step++) {
-        v += -g * 0.5 * dt; /* half a kick, a drift, half a kick */
-        y += v * dt;
-        v += -g * 0.5 * dt;
-        if (y < R && v < 0.0) {
-            printf("impact %d: t = %.4f s, speed = %.4f m/s, exact %.4f\n",
-                   impacts, (step + 1) * dt, -v,
-                   pow(e, impacts) * sqrt(2.0 * g * h));
-            y = R;
-            v = -e * v;
-            impacts++;
-        }
-        if (step % EVERY == 0 && n_path < MOST) {
-            path_t[n_path] = (step + 1) * dt;
-            path_y[n_path++] = y;
-        }
+    for (int i = 0; i < N; i++) {
+        R[i] = 0.6e-3;
+        x[0][i] = 4e-3;
+        x[1][i] = R[i] + h;
     }
-    printf("t = %g s: y = %.6g m, v = %.6g m/s\n", t_end, y, v);
-    write_vtk(create(argv[0], ".vtk"));
-    write_svg(create(argv[0], ".svg"), t_end);
-    return 0;
 }
 
-/* To try: let e be 1 and dt 1e-3 s, and go on to 10 s. The grain gains energy
- * from bounce to bounce. Take y = R out of the impact, and it does not. Why?
- * How does the gain depend on dt? */
+/* v moves for a time, usually half a step. */
+static void kick(double time)
+{
+    for (int i = 0; i < N; i++)
+        v[1][i] -= g * time;
+}
+
+static void drift(void)
+{
+    for (int i = 0; i < N; i++)
+        for (int k = 0; k < 2; k++)
+            x[k][i] += v[k][i] * dt;
+}
+
+static void bounce(void)
+{
+    for (int i = 0; i < N; i++) {
+        if (x[1][i] >= R[i] || v[1][i] >= 0.0) continue;
+        const int k = impacts < SHOWN ? impacts : SHOWN - 1;
+        impacts++;
+        t_hit[k] = t + dt;
+        v_hit[k] = -v[1][i];
+        x[1][i] = R[i];
+        v[1][i] = -e * v[1][i];
+    }
+}
+
+void step(void)
+{
+    kick(0.5 * dt);
+    drift();
+    kick(0.5 * dt);
+    bounce();
+    point(t + dt, 1e3 * x[1][0]);
+}
+
+void report(void)
+{
+    for (int a = 0; a < SHOWN && a < impacts; a++) {
+        const int k = a < SHOWN - 1 ? a : impacts - 1;
+        printf("impact %d: t = %.4f s, speed = %.4f m/s, exact %.4f\n", k,
+               t_hit[a], v_hit[a], pow(e, k) * sqrt(2.0 * g * h));
+    }
+    printf("t = %g s: y = %.6g m, v = %.6g m/s\n", t, x[1][0], v[1][0]);
+}
+
+void draw(void)
+{
+    window(8e-3, 22e-3, "8 mm wide");
+    for (int i = 0; i < N; i++)
+        put_disc(x[0][i], x[1][i], R[i], BLUE, 0.4);
+    plot("time [s]", "height of the centre [mm]", NAN);
+    vtk_grains(N, x[0], x[1], R);
+}
+
+/* To try: e=1 dt=1e-3 end=10. The grain gains energy from bounce to bounce.
+ * Take x[1][i] = R[i] out of the impact, and it does not. Why? How does the
+ * gain depend on dt? */

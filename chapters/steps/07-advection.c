@@ -3,146 +3,132 @@
  *
  * The air of step 6 moves, and convects the smoke:
  *
- *     dc/dt + div(u c) = D laplacian c                                [LS 3.13]
+ *     df/dt + div(u f) = D laplacian f                                [LS 3.13]
  *
  * The velocity is known at the faces: its normal component there is the volume
- * that passes, per area. Which c does the flux have? That of the cell which it
- * comes from: s of (5.9) is 1 or 0, upwind. It never overshoots, but it
- * smears: the mean square distance along x grows not by 2 D t alone but by
- * u dx (1 - u dt / dx) t more. The middle moves by u t.
- */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
+ * that passes, per area. Which f does the flux have? The mean of both cells, or
+ * that of the cell which it comes from, upwind: s of (5.9) is 1/2, or 0 or 1.
+ * Upwind never overshoots, but the difference of the two is the flux of a
+ * diffusivity u dx / 2. So it smears: the mean square distance along x grows
+ * not by 2 D t alone but by u dx (1 - u dt / dx) t more. The middle moves by
+ * u t.
+ *
+ *     build/steps/07-advection [upwind=0] [D=0] */
+#include "steps.h"
 
-enum { NX = 41, NY = 41 }; /* cells */
+enum { NX = 41, NY = 41, W = NX + 2, CELLS = W * (NY + 2) }; /* W in a row */
+static const double dx = 2e-3;         /* [m] width of a cell */
+static double D = 1.5e-5;              /* [m^2/s] diffusivity */
+static double i_0 = 11, j_0 = 14;      /* the full cell, from 1 */
+static double wind[2] = {0.03, 0.015}; /* [m/s] along x and y */
+static double upwind = 1.0;            /* 0: the mean of both cells */
 
-static const double D = 1.5e-5;          /* [m^2/s] diffusivity */
-static const double U = 0.03, V = 0.015; /* [m/s] wind along x and y */
-static const double dx = 2e-3;           /* [m] width of a cell */
-static const double dt = 0.02;           /* [s] */
+/* One value a cell. The cell before it in direction k is c - next[k]. */
+typedef double field[CELLS];
+static const int next[2] = {1, W};
+static field f;    /* [-] smoke */
+static field u[2]; /* [m/s] u_k on the lower face of a cell across k */
 
-static double c[NX][NY];                      /* [-] */
-static double ux[NX + 1][NY], uy[NX][NY + 1]; /* [m/s] at left, lower faces */
+const struct number numbers[] = {
+    {"upwind", &upwind, 0.0, 1.0, 0.25, "share of upwind [-]"},
+    {"u", &wind[0], -0.04, 0.04, 0.005, "wind along x [m/s]"},
+    {"D", &D, 0.0, 3e-5, 1e-6, "diffusivity [m^2/s]"},
+    {"i", &i_0, 1, NX, 1, "column of the full cell"},
+    {"j", &j_0, 1, NY, 1, "row of the full cell"},
+    {"dt", &dt, 1e-3, 0.1, 0.001, "time step [s]"},
+    {"end", &end, 0.0, 10.0, 0.1, "time at which it ends [s]"},
+    {0}};
+static double dt = 0.02, end = 1.0; /* [s] */
 
-/* The flux [m/s] through the face between two neighbours, from a to b. */
-static double flux(double u, double c_a, double c_b)
+void start(void)
 {
-    return u * (u > 0.0 ? c_a : c_b) + D * (c_a - c_b) / dx;
+    f[(int)i_0 + W * (int)j_0] = 1.0;
+    for (int k = 0; k < 2; k++) /* nothing passes a wall */
+        for (int j = 1 + k; j <= NY; j++)
+            for (int c = W * j + 2 - k; c <= W * j + NX; c++)
+                u[k][c] = wind[k];
 }
 
-static void step(void)
+/* The ghost cells around the mesh take the values of the cells beside them. */
+static void extend(field a)
 {
-    static double gain[NX][NY]; /* [m/s] */
-
-    for (int i = 0; i < NX; i++)
-        for (int j = 0; j < NY; j++)
-            gain[i][j] = 0.0;
-    for (int i = 1; i < NX; i++) /* the faces across x */
-        for (int j = 0; j < NY; j++) {
-            const double f = flux(ux[i][j], c[i - 1][j], c[i][j]);
-            gain[i - 1][j] -= f;
-            gain[i][j] += f;
-        }
-    for (int i = 0; i < NX; i++) /* the faces across y */
-        for (int j = 1; j < NY; j++) {
-            const double f = flux(uy[i][j], c[i][j - 1], c[i][j]);
-            gain[i][j - 1] -= f;
-            gain[i][j] += f;
-        }
-    for (int i = 0; i < NX; i++)
-        for (int j = 0; j < NY; j++)
-            c[i][j] += dt / dx * gain[i][j];
+    for (int i = 1; i <= NX; i++) {
+        a[i] = a[i + W];
+        a[i + W * (NY + 1)] = a[i + W * NY];
+    }
+    for (int j = 0; j <= NY + 1; j++) {
+        a[W * j] = a[W * j + 1];
+        a[W * j + NX + 1] = a[W * j + NX];
+    }
 }
 
-static FILE *create(const char *program, const char *ending)
+/* What flows [m/s] through the lower face of a cell across k, along k, where
+ * the velocity is V. */
+static double flux(const field a, int c, int k, double V)
 {
-    char name[1000];
-    snprintf(name, sizeof name, "%s%s", program, ending);
-    FILE *const file = fopen(name, "w");
-    if (file != NULL) return file;
-    perror(name);
-    exit(4);
+    const double below = a[c - next[k]], here = a[c];
+    return 0.5 * V * (below + here) +
+           (D / dx + 0.5 * upwind * fabs(V)) * (below - here);
 }
 
-static void write_vtk(FILE *file)
+static double sum_of(int k, int power) /* of f x_k^power, [m^power] */
 {
-    fprintf(file, "# vtk DataFile Version 3.0\nsmoke\nASCII\n");
-    fprintf(file, "DATASET STRUCTURED_POINTS\nDIMENSIONS %d %d 1\n", NX + 1,
-            NY + 1);
-    fprintf(file, "ORIGIN 0 0 0\nSPACING %g %g 1\n", dx, dx);
-    fprintf(file, "CELL_DATA %d\nSCALARS c double\nLOOKUP_TABLE default\n",
-            NX * NY);
-    for (int j = 0; j < NY; j++)
-        for (int i = 0; i < NX; i++)
-            fprintf(file, "%.9g\n", c[i][j]);
-    fclose(file);
+    const int from[2] = {(int)i_0, (int)j_0};
+    double sum = 0.0;
+    for (int j = 1; j <= NY; j++)
+        for (int i = 1; i <= NX; i++)
+            sum += f[i + W * j] * pow(((k == 0 ? i : j) - from[k]) * dx, power);
+    return sum;
 }
 
-/* A square for each cell, 10 points wide; the fullest is black. The circle is
- * where the middle should be, with the bandwidth of diffusion alone. */
-static void write_svg(FILE *file, double t)
+void step(void)
+{
+    static field old;
+    extend(f);
+    memcpy(old, f, sizeof f);
+    for (int j = 1; j <= NY; j++)
+        for (int c = W * j + 1; c <= W * j + NX; c++)
+            for (int k = 0; k < 2; k++) {
+                const int n = c + next[k];
+                f[c] += dt / dx *
+                        (flux(old, c, k, u[k][c]) - flux(old, n, k, u[k][n]));
+            }
+    point(t + dt, 1e6 * (sum_of(0, 2) - pow(sum_of(0, 1), 2)));
+}
+
+void report(void)
+{
+    printf("t = %g s: sum = %.12g\n", t, sum_of(0, 0));
+    printf("the middle moved by %.6g, %.6g m, exact %.6g, %.6g\n", sum_of(0, 1),
+           sum_of(1, 1), wind[0] * t, wind[1] * t);
+    for (int k = 0; k < 2; k++)
+        printf(
+            "mean square along %c = %.6g m^2, exact %.6g, without smearing "
+            "%.6g\n",
+            "xy"[k], sum_of(k, 2) - pow(sum_of(k, 1), 2),
+            (2.0 * D + fabs(wind[k]) * upwind * dx - wind[k] * wind[k] * dt) *
+                t,
+            2.0 * D * t);
+}
+
+/* The cell that is fullest is darkest. The circle is where the middle should
+ * be, with the bandwidth of diffusion alone. */
+void draw(void)
 {
     double top = 0.0;
-
-    for (int i = 0; i < NX * NY; i++)
-        top = fmax(top, c[i % NX][i / NX]);
-    fprintf(file,
-            "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d'>\n"
-            "<text x='5' y='%d'>width %g mm; white: c = 0, black: c = "
-            "%.2g</text>\n",
-            10 * NX, 10 * NY + 24, 10 * NY + 18, 1e3 * NX * dx, top);
-    for (int i = 0; i < NX; i++)
-        for (int j = 0; j < NY; j++) {
-            const int grey = (int)(255.0 * (1.0 - c[i][j] / top));
-            fprintf(file,
-                    "<rect x='%d' y='%d' width='10.5' height='10.5' "
-                    "fill='rgb(%d,%d,%d)'/>\n",
-                    10 * i, 10 * (NY - 1 - j), grey, grey, grey);
-        }
-    fprintf(file,
-            "<circle cx='%.1f' cy='%.1f' r='%.1f' fill='none' stroke='red'/>\n",
-            10.0 * (NX / 4 + 0.5 + U * t / dx),
-            10.0 * (NY - NY / 3 - 0.5 - V * t / dx),
-            10.0 * sqrt(4.0 * D * t) / dx);
-    fprintf(file, "</svg>\n");
-    fclose(file);
+    for (int c = 0; c < CELLS; c++)
+        top = fmax(top, f[c]);
+    window(NX * dx, NY * dx, "82 mm wide; the darker, the more smoke");
+    for (int j = 1; j <= NY; j++)
+        for (int i = 1; i <= NX; i++)
+            put_square((i - 1) * dx, (j - 1) * dx, dx, f[i + W * j] / top);
+    put_disc((i_0 - 0.5) * dx + wind[0] * t, (j_0 - 0.5) * dx + wind[1] * t,
+             sqrt(4.0 * D * t), RED, 0.0);
+    plot("time [s]", "mean square distance along x [mm^2]", 2e6 * D * end);
+    vtk_cells(NX, NY, W, dx, f, f);
 }
 
-int main(int argc, char **argv)
-{
-    const double t_end = argc > 1 ? atof(argv[1]) : 1.0;
-    double sum = 0.0, x = 0.0, y = 0.0, xx = 0.0, yy = 0.0;
-
-    for (int i = 0; i < NX; i++)
-        for (int j = 0; j < NY; j++) {
-            ux[i][j] = i > 0 ? U : 0.0; /* nothing passes a wall */
-            uy[i][j] = j > 0 ? V : 0.0;
-        }
-    c[NX / 4][NY / 3] = 1.0;
-    for (int n = 0; n < lround(t_end / dt); n++)
-        step();
-    for (int i = 0; i < NX; i++)
-        for (int j = 0; j < NY; j++) {
-            sum += c[i][j];
-            x += c[i][j] * (i - NX / 4) * dx;
-            y += c[i][j] * (j - NY / 3) * dx;
-            xx += c[i][j] * pow((i - NX / 4) * dx, 2);
-            yy += c[i][j] * pow((j - NY / 3) * dx, 2);
-        }
-    printf("t = %g s: sum = %.12g\n", t_end, sum);
-    printf("the middle moved by %.6g, %.6g m, exact %.6g, %.6g\n", x, y,
-           U * t_end, V * t_end);
-    printf("mean square along x = %.6g m^2, exact for upwind %.6g\n",
-           xx - x * x, (2.0 * D + U * (dx - U * dt)) * t_end);
-    printf("mean square along y = %.6g m^2, exact for upwind %.6g\n",
-           yy - y * y, (2.0 * D + V * (dx - V * dt)) * t_end);
-    printf("without the smearing of upwind: %.6g m^2\n", 2.0 * D * t_end);
-    write_vtk(create(argv[0], ".vtk"));
-    write_svg(create(argv[0], ".svg"), t_end);
-    return 0;
-}
-
-/* To try: let the face carry the mean of the two cells, the linear scheme with
- * s = 1/2. Is the mean square right now? (An explicit step takes u^2 dt t away
- * from it.) Then take D = 0 with both schemes. Which results are impossible? */
+/* To try: upwind=0 lets the face carry the mean of the two cells, the linear
+ * scheme with s = 1/2. Is the mean square right now? (An explicit step takes
+ * u^2 dt t away from it.) Then take D=0 with both schemes. Which results are
+ * impossible? */

@@ -1,150 +1,162 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Step 8: projection.
  *
- * Now the velocity itself is diffused and convected, in a box whose lid moves:
+ * Now the velocity itself is what is convected and diffused, in a box whose lid
+ * moves:
  *
- *     du/dt + u . grad u = nu laplacian u - grad p / rho_f,   div u = 0
+ *     du/dt + div(u u) = D laplacian u - grad p / rho_f,   div u = 0
  *
- * [LS 3.13]. A step predicts u without p, finds the p that makes div u vanish,
- * and corrects u by it. A field is now one row of numbers, cell after cell, and
- * the velocity two of them: one line of the program is an equation for both.
- * For the number that it prints, [Ghia82] found -0.2109. */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+ * [LS 3.13], where D is the kinematic viscosity. A step predicts u without p by
+ * the fluxes of step 7 around each face, finds the p that makes div u vanish,
+ * and corrects u by it. For the number that it prints, [Ghia82] found -0.2109.
+ *
+ *     build/steps/08-projection [sweeps=2] [upwind=1] */
+#include "steps.h"
 
-enum { N = 32, W = N + 2, CELLS = W * W }; /* N cells a side, and ghosts */
-static const double rho_f = 1.2, nu = 1.5e-5, lid = 0.05; /* Re = 100 */
-static const double dx = 0.03 / N, dt = 0.01;             /* [m], [s] */
-/* One value a cell. The next cell in direction k is c + next[k]. */
+enum { NX = 32, NY = 32, W = NX + 2, CELLS = W * (NY + 2) }; /* W in a row */
+static const double dx = 0.03 / NX; /* [m] width of a cell */
+static double D = 1.5e-5;           /* [m^2/s] viscosity over density */
+static const double rho_f = 1.2;    /* [kg/m^3] */
+static double lid = 0.05;           /* [m/s]; Re = 100 */
+static double upwind = 0.0;         /* 0: the mean of both cells */
+static double sweeps = 40;          /* for the pressure, in a step */
+
+/* One value a cell. The cell before it in direction k is c - next[k]. */
 typedef double field[CELLS];
 static const int next[2] = {1, W};
 static field p;      /* [Pa] */
 static field u[2];   /* [m/s] u_k on the lower face of a cell across k */
 static field mob[2]; /* [m^3 s/kg] how u_k follows the slope of p; 0 at walls */
 
+const struct number numbers[] = {
+    {"upwind", &upwind, 0.0, 1.0, 0.25, "share of upwind [-]"},
+    {"lid", &lid, 0.005, 0.05, 0.005, "speed of the lid [m/s]"},
+    {"sweeps", &sweeps, 1, 100, 1, "sweeps for the pressure"},
+    {"dt", &dt, 1e-3, 0.02, 0.001, "time step [s]"},
+    {"end", &end, 0.0, 20.0, 0.5, "time at which it ends [s]"},
+    {0}};
+static double dt = 0.01, end = 12.0; /* [s] */
+
+void start(void)
+{
+}
+
 /* The mean of the velocities on both sides of a wall is that of the wall. */
 static void walls(void)
 {
-    for (int i = 1; i <= N; i++) {
+    for (int i = 1; i <= NX; i++) {
         u[0][i] = -u[0][i + W];
-        u[0][i + W * (N + 1)] = 2.0 * lid - u[0][i + W * N];
-        u[1][W * i] = -u[1][W * i + 1];
-        u[1][W * i + N + 1] = -u[1][W * i + N];
+        u[0][i + W * (NY + 1)] = 2.0 * lid - u[0][i + W * NY];
+    }
+    for (int j = 1; j <= NY; j++) {
+        u[1][W * j] = -u[1][W * j + 1];
+        u[1][W * j + NX + 1] = -u[1][W * j + NX];
     }
 }
 
-/* What advection by a and diffusion change in f; s is 1/2 in (5.9). */
-static double change(const double *f, int c, const double a[2])
+/* What flows [m/s] through the lower face of a cell across k, along k, where
+ * the velocity is V. */
+static double flux(const field a, int c, int k, double V)
 {
-    double sum = nu * (f[c - 1] + f[c + 1] + f[c - W] + f[c + W] - 4.0 * f[c]);
-    for (int k = 0; k < 2; k++)
-        sum -= 0.5 * dx * a[k] * (f[c + next[k]] - f[c - next[k]]);
-    return sum * dt / (dx * dx);
+    const double below = a[c - next[k]], here = a[c];
+    return 0.5 * V * (below + here) +
+           (D / dx + 0.5 * upwind * fabs(V)) * (below - here);
 }
 
-/* Predicts u without p. The velocity along a face is the mean of four. */
+/* What flows [m/s] through a lower face of the cell that has the face of u_k in
+ * its middle: the mean of two. */
+static double through(int k, field a[2], int c, int l)
+{
+    return 0.5 * (a[l][c] + a[l][c - next[k]]);
+}
+
+/* The flux of the velocity a[k] there. */
+static double flux_of(int k, field a[2], int c, int l)
+{
+    return flux(a[k], c, l, through(k, a, c, l));
+}
+
+/* Predicts u without p. */
 static void predict(void)
 {
     static field old[2];
     memcpy(old, u, sizeof u);
     for (int k = 0; k < 2; k++)
-        for (int c = W * (1 + k); c < W * (N + 1); c++) {
-            if (c % W < 2 - k || c % W > N) continue; /* a wall */
-            const int b = c - next[k], o = next[1 - k];
-            const double *const f = old[k], *const f_o = old[1 - k];
-            double a[2];
-            a[k] = f[c];
-            a[1 - k] = 0.25 * (f_o[b] + f_o[b + o] + f_o[c] + f_o[c + o]);
-            mob[k][c] = dt / rho_f;
-            u[k][c] = f[c] + change(f, c, a);
-        }
+        for (int j = 1 + k; j <= NY; j++)
+            for (int c = W * j + 2 - k; c <= W * j + NX; c++) {
+                for (int l = 0; l < 2; l++)
+                    u[k][c] += dt / dx *
+                               (flux_of(k, old, c, l) -
+                                flux_of(k, old, c + next[l], l));
+                mob[k][c] = dt / rho_f;
+            }
 }
 
-/* Successive over-relaxation: 1.5 times the change that solves the equation. */
+/* Successive over-relaxation: 1.7 times the change that solves the equation of
+ * a cell. Where the mobility is 0, p has no effect. */
 static void find_pressure(void)
 {
-    for (int sweep = 0; sweep < 40; sweep++)
-        for (int c = W; c < W * (N + 1); c++) {
-            double sum = 0.0, sum_mob = 0.0;
-            for (int k = 0; k < 2; k++) {
-                const int n = c + next[k];
-                sum += mob[k][c] * p[c - next[k]] + mob[k][n] * p[n] -
-                       dx * (u[k][n] - u[k][c]);
-                sum_mob += mob[k][c] + mob[k][n];
+    for (int sweep = 0; sweep < (int)sweeps; sweep++)
+        for (int j = 1; j <= NY; j++)
+            for (int c = W * j + 1; c <= W * j + NX; c++) {
+                double sum = 0.0, sum_mob = 0.0;
+                for (int k = 0; k < 2; k++) {
+                    const int n = c + next[k];
+                    sum += mob[k][c] * p[c - next[k]] + mob[k][n] * p[n] -
+                           dx * (u[k][n] - u[k][c]);
+                    sum_mob += mob[k][c] + mob[k][n];
+                }
+                if (sum_mob > 0.0) p[c] += 1.7 * (sum / sum_mob - p[c]);
             }
-            if (sum_mob > 0.0) p[c] += 1.5 * (sum / sum_mob - p[c]);
-        }
 }
 
 static void correct(void)
 {
     for (int k = 0; k < 2; k++)
-        for (int c = W; c < W * (N + 1); c++)
+        for (int c = W; c < CELLS; c++)
             u[k][c] -= mob[k][c] * (p[c] - p[c - next[k]]) / dx;
 }
 
-static FILE *create(const char *program, const char *ending)
+static double lowest(void) /* u_x / lid half way across */
 {
-    char name[1000];
-    snprintf(name, sizeof name, "%s%s", program, ending);
-    FILE *const file = fopen(name, "w");
-    if (file != NULL) return file;
-    perror(name);
-    exit(4);
+    double low = 0.0;
+    for (int c = NX / 2 + 1; c < CELLS; c += W)
+        low = low <= u[0][c] / lid ? low : u[0][c] / lid;
+    return low;
 }
 
-static void write_vtk(FILE *file)
+void step(void)
 {
-    fprintf(file, "# vtk DataFile Version 3.0\ncavity\nASCII\n");
-    fprintf(file, "DATASET STRUCTURED_POINTS\nDIMENSIONS %d %d 1\n", N + 1,
-            N + 1);
-    fprintf(file, "ORIGIN 0 0 0\nSPACING %g %g 1\n", dx, dx);
-    fprintf(file, "CELL_DATA %d\nVECTORS u double\n", N * N);
-    for (int c = W; c < W * (N + 1); c++)
-        if (c % W > 0 && c % W <= N)
-            fprintf(file, "%.9g %.9g 0\n", 0.5 * (u[0][c] + u[0][c + 1]),
-                    0.5 * (u[1][c] + u[1][c + W]));
-    fclose(file);
+    walls();
+    predict();
+    find_pressure();
+    correct();
+    if (!(fabs(lowest()) < 1e3))
+        stop("t = %g s: the flow has no end; try more sweeps, a shorter dt\n",
+             t);
+    point(t + dt, lowest());
 }
 
-/* A stroke for each cell, thick where it begins; 3 cells long for 0.05 m/s. */
-static void write_svg(FILE *file)
+void report(void)
 {
-    fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='600' "
-                  "viewBox='-1 -34 36 37' fill='#1f5fa8' font-size='1.2'>\n"
-                  "<text y='2'>30 mm; the longest strokes: 0.05 m/s</text>\n");
-    for (int c = W; c < W * (N + 1); c++) {
-        const int i = c % W, j = c / W;
-        if (i == 0 || i > N) continue;
-        const double a = 1.5 / lid * (u[0][c] + u[0][c + 1]);
-        const double b = 1.5 / lid * (u[1][c] + u[1][c + W]);
-        fprintf(file, "<path d='M%.2f %.2fL%.2f %.2fL%.2f %.2fz'/>\n",
-                i - 0.1 * b, -j - 0.1 * a, i + 0.1 * b, -j + 0.1 * a, i + a,
-                -j - b);
-    }
-    fprintf(file, "</svg>\n");
-    fclose(file);
+    printf("t = %g s: lowest u_x / lid half way = %.4f\n", t, lowest());
 }
 
-int main(int argc, char **argv)
+/* The longest strokes are 3 cells long. */
+void draw(void)
 {
-    const double t_end = argc > 1 ? atof(argv[1]) : 12.0;
-    double lowest = 0.0;
-    for (int n = 0; n < lround(t_end / dt); n++) {
-        walls();
-        predict();
-        find_pressure();
-        correct();
-    }
-    for (int c = N / 2 + 1; c < CELLS; c += W)
-        lowest = lowest <= u[0][c] / lid ? lowest : u[0][c] / lid;
-    printf("t = %g s: lowest u_x / lid half way = %.4f\n", t_end, lowest);
-    write_vtk(create(argv[0], ".vtk"));
-    write_svg(create(argv[0], ".svg"));
-    return 0;
+    window(NX * dx, NY * dx, "30 mm wide; 3 cells long: 0.05 m/s");
+    for (int j = 1; j <= NY; j++)
+        for (int i = 1; i <= NX; i++) {
+            const int c = i + W * j;
+            put_stroke((i - 0.5) * dx, (j - 0.5) * dx,
+                       30.0 * dx * (u[0][c] + u[0][c + 1]),
+                       30.0 * dx * (u[1][c] + u[1][c + W]), 0.2 * dx);
+        }
+    plot("time [s]", "lowest u_x / lid half way across", -0.2109);
+    vtk_cells(NX, NY, W, dx, u[0], u[1]);
 }
 
-/* To try: give the pressure one sweep a step instead of 40, then two. Then let
- * the faces carry what comes from upwind, as in step 7: how far off is it? */
+/* To try: give the pressure one sweep a step instead of 40, sweeps=1, then two.
+ * Then let the faces carry what comes from upwind, upwind=1: how far off is
+ * it? */

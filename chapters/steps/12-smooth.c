@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Step 12: diffusion of the void fraction.
+ *
+ * In step 11 a cell has two grains or three by chance, so that eps depends on
+ * the mesh. Here the solids of each cell are spread into a Gaussian of the
+ * bandwidth bw, which depends on the grains and not on the mesh. This is step
+ * 6 in a pseudo-time T, whose unit is that of an area:
+ *
+ *     d eps_s / dT = laplacian eps_s   up to   T = bw^2 / 4       (8.8), (8.9)
+ *
+ * [SX15 5a, 6]. The drag is spread in the same way. And eps and u at a grain
+ * are means with the same weights, that is, diffused as well (8.3): then the
+ * grains gain what the air loses (8.4), which is printed.
+ *
+ *     build/steps/12-smooth [bw=0.0024] [cells=16] [parts=400] */
+#include "steps.h"
+
+enum { N = 300, W = 18, CELLS = W * 67 };    /* grains, cells: W in a row */
+static int NX, NY;                           /* those without the ghosts */
+static double cells = 8, dx;                 /* across, [m] width of a cell */
+static const double box[2] = {16e-3, 64e-3}; /* [m] */
+static const double depth = 1.5e-3;          /* [m] of the box, across */
+static const double rho_f = 1.2;             /* [kg/m^3] */
+static const double mu = 1.8e-5;             /* [Pa s] of air */
+static const double D = 1.5e-5;              /* [m^2/s] mu / rho_f */
+static const double d = 1.2e-3;              /* [m] grain */
+static const double V_p = 9.04778684e-10;    /* [m^3] its volume */
+static double bw = 4.8e-3;                   /* [m] bandwidth, b in (8.9) */
+static double parts = 24;                    /* steps of the diffusion */
+static double U = 0.2;                       /* [m/s] at the inlet */
+static double upwind = 1.0;                  /* 0: the mean of both cells */
+static double sweeps = 60;                   /* for the pressure, in a step */
+
+/* One value a cell. The cell before it in direction k is c - next[k]. */
+typedef double field[CELLS];
+static const int next[2] = {1, W};
+static field p, eps;     /* [Pa], [-] in the cell */
+static field u[2], q[2]; /* [m/s] u_k on the lower face across k, eps u_k */
+static field mob[2]; /* [m^3 s/kg] how q_k follows the slope of p; 0 at walls */
+static field K;      /* [kg/(m^3 s)] drag on the air over its u, in a cell */
+static double x[2][N], R[N]; /* [m] grains */
+static double P[2][N];       /* [N] force of the air */
+
+const struct number numbers[] = {
+    {"U", &U, 0.0, 0.5, 0.05, "air at the inlet [m/s]"},
+    {"cells", &cells, 4, 16, 1, "cells across [-]"},
+    {"bw", &bw, 0.0, 9.6e-3, 0.0006, "bandwidth [m]"},
+    {"parts", &parts, 1, 400, 1, "steps of the diffusion"},
+    {"dt", &dt, 1e-5, 5e-4, 1e-5, "time step [s]"},
+    {"end", &end, 0.0, 0.1, 0.01, "time at which it ends [s]"},
+    {0}};
+static double dt = 2e-4, end = 0.02; /* [s] */
+
+void start(void)
+{
+    NX = (int)cells;
+    NY = 4 * NX;
+    dx = box[0] / NX;
+    for (int i = 0; i < N; i++) { /* rows of twelve */
+        R[i] = 0.5 * d;
+        x[0][i] = 1.28e-3 * (i % 12 + 0.5 + 0.5 * (i / 12 % 2));
+        x[1][i] = 1.11e-3 * (i / 12 + 0.6);
+    }
+}
+
+static int cell_of(int i) /* the cell of a grain */
+{
+    if (!(x[0][i] > 0.0 && x[0][i] < box[0] && x[1][i] > 0.0 &&
+          x[1][i] < box[1]))
+        stop("t = %g s: grain %d has left the box; try a shorter dt\n", t, i);
+    return (int)(x[0][i] / dx) + 1 + W * ((int)(x[1][i] / dx) + 1);
+}
+
+/* The ghost cells around the mesh take the values of the cells beside them. */
+static void extend(field a)
+{
+    for (int i = 1; i <= NX; i++) {
+        a[i] = a[i + W];
+        a[i + W * (NY + 1)] = a[i + W * NY];
+    }
+    for (int j = 0; j <= NY + 1; j++) {
+        a[W * j] = a[W * j + 1];
+        a[W * j + NX + 1] = a[W * j + NX];
+    }
+}
+
+/* (8.8) in small explicit steps: the sum over the cells stays what it is. */
+static void diffuse(field a)
+{
+    const double ratio = 0.25 * bw * bw / ((int)parts * dx * dx);
+    field old;
+    for (int n = 0; n < (int)parts; n++) {
+        extend(a);
+        memcpy(old, a, sizeof old);
+        for (int j = 1; j <= NY; j++)
+            for (int c = W * j + 1; c <= W * j + NX; c++)
+                a[c] += ratio * (old[c - 1] + old[c + 1] + old[c - W] +
+                                 old[c + W] - 4.0 * old[c]);
+    }
+    extend(a);
+}
+
+/* Air enters below and leaves above, and slips along the walls. */
+static void walls(void)
+{
+    for (int i = 1; i <= NX; i++) {
+        q[1][i + W] = U;
+        u[1][i + W] = U / eps[i + W];
+        u[0][i] = u[0][i + W];
+        u[0][i + W * (NY + 1)] = u[0][i + W * NY];
+        u[1][i + W * (NY + 2)] = u[1][i + W * (NY + 1)];
+        q[1][i + W * (NY + 2)] = q[1][i + W * (NY + 1)];
+    }
+    for (int j = 1; j <= NY + 1; j++) {
+        u[1][W * j] = u[1][W * j + 1];
+        u[1][W * j + NX + 1] = u[1][W * j + NX];
+    }
+}
+
+/* What flows [m/s] through the lower face of a cell across k, along k, where
+ * the velocity is V. */
+static double flux(const field a, int c, int k, double V)
+{
+    const double below = a[c - next[k]], here = a[c];
+    return 0.5 * V * (below + here) +
+           (D / dx + 0.5 * upwind * fabs(V)) * (below - here);
+}
+
+/* What flows [m/s] through a lower face of the cell that has the face of u_k in
+ * its middle: the mean of two. */
+static double through(int k, field a[2], int c, int l)
+{
+    return 0.5 * (a[l][c] + a[l][c - next[k]]);
+}
+
+/* The flux of the velocity a[k] there. */
+static double flux_of(int k, field a[2], field b[2], int c, int l)
+{
+    return flux(a[k], c, l, through(k, b, c, l));
+}
+
+/* 1 / eps on the lower face across k. */
+static double inverse(int k, int c)
+{
+    return 0.5 / eps[c] + 0.5 / eps[c - next[k]];
+}
+
+/* The slope of p over q that inertia and drag of a cell need. Half of the way
+ * through a face lies in each of its cells, and their mean is 1 / mob (6.6). */
+static double slope(int c)
+{
+    return (rho_f / dt + K[c] / eps[c]) / eps[c];
+}
+
+/* Predicts q without p. */
+static void predict(void)
+{
+    static field old[2], old_q[2];
+    memcpy(old, u, sizeof u);
+    memcpy(old_q, q, sizeof q);
+    for (int k = 0; k < 2; k++)
+        for (int j = 1 + k; j <= NY + k; j++)
+            for (int c = W * j + 2 - k; c <= W * j + NX; c++) {
+                for (int l = 0; l < 2; l++)
+                    u[k][c] += dt / dx * inverse(k, c) *
+                               (flux_of(k, old, old_q, c, l) -
+                                flux_of(k, old, old_q, c + next[l], l));
+                mob[k][c] = 2.0 / (slope(c) + slope(c - next[k]));
+                q[k][c] = mob[k][c] * rho_f / dt * u[k][c];
+            }
+}
+
+/* Successive over-relaxation: 1.7 times the change that solves the equation of
+ * a cell. Where the mobility is 0, p has no effect; it is 0 beyond the outlet.
+ */
+static void find_pressure(void)
+{
+    for (int sweep = 0; sweep < (int)sweeps; sweep++)
+        for (int j = 1; j <= NY; j++)
+            for (int c = W * j + 1; c <= W * j + NX; c++) {
+                double sum = 0.0, sum_mob = 0.0;
+                for (int k = 0; k < 2; k++) {
+                    const int n = c + next[k];
+                    sum += mob[k][c] * p[c - next[k]] + mob[k][n] * p[n] -
+                           dx * (q[k][n] - q[k][c]);
+                    sum_mob += mob[k][c] + mob[k][n];
+                }
+                if (sum_mob > 0.0) p[c] += 1.7 * (sum / sum_mob - p[c]);
+            }
+}
+
+static void correct(void)
+{
+    for (int k = 0; k < 2; k++)
+        for (int c = W; c < W * (NY + 2); c++) {
+            q[k][c] -= mob[k][c] * (p[c] - p[c - next[k]]) / dx;
+            u[k][c] = q[k][c] * inverse(k, c);
+        }
+}
+
+/* The velocity [m/s] of the air in a cell. */
+static double in_cell(int k, int c)
+{
+    return 0.5 * (q[k][c] + q[k][c + next[k]]) / eps[c];
+}
+
+/* The same at the grains in a cell (8.3). */
+static void gather(int k, field u_f)
+{
+    for (int j = 1; j <= NY; j++)
+        for (int c = W * j + 1; c <= W * j + NX; c++)
+            u_f[c] = in_cell(k, c);
+    diffuse(u_f);
+}
+
+/* beta / eps_s [kg/(m^3 s)], drag over volume of the grain and slip. */
+static double resistance(double eps_f, double slip)
+{
+    const double Re = rho_f * d * slip / mu, a = 0.06 * Re; /* (9.2) */
+    const double A1 = pow(eps_f, 4.14);                     /* (9.11) */
+    const double A2 = eps_f <= 0.85 ? 0.8 * pow(eps_f, 1.28) : pow(eps_f, 2.65);
+    const double V_r = /* (9.13) [XS11 2.13] */
+        0.5 * (A1 - a + sqrt(a * a + 2.0 * a * (2.0 * A2 - A1) + A1 * A1));
+    const double root = 0.63 * sqrt(slip) + 4.8 * sqrt(V_r * mu / (rho_f * d));
+    return 0.75 * root * root * rho_f * eps_f / (V_r * V_r * d); /* (9.14) */
+}
+
+/* (8.6): each grain to the cell of its centre. Then its drag, and the reaction
+ * on the air of the cell. */
+static void average(void)
+{
+    const double V_c = dx * dx * depth;
+    field eps_p, u_f[2];
+    for (int c = 0; c < CELLS; c++)
+        eps[c] = 1.0;
+    for (int i = 0; i < N; i++)
+        eps[cell_of(i)] -= V_p / V_c;
+    diffuse(eps);
+    for (int c = 0; c < CELLS; c++)
+        if (!(eps[c] > 0.0))
+            stop("t = %g s: a cell has no air, eps = %.3f\n", t, eps[c]);
+    memcpy(eps_p, eps, sizeof eps);
+    diffuse(eps_p);
+    gather(0, u_f[0]);
+    gather(1, u_f[1]);
+    memset(K, 0, sizeof K);
+    for (int i = 0; i < N; i++) {
+        const int c = cell_of(i);
+        const double a = u_f[0][c], b = u_f[1][c];
+        const double drag = V_p * resistance(eps_p[c], sqrt(a * a + b * b));
+        for (int k = 0; k < 2; k++)
+            P[k][i] = drag * u_f[k][c];
+        K[c] += drag / V_c;
+    }
+    diffuse(K);
+}
+
+/* [Pa] The mean of p over row j of the cells. */
+static double row(int j)
+{
+    double sum = 0.0;
+    for (int c = W * j + 1; c <= W * j + NX; c++)
+        sum += p[c] / NX;
+    return sum;
+}
+
+void step(void)
+{
+    average();
+    walls();
+    predict();
+    find_pressure();
+    correct();
+    point(t + dt, 1.5 * row(1) - 0.5 * row(2));
+}
+
+void report(void)
+{
+    const double V_c = dx * dx * depth;
+    double lowest = 1.0, solids = 0.0, on_grains = 0.0, on_air = 0.0;
+    average();
+    for (int j = 1; j <= NY; j++)
+        for (int c = W * j + 1; c <= W * j + NX; c++) {
+            lowest = fmin(lowest, eps[c]);
+            solids += (1.0 - eps[c]) * V_c;
+            on_air -= K[c] * in_cell(1, c) * V_c;
+        }
+    for (int i = 0; i < N; i++)
+        on_grains += P[1][i];
+    printf("t = %g s: lowest eps = %.6f, pressure drop = %.8g Pa\n", t, lowest,
+           1.5 * row(1) - 0.5 * row(2));
+    printf("volume of solids = %.12g m^3, of the grains %.12g\n", solids,
+           N * V_p);
+    printf("drag on the grains = %.9g N, on the air = %.9g N\n", on_grains,
+           on_air);
+    printf("beta at eps = 0.5 and 0.5 m/s: %.9g kg/(m^3 s)\n",
+           0.5 * resistance(0.5, 0.5));
+}
+
+/* Darker cells have less air. The pressure falls along the bed. */
+void draw(void)
+{
+    window(box[0], box[1], "16 mm wide; the darker, the less air");
+    for (int j = 1; j <= NY; j++)
+        for (int i = 1; i <= NX; i++)
+            put_square((i - 1) * dx, (j - 1) * dx, dx, 1.0 - eps[i + W * j]);
+    for (int i = 0; i < N; i++)
+        put_disc(x[0][i], x[1][i], R[i], INK, 0.0);
+    curve.n = curve.calls = 0;
+    for (int j = 1; j <= NY; j++)
+        point(1e3 * (j - 0.5) * dx, row(j));
+    plot("height [mm]", "pressure [Pa]", 0.0);
+    vtk_cells(NX, NY, W, dx, eps, p);
+}
+
+/* To try: bw=0.0024, and bw=0, which is step 11. Then take finer cells,
+ * cells=16: how much does the lowest eps change with 0.0024 m, how much with
+ * 0.0048? And how many steps of the diffusion are enough: parts=400, 48, 5? */
