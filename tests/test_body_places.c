@@ -10,6 +10,7 @@
 #include "facts.h"
 #include "resolved/blocks/body_gaps.h"
 #include "resolved/body_exit.h"
+#include "resolved/shapes/block_outline.h"
 #include "resolved/shapes/clump.h"
 
 /* Two spheres and a clump that touch or nearly touch, with spin and weight, in
@@ -385,6 +386,51 @@ START_TEST(ew18_4_a_body_that_slides_along_walls_is_held_beside_them)
 }
 END_TEST
 
+/* The velocity [m/s] of a cylinder from wall to wall across the axis z, 8 cells
+ * apart, 20 steps after it was thrown. */
+static double between_walls(const struct body_shape *shape,
+                            enum body_motion motion)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 0.5},
+                                   .cells = {16, 16, 8},
+                                   .walls = {1, 1, 1},
+                                   .rho = 1.0,
+                                   .mu = 1e-2,
+                                   .dt = 0.01,
+                                   .virtual_mass = 2.0,
+                                   .dem_steps = 5,
+                                   .n = 1};
+    struct pool p;
+
+    pool_create(&p, &o);
+    solid_bodies_add(p.bodies, shape, (double[3]){0.5, 0.6, 0.25}, 1.5, motion);
+    if (motion == BODY_SPRING)
+        solid_bodies_set_spring(p.bodies, 0, (double[3]){1e-9, 1e-9, 0.0});
+    p.bodies->ps->vy[0] = -1.0;
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    pool_run(&p, 20);
+    const double v = p.bodies->ps->vy[0];
+    pool_free(&p);
+    return v;
+}
+
+/* One on soft springs, which cannot move along z, holds the fluid in the cells
+ * beside the two walls as well. So does a free one, be it a little shorter. */
+START_TEST(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them)
+{
+    const double axis[3] = {0.0, 0.0, 1.0};
+    const struct body_shape shape = body_shape_cylinder(0.4, 0.5, axis),
+                            shorter = body_shape_cylinder(0.4, 0.48, axis),
+                            free = body_shape_outline(block_outline_create(
+                                _i == 0 ? &shape : &shorter,
+                                (double[3]){0.0, 0.0, 0.0}));
+    const double v = between_walls(&shape, BODY_SPRING);
+
+    ck_assert_double_eq_tol(between_walls(&free, BODY_FREE), v,
+                            (_i == 0 ? 2e-3 : 0.05) * fabs(v));
+}
+END_TEST
+
 /* A fixed box in a channel of 16 cells a side with an inlet below and an outlet
  * above, `gap` [m] from each of its four walls, all told of it. */
 static void create_plug(struct pool *p, const struct pool_options *o,
@@ -579,6 +625,8 @@ END_TEST
 FACTS("body_places")
 {
     FACT_FOR_EACH(ew18_2_bodies_at_a_seam_move_as_in_the_middle, 7);
+    FACT_FOR_EACH(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them,
+                  2);
     FACT(ew18_4_a_sphere_beside_its_image_is_one_beside_another);
     FACT(ew18_2_a_body_leaves_through_an_outlet);
     FACT(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back);

@@ -287,6 +287,58 @@ START_TEST(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular)
 }
 END_TEST
 
+/* Two bodies from wall to wall, the upper one thrown at the lower one off its
+ * middle: discs, or square boxes one of which stands on an edge. Their ends are
+ * in the same planes, where points are in neither of them. Neither a weight
+ * along the axis nor an impulse that would tilt one moves it. */
+static void two_between_walls(struct pool *p, int squares)
+{
+    const double axis[3] = {0.0, 0.0, 1.0}, edge[3] = {0.0, 0.0, 0.785};
+    const struct body_shape shape =
+        squares ? body_shape_box((double[3]){0.3, 0.25, 1.0})
+                : body_shape_cylinder(0.3, 1.0, axis);
+
+    for (int i = 0; i < 2; i++) {
+        struct body_outline *const o =
+            block_outline_create(&shape, i == 0 ? edge : none);
+        const struct body_shape one = body_shape_outline(o);
+        contact_points_add(o);
+        contact_points_between(o, 2);
+        solid_bodies_add(p->bodies, &one,
+                         (double[3]){0.5 + 0.06 * i, 0.3 + 0.4 * i, 0.5}, 1.0,
+                         BODY_FREE);
+    }
+    p->bodies->ps->vy[1] = -1.0;
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
+}
+
+START_TEST(ls_4_4_bodies_between_two_walls_collide)
+{
+    struct pool p;
+    struct solid_bodies *const b = dry_box(&p, 2, 1, 1, 0.8);
+    const struct particles *const ps = b->ps;
+    double deepest = 0.0;
+
+    two_between_walls(&p, _i);
+    b->options.gravity[2] = -1.0;
+    body_motion_add_spin(b, 0, (double[3]){1e-3, 0.0, 0.0});
+    for (int i = 0; i < 250; i++) {
+        ck_assert_int_eq(body_motion_advance(b, 1e-3), 0);
+        deepest = fmax(deepest, b->dem_report.max_overlap);
+    }
+    /* discs by v sqrt(m/2k) over d = 0.089 at most */
+    ck_assert_double_gt(deepest, _i == 0 ? 0.07 : 0.0);
+    ck_assert_double_lt(deepest, _i == 0 ? 0.089 : 0.25);
+    ck_assert_double_gt(ps->vy[1], ps->vy[0]); /* they part */
+    ck_assert_double_lt(ps->vy[0], -0.5);
+    ck_assert_double_gt(ps->vx[1], 0.02); /* and to the sides */
+    ck_assert_double_gt(fabs(ps->wz[1]), 0.1);
+    for (int i = 0; i < 2; i++)
+        ck_assert(ps->vz[i] == 0.0 && ps->wx[i] == 0.0 && ps->wy[i] == 0.0);
+    pool_free(&p);
+}
+END_TEST
+
 /* A box thrown onto the floor with a corner first, without losses and without
  * friction: translation turns into spin, the sum stays to the step's error. */
 START_TEST(ls_4_4_an_elastic_box_keeps_its_energy)
@@ -425,6 +477,7 @@ FACTS("free shapes")
     FACT(ls_4_3_the_points_that_touch_lie_on_the_surface);
     FACT_FOR_EACH(ls_4_3_a_closed_surface_is_as_thin_as_most_of_it, 2);
     FACT_FOR_EACH(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular, 2);
+    FACT_FOR_EACH(ls_4_4_bodies_between_two_walls_collide, 2);
     FACT(ls_4_4_an_elastic_box_keeps_its_energy);
     FACT(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material);
     FACT_FOR_EACH(ls_4_4_a_block_comes_to_rest_on_one_of_its_sides, 3);

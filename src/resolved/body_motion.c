@@ -66,9 +66,11 @@ static void set_forces(struct solid_bodies *b, int i, double dt)
     for (int k = 0; k < 3; k++) {
         const double gained = u[k] - b->u_old[3 * i + k];
         b->force[3 * i + k] = (b->impulse[3 * i + k] + m * gained) / dt;
-        const double F = b->force[3 * i + k] +
-                         added_momentum(b, i, k, u[k]) / dt +
-                         (b->mass[i] - m) * b->options.gravity[k];
+        const double F = b->shape[i].between >> k & 1
+                             ? 0.0
+                             : b->force[3 * i + k] +
+                                   added_momentum(b, i, k, u[k]) / dt +
+                                   (b->mass[i] - m) * b->options.gravity[k];
         b->u_by_fluid[3 * i + k] = F * dt / (b->mass[i] + C_v * m);
         outside[k] = F * (b->mass[i] + added) / (b->mass[i] + C_v * m);
         b->u_old[3 * i + k] = u[k];
@@ -102,9 +104,18 @@ static void spin_of(const struct solid_bodies *b, int i, double m,
         gained[k] /= m;
 }
 
-static void add_to_spin(struct solid_bodies *b, int i, const double gained[3])
+int body_motion_moves_along(const struct solid_bodies *b, int i, int k)
+{
+    return b->motion[i] == BODY_FREE ? !(b->shape[i].between >> k & 1)
+                                     : b->spring[3 * i + k] > 0.0;
+}
+
+/* Between two walls about the axis across them alone. */
+static void add_to_spin(struct solid_bodies *b, int i, double gained[3])
 {
     if (b->motion[i] != BODY_FREE) return;
+    for (int k = 0; k < 3; k++)
+        if (b->shape[i].between & ~(1 << k)) gained[k] = 0.0;
     b->ps->wx[i] += gained[0];
     b->ps->wy[i] += gained[1];
     b->ps->wz[i] += gained[2];

@@ -33,6 +33,10 @@ double body_motion_turning_mass(const struct solid_bodies *b, int i);
 void body_motion_add_spin(struct solid_bodies *b, int i,
                           const double impulse[3]);
 
+/* 1 if forces move body i along axis k: not where a spring holds it without a
+ * way, nor between walls that it reaches. */
+int body_motion_moves_along(const struct solid_bodies *b, int i, int k);
+
 /* Adds rho_p V U - rho V U_old + C_v rho V Delta U_f + C_c rho V Delta U_c,
  * with U_old the velocity that the fluid inside has got already [N s] (24.13).
  */

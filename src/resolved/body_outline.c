@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/body_outline.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 const int body_outline_row[6] = {0, 0, 0, 1, 1, 2},
@@ -29,4 +30,15 @@ void body_outline_free(struct body_outline *o)
     if (o == NULL) return;
     free(o->ball);
     o->free(o);
+}
+
+int body_outline_spans(const struct body_outline *o, int k, double L, double h)
+{
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
+
+    for (int c = 0; c < 3 * o->n_triangles; c++) {
+        lo = fmin(lo, o->corner[c / 3][c % 3][k]);
+        hi = fmax(hi, o->corner[c / 3][c % 3][k]);
+    }
+    return hi - lo > L - 0.5 * h;
 }

@@ -40,4 +40,8 @@ void body_outline_set_moments(struct body_outline *o, double V,
                               const double first[3], const double second[6]);
 void body_outline_free(struct body_outline *o); /* NULL: nothing */
 
+/* 1 if it reaches from wall to wall, L [m] apart, along axis k before it turns:
+ * not even half of a cell of the width h [m] is left. */
+int body_outline_spans(const struct body_outline *o, int k, double L, double h);
+
 #endif

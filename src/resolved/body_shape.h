@@ -19,6 +19,7 @@ struct body_shape {
     struct body_outline *outline; /* borrowed, until it is added to bodies,
                                      which free it; NULL: none of those */
     double turn[3][3];            /* [-] Q of an outline */
+    int between; /* [-] bit k: walls across axis k hold a free one upright */
 };
 
 struct body_shape body_shape_sphere(double diameter);

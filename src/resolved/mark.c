@@ -9,6 +9,7 @@
 #include "base/vector.h"
 #include "resolved/body_cells.h"
 #include "resolved/body_exit.h"
+#include "resolved/body_motion.h"
 #include "resolved/body_seal.h"
 #include "resolved/body_turn.h"
 
@@ -88,10 +89,9 @@ static int approaches(const struct solid_bodies *b, int i, int k)
     const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
 
-    if (b->motion[i] == BODY_SPRING) return b->spring[3 * i + k] > 0.0;
     if (b->motion[i] == BODY_PRESCRIBED)
         return v[k] != 0.0 || w[(k + 1) % 3] != 0.0 || w[(k + 2) % 3] != 0.0;
-    return b->motion[i] == BODY_FREE;
+    return body_motion_moves_along(b, i, k);
 }
 
 static int approaches_wall(const struct solid_bodies *b, int i,

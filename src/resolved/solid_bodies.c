@@ -135,6 +135,22 @@ int solid_bodies_hung(const struct solid_bodies *b, int i)
     return b->shape[i].kind == BODY_SPHERE && b->motion[i] == BODY_SPRING;
 }
 
+/* A free body from wall to wall can neither move along that axis nor tilt. */
+static void look_for_walls(struct solid_bodies *b, const struct fluid *fl)
+{
+    const struct dem_options *const o = &b->contacts;
+
+    for (int e = 0; e < 3 * b->ps->n; e++) {
+        const int i = e / 3, k = e % 3;
+        const double L = o->hi[k] - o->lo[k];
+        if (b->motion[i] == BODY_FREE && b->shape[i].kind == BODY_OUTLINE &&
+            !o->periodic[k] && L > 0.0 &&
+            body_outline_spans(b->shape[i].outline, k, L,
+                               L / fl->mesh->box.n[k]))
+            b->shape[i].between |= 1 << k;
+    }
+}
+
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
 {
     int free = 0;
@@ -154,6 +170,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
     b->exit = body_exit_create(b, fl);
+    look_for_walls(b, fl);
     mark_start(b, fl);
     if (!free) return 0;
     /* To the dem of the spheres the others are points at their centres, which

@@ -58,6 +58,21 @@ static int turns(const struct settings *s, const char *list, int i)
            vector_length(spin) > 0.0;
 }
 
+void case_blocks_add_points(const struct settings *s, struct body_outline *o)
+{
+    double lo[3], hi[3], h[3];
+    int periodic[3];
+
+    if (!case_blocks_touch(s)) return;
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    case_bodies_cell_widths(s, h);
+    contact_points_add(o);
+    for (int k = 0; k < 3; k++)
+        if (!periodic[k] && body_outline_spans(o, k, hi[k] - lo[k], h[k]))
+            contact_points_between(o, k);
+}
+
 struct body_outline *case_blocks_outline(const struct settings *s,
                                          const char *list, int i)
 {
@@ -67,7 +82,7 @@ struct body_outline *case_blocks_outline(const struct settings *s,
     if (!turns(s, list, i)) return NULL;
     rotation_of(s, list, i, rotation);
     struct body_outline *const o = block_outline_create(&shape, rotation);
-    if (case_blocks_touch(s)) contact_points_add(o);
+    case_blocks_add_points(s, o);
     return o;
 }
 

@@ -19,6 +19,9 @@ struct body_shape case_blocks_shape(const struct settings *s, const char *list,
 struct body_outline *case_blocks_outline(const struct settings *s,
                                          const char *list, int i);
 
+/* The points of a closed outline that touch others, if any do. */
+void case_blocks_add_points(const struct settings *s, struct body_outline *o);
+
 /* 0, or 2 after a message. */
 int case_blocks_check(const struct settings *s);
 

@@ -17,7 +17,6 @@
 #include "dem/surfaces/stl.h"
 #include "resolved/shapes/clump.h"
 #include "resolved/shapes/closed_surface.h"
-#include "resolved/shapes/contact_points.h"
 
 const char case_outlines_clumps[] = "bodies.clumps",
            case_outlines_surfaces[] = "bodies.surfaces";
@@ -101,7 +100,7 @@ struct body_outline *case_outlines_read(const struct settings *s,
     if (list == case_outlines_clumps) return read_clump(s, i);
     if (list != case_outlines_surfaces) return case_blocks_outline(s, list, i);
     struct body_outline *const o = read_surface(s, i);
-    if (o != NULL && case_blocks_touch(s)) contact_points_add(o);
+    if (o != NULL) case_blocks_add_points(s, o);
     return o;
 }
 
@@ -132,7 +131,7 @@ static void ends_of(const struct body_outline *o, double lo[3], double hi[3])
     for (int k = 0; k < 3; k++) {
         lo[k] = HUGE_VAL;
         hi[k] = -HUGE_VAL;
-        for (int i = 0; i < o->n_balls; i++) {
+        for (int i = 0; i < o->n_balls && o->n_triangles == 0; i++) {
             lo[k] = fmin(lo[k], o->ball[i].at[k] - o->ball[i].R);
             hi[k] = fmax(hi[k], o->ball[i].at[k] + o->ball[i].R);
         }

@@ -140,7 +140,7 @@ static void take_push(struct solid_bodies *b, int i, double dt, double step)
         g->impulse[i][k] = now.impulse[k];
         g->angular[i][k] = now.angular[k];
         g->pushed[i][k] += J / step;
-        if (b->motion[i] == BODY_FREE || b->motion[i] == BODY_SPRING)
+        if (body_motion_moves_along(b, i, k))
             *e[k] = g->held[3 * i + k] + J / dt;
     }
     body_motion_add_spin(b, i, turn);

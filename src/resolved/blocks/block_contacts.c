@@ -47,12 +47,14 @@ double block_contacts_act(struct solid_bodies *b, double dt)
     return body_gaps_each(b, 0.0, dt, touch);
 }
 
-/* A ball beside a body that is no sphere, or a ball of a clump. A point has no
- * film: what flows out beside a surface is the mesh's. */
+/* A ball beside a body that is no sphere, or a ball of a clump. Points and
+ * discs have no film: what flows out beside a surface is the mesh's. */
 static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
                          double dt)
 {
-    if (g->R == 0.0) return 0.0;
+    if (g->R == 0.0 || (b->shape[g->i].kind == BODY_OUTLINE &&
+                        b->shape[g->i].outline->width > 0.0))
+        return 0.0;
     const double speed = vector_dot(g->v, g->n),
                  R_star = 1.0 / (1.0 / g->R + 1.0 / g->R_j);
     const double gained =

@@ -27,10 +27,10 @@ static int has_points(const struct solid_bodies *b, int i)
     return b->shape[i].kind == BODY_OUTLINE && b->shape[i].outline->flat > 0;
 }
 
-/* One that is held along an axis may reach through the walls there. */
-static int moves_along(const struct solid_bodies *b, int i, int k)
+/* 1 if it is a round one between walls, with one ball in place of points. */
+static int is_disc(const struct solid_bodies *b, int i)
 {
-    return b->motion[i] == BODY_FREE || b->spring[3 * i + k] > 0.0;
+    return has_points(b, i) && b->shape[i].outline->n_balls == 1;
 }
 
 /* Mass with what is added to it [kg]. */
@@ -75,7 +75,7 @@ static void push(struct solid_bodies *b, int i, const double arm[3],
     double turn[3];
 
     for (int k = 0; k < 3; k++)
-        if (moves_along(b, i, k)) *v[k] += per_mass * J[k];
+        if (body_motion_moves_along(b, i, k)) *v[k] += per_mass * J[k];
     vector_cross(arm, J, turn);
     for (int k = 0; k < 3; k++)
         turn[k] *= sign;
@@ -159,7 +159,8 @@ static double beside_walls(struct solid_bodies *b, const struct box_domain *box,
     g->R = ball->R;
     g->R_j = HUGE_VAL;
     for (int w = 0; w < 6; w++) {
-        if (box->periodic[w / 2] || !moves_along(b, g->i, w / 2)) continue;
+        if (box->periodic[w / 2] || !body_motion_moves_along(b, g->i, w / 2))
+            continue;
         g->z = box_domain_gap(box, w, x) - ball->R;
         if (g->z >= reach) continue;
         memset(g->n, 0, sizeof g->n);
@@ -194,11 +195,12 @@ static double block_beside_walls(struct solid_bodies *b,
 
 /* The balls of i act upon j, if one of the two can move: a clump on all that is
  * no clump, and on a clump after it; a sphere on what does not consist of
- * balls; points on this too. */
+ * balls; points on this too, and a disc on a disc after it. */
 static int acts_on(const struct solid_bodies *b, int i, int j)
 {
     if (i == j || !(can_move(b, i) || can_move(b, j))) return 0;
     if (is_clump(b, i)) return !is_clump(b, j) || i < j;
+    if (is_disc(b, i) && is_disc(b, j)) return i < j;
     return !is_clump(b, j) && b->shape[j].kind != BODY_SPHERE;
 }
 

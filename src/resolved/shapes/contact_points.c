@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/shapes/contact_points.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -139,4 +140,43 @@ void contact_points_add(struct body_outline *o)
     for (int i = 0; i < all.n; i++)
         memcpy(o->ball[i].at, all.x[i], sizeof all.x[i]);
     free(all.x);
+}
+
+/* 1 if it is as far as that from its centre in all directions across axis k. */
+static int is_round(const struct body_outline *o, int k, double R)
+{
+    enum { DIRECTIONS = 32 };
+
+    for (int i = 0; i < DIRECTIONS; i++) {
+        const double a = 2.0 * M_PI * i / DIRECTIONS;
+        double y[3] = {0.0, 0.0, 0.0};
+        y[(k + 1) % 3] = R * cos(a);
+        y[(k + 2) % 3] = R * sin(a);
+        if (fabs(o->distance(o, y)) > flat * R) return 0;
+    }
+    return 1;
+}
+
+void contact_points_between(struct body_outline *o, int k)
+{
+    const double R = o->half[(k + 1) % 3];
+    int kept = 0;
+
+    if (is_round(o, k, R)) {
+        o->ball[0] = (struct body_ball){.R = R};
+        o->n_balls = o->flat = 1;
+        return;
+    }
+    for (int i = 0; i < o->n_balls; i++) {
+        double *const x = o->ball[i].at, r[3];
+        int j = 0;
+        x[k] = 0.0;
+        for (; j < kept; j++) {
+            vector_between(x, o->ball[j].at, r);
+            if (vector_length(r) < flat * o->width) break;
+        }
+        if (j == kept && o->distance(o, x) > -flat * o->width)
+            o->ball[kept++] = o->ball[i];
+    }
+    o->n_balls = kept;
 }

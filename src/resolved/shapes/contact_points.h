@@ -16,4 +16,8 @@
  * how many of them lie in one plane at most. */
 void contact_points_add(struct body_outline *o);
 
+/* Of one that reaches from wall to wall along axis k: in the middle between the
+ * walls, as the outline there; of a round one a single ball of its radius. */
+void contact_points_between(struct body_outline *o, int k);
+
 #endif
