@@ -415,7 +415,9 @@ static double between_walls(const struct body_shape *shape,
 }
 
 /* One on soft springs, which cannot move along z, holds the fluid in the cells
- * beside the two walls as well. So does a free one, be it a little shorter. */
+ * beside the two walls as well. So does a free one, be it a little shorter;
+ * without those cells it is half as fast again. Its forces act in halves of
+ * particle steps, which is 0.01 here. */
 START_TEST(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them)
 {
     const double axis[3] = {0.0, 0.0, 1.0};
@@ -427,7 +429,7 @@ START_TEST(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them)
     const double v = between_walls(&shape, BODY_SPRING);
 
     ck_assert_double_eq_tol(between_walls(&free, BODY_FREE), v,
-                            (_i == 0 ? 2e-3 : 0.05) * fabs(v));
+                            (_i == 0 ? 0.02 : 0.05) * fabs(v));
 }
 END_TEST
 

@@ -125,7 +125,7 @@ static void change_faces(struct immersed *self, struct fluid *fl)
 }
 
 /* The friction of one body: J = dt sum hold (u - u_b) V [EW18 15], and r x J
- * [EW18 16]. */
+ * [EW18 16]. It gets what the fluid loses in all (fluid.h). */
 static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i)
 {
     for (int j = b->start[i]; j < b->start[i + 1]; j++) {
@@ -135,9 +135,10 @@ static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i)
         double J[3], turn[3];
         for (int k = 0; k < 3; k++) {
             J[k] = scale * (fl->u[3 * l->cell + k] - l->u[k]);
-            b->impulse[3 * i + k] += J[k];
             b->hooks.impulse[k] -= J[k];
             b->hooks.gross += fabs(J[k]);
+            J[k] *= fl->impulse_weight;
+            b->impulse[3 * i + k] += J[k];
         }
         vector_cross(l->r, J, turn);
         for (int k = 0; k < 3; k++)

@@ -21,9 +21,10 @@ static void take_impulse(struct solid_bodies *b, const struct fluid *fl, int i,
 
     for (int k = 0; k < 3; k++) {
         J[k] = -m * du[k];
-        b->impulse[3 * i + k] += J[k];
         b->hooks.impulse[k] -= J[k];
         b->hooks.gross += fabs(J[k]);
+        J[k] *= fl->impulse_weight;
+        b->impulse[3 * i + k] += J[k];
     }
     vector_cross(l->r, J, turn);
     for (int k = 0; k < 3; k++)
