@@ -762,6 +762,23 @@ fact cells_across_a_cylinder_are_those_beside_its_axis 0 "d / h                 
     "$winnow" check "$top/cases/cylinder-stream.cfg"
 fact wide_box_with_its_face_in_the_mesh_is_a_wall 0 "boxes and cylinders" \
     body -s 'bodies.boxes=({position=[0.05,-24.99,0.05]; size=[50.0,50.0,50.0];})'
+cat >squeezed.cfg <<'END'
+mesh = { size = [1.0, 0.5, 0.5]; cells = [16, 8, 8]; };
+fluid = { density = 1.0; viscosity = 0.01; step = 0.02;
+          sides = "no-slip"; bottom_top = "no-slip"; front_back = "no-slip"; };
+bodies = { boxes = ( { position = [0.4, 0.25, 0.25]; size = [0.3, 0.3, 0.3];
+                       motion = "prescribed"; velocity = [0.5, 0.0, 0.0]; } );
+           spheres = ( { position = [0.82, 0.25, 0.25]; diameter = 0.25; density = 2.0; } ); };
+output = { end = 0.8; every = 0.2; picture = false; };
+END
+squeeze() { command=$1; shift; "$winnow" $command squeezed.cfg -s output.end="$@"; }
+fact check_says_that_a_body_is_squeezed 0 "way of a prescribed body to a wall" squeeze check 0.8
+fact check_says_what_overlap_to_expect 0 "expected overlap / d                       0.1019" squeeze check 0.8
+fact squeezed_body_ends_the_run 3 "by more of a diameter than bodies.max_overlap" \
+    squeeze "run -o squeezed" 0.88
+fact run_says_how_deep_bodies_were_in_each_other 0 "largest overlap of the bodies 0.172 of" \
+    squeeze "run -o touched" 0.56
+fact summary_has_the_largest_overlap_of_bodies 0 '"largest_overlap": 0.17' cat touched/summary.json
 for command in check "run -o deep"; do
     fact "bodies_begin_apart_says_${command%% *}" 2 "bodies: body 0 begins 0.02007 m deep in body 1" \
         "$winnow" $command bodies.cfg -s bodies.spheres.1.position=[0.05,0.03993,0.05]
@@ -803,7 +820,7 @@ fact box_that_is_held_has_no_spin 2 "bodies.boxes: number 0 does not turn and ha
     body -s 'bodies.boxes=({position=[0.05,0.08,0.05]; size=[0.03,0.03,0.03]; spin=[0.0,1.0,0.0];})'
 sed 's/^ *{ position = .0.06.*/boxes = ( { position = [0.05, 0.07, 0.05]; size = [0.03, 0.026, 0.03]; rotation = [0.0, 0.3, 0.5];\
         density = 2500.0; motion = "free"; spin = [0.0, 0.0, 5.0]; } ); };/
-     s/"fixed"; },/"fixed"; } );/' bodies.cfg >box.cfg
+     s/"fixed"; },/"fixed"; } );/; s/bodies = {/& stiffness = 200.0;/' bodies.cfg >box.cfg
 fact a_box_that_turns_goes_on_to_the_same_bits 0 "" gone_on box
 fact blocks_are_shown_as_they_turn 0 "" grep -q body_surfaces whole/manifest.txt
 

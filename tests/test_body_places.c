@@ -561,7 +561,8 @@ START_TEST(a_pocket_that_moves_with_its_body_needs_no_outlet)
 END_TEST
 
 /* Two fixed spheres that lie in each other: their springs give them no more
- * than what rounding leaves of 1/1e60 kg, and they displace nothing. */
+ * than what rounding leaves of 1/1e60 kg. They displace nothing, and theirs is
+ * not an overlap that a step could have avoided. */
 START_TEST(fixed_bodies_in_each_other_displace_nothing)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
@@ -581,6 +582,7 @@ START_TEST(fixed_bodies_in_each_other_displace_nothing)
                          2.0, i == 2 ? BODY_FREE : BODY_FIXED);
     ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
     pool_run(&p, 3);
+    ck_assert_double_eq(p.bodies->deepest, 0.0);
     pool_free(&p);
 }
 END_TEST

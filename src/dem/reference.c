@@ -145,12 +145,16 @@ static struct history *history_of(struct reference *r, int i, int partner)
     return history;
 }
 
+/* A mass [kg] that two have of which neither can move (solid_bodies.h). */
+static const double immovable = 1e50;
+
 static void note_overlap(struct reference *r, const struct contact *c, int i,
                          int partner)
 {
     struct dem_overlap *const deepest = r->deepest;
     const double overlap = 1.0 - c->arm;
 
+    if (c->m_star > immovable) return;
     r->max_overlap = fmax(r->max_overlap, overlap);
     if (overlap <= fmax(deepest->depth, deepest->expected)) return;
     deepest->depth = overlap;

@@ -24,6 +24,11 @@ const char *bodies_effect_trouble(const void *memory)
         return "a body pushes the fluid into a part of the box without an "
                "outlet, and it would go through the bodies; leave a gap of a "
                "cell or more:";
+    if (b->options.max_overlap > 0.0 && b->deepest > b->options.max_overlap)
+        return "bodies lie in each other or in a wall by more of a diameter "
+               "than bodies.max_overlap: what cannot give way presses on them, "
+               "or they are too soft; try a smaller fluid.step with a higher "
+               "bodies.stiffness:";
     return b->dem_report.lost > 0
                ? "a body left the box, or its velocity is no longer finite; "
                  "try a smaller fluid.step or a higher bodies.stiffness:"

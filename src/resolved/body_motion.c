@@ -238,11 +238,10 @@ static int move_once(struct solid_bodies *b, double step)
 }
 
 /* Contacts and lubrication act in each particle step. The report is of all. */
-int body_motion_run(struct solid_bodies *b, int n, double step)
+static int run_steps(struct solid_bodies *b, int n, double step)
 {
-    int failed = b->met || b->seal.inlet || b->seal.pushes;
+    int failed = 0;
 
-    if (failed) return failed;
     if (b->dem == NULL && b->springs == 0) return drift(b, n * step);
     if (b->dem != NULL && b->springs == 0 && b->blocks == 0 &&
         b->lubrication.reach == 0.0)
@@ -259,6 +258,16 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
     }
     b->dem_report.contacts += b->touching;
     return failed;
+}
+
+int body_motion_run(struct solid_bodies *b, int n, double step)
+{
+    const double most = b->options.max_overlap;
+
+    if (b->met || b->seal.inlet || b->seal.pushes) return 1;
+    const int failed = run_steps(b, n, step);
+    b->deepest = fmax(b->deepest, b->dem_report.max_overlap);
+    return failed || (most > 0.0 && b->deepest > most);
 }
 
 void body_motion_add_spin(struct solid_bodies *b, int i,

@@ -36,7 +36,8 @@ struct solid_bodies_options {
     const struct body_method *method; /* NULL: friction by distance */
     double virtual_mass;              /* [-] C_v */
     double gravity[3];                /* [m/s^2] */
-    int dem_steps; /* [-] particle steps in a step of the fluid */
+    double max_overlap; /* [-] a deeper one ends the run; 0: none does */
+    int dem_steps;      /* [-] particle steps in a step of the fluid */
     const struct dem_options *dem; /* borrowed; NULL: all bodies rest */
     struct squeeze_film lubrication;
     const struct body_contacts *others; /* NULL: only spheres touch */

@@ -29,6 +29,7 @@ struct solid_bodies {
     int springs, blocks, moves; /* [-] on springs; no spheres in dem; any */
     int met; /* [-] 1: two overlap that have no contacts (mark.c) */
     struct body_seal seal; /* of the cells as they are marked */
+    double deepest;        /* [-] overlap so far, over a diameter or width */
     int touching;    /* [-] contacts of options.others, a ball or point each */
     double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
@@ -68,7 +69,6 @@ void solid_bodies_free(struct solid_bodies *b);
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,
                      enum body_motion motion);
-
 /* Springs [N/m] hold body i where it is now, where they are 0 without a way. */
 void solid_bodies_set_spring(struct solid_bodies *b, int i, const double k[3]);
 /* 1: a sphere on a spring, whose contacts are those of options.others. */

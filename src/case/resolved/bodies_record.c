@@ -253,6 +253,7 @@ static void summarize(const void *record, struct summary *f)
     summary_begin(f, "bodies");
     summary_count(f, "number", r->bodies->ps->n);
     summary_count(f, "held_cells", r->bodies->n_cells);
+    summary_number(f, "largest_overlap", r->bodies->deepest);
     for (int k = 0; k < 3; k++)
         summary_number(f, names[k], force(r->sim, k));
     summary_end(f);
@@ -271,6 +272,9 @@ static void print(const void *record)
         printf("gaps below a cell are closed, the widest of %.2g cells: %s\n",
                r->bodies->seal.width, gap);
     }
+    if (r->bodies->deepest > 0.0)
+        printf("largest overlap of the bodies %.3g of a diameter or width\n",
+               r->bodies->deepest);
     printf("force of the fluid on the bodies [%.6g, %.6g, %.6g] N, mean flow "
            "[%.6g, %.6g, %.6g] m/s; each body in %s/bodies.csv\n",
            F[0], F[1], F[2], flow[0], flow[1], flow[2], folder_name(r->folder));

@@ -140,6 +140,7 @@ static struct solid_bodies *create(const struct settings *s)
         .method = body_method_named(settings_text(s, "bodies.method")),
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
         .dem_steps = contact.dem_steps,
+        .max_overlap = settings_real(s, "bodies.max_overlap"),
         .dem = &dem,
         .lubrication = gaps(s),
         .others = &block_contacts};
@@ -191,7 +192,25 @@ static int sealed(const struct settings *s, const struct solid_bodies *b)
                           b->seal.pushes - 1, way);
 }
 
-int case_bodies_start(const struct settings *s, struct body_seal *seal)
+/* What body i leaves of its way to the walls after a time [m]. */
+static double way_left(const struct solid_bodies *b, int i, double t)
+{
+    const struct particles *const ps = b->ps;
+    const struct dem_options *const o = &b->contacts;
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]},
+                 v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    double extent[3], least = HUGE_VAL;
+
+    body_shape_extent(&b->shape[i], extent);
+    for (int k = 0; k < 3; k++) {
+        const double gap = v[k] > 0.0 ? o->hi[k] - x[k] : x[k] - o->lo[k];
+        if (v[k] != 0.0 && !o->periodic[k])
+            least = fmin(least, gap - extent[k] - t * fabs(v[k]));
+    }
+    return least;
+}
+
+int case_bodies_start(const struct settings *s, struct case_bodies_first *first)
 {
     struct solid_bodies *const b = create(s);
 
@@ -207,7 +226,12 @@ int case_bodies_start(const struct settings *s, struct body_seal *seal)
     int code = boundaries == NULL || solid_bodies_begin(b, &fl) != 0 ? 2 : 0;
 
     if (code == 0) code = sealed(s, b);
-    *seal = b->seal;
+    first->seal = b->seal;
+    first->left = HUGE_VAL;
+    for (int i = 0; i < b->ps->n; i++)
+        if (b->motion[i] == BODY_PRESCRIBED)
+            first->left = fmin(first->left,
+                               way_left(b, i, settings_real(s, "output.end")));
     free(fl.u);
     build_boundaries_free(boundaries, m->n_patches);
     mesh_free(m);
@@ -217,11 +241,11 @@ int case_bodies_start(const struct settings *s, struct body_seal *seal)
 
 static int check(const struct settings *s)
 {
-    struct body_seal seal;
+    struct case_bodies_first first;
     const int code = case_bodies_check(s);
 
     if (code != 0 || !settings_has(s, "bodies")) return code;
-    return case_bodies_start(s, &seal);
+    return case_bodies_start(s, &first);
 }
 
 static int has_room(const void *state, const double x[3], double R)

@@ -30,6 +30,8 @@ struct case_bodies_contact case_bodies_contact(const struct settings *s);
 /* The virtual mass C_v [-] of number i of a list. */
 double case_bodies_virtual_mass(const struct settings *s, const char *of,
                                 int i);
+/* The deepest overlap of free ones that is to be expected [-]. */
+double case_bodies_expected_overlap(const struct settings *s);
 int case_bodies_check_stiffness(const struct settings *s); /* 0, or 2 */
 
 /* case_bodies_report.c: prints the section of `check`. */
@@ -39,9 +41,15 @@ void case_bodies_report(const struct settings *s,
 /* case_bodies_check.c: 0, or 2 after a message; and the widths of a cell [m].
  */
 int case_bodies_check(const struct settings *s);
-/* case_bodies.c: where they are at the start, and what they shut off; 0, or 2
- * after a message. */
-int case_bodies_start(const struct settings *s, struct body_seal *seal);
+/* case_bodies.c: what they shut off at the start, and the least that a
+ * prescribed one leaves of its way to a wall at the end [m]; 0, or 2 after a
+ * message. */
+struct case_bodies_first {
+    struct body_seal seal;
+    double left; /* HUGE_VAL: it goes to no wall */
+};
+int case_bodies_start(const struct settings *s,
+                      struct case_bodies_first *first);
 extern const double case_bodies_least_cells; /* [-] in a body */
 void case_bodies_cell_widths(const struct settings *s, double h[3]);
 

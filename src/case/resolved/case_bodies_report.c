@@ -143,6 +143,11 @@ static void report_free(const struct settings *s, const struct extremes *e)
     check_line("stiffness", c.stiffness, "N/m", "");
     check_line("particle steps in one step", c.dem_steps, "-",
                "of their contacts");
+    const double overlap = case_bodies_expected_overlap(s);
+    check_line("expected overlap / d", overlap, "-",
+               overlap > settings_real(s, "bodies.max_overlap")
+                   ? "HIGH: above bodies.max_overlap the run stops"
+                   : "of an impact, by the speeds that are known");
 }
 
 /* Where what an average spreads is moved out of a body [SX15 5c]. */
@@ -158,15 +163,21 @@ static void report_bandwidth(const struct settings *s, double d)
                            : "");
 }
 
-/* The gaps of less than a cell whose cells are held. */
-static void report_gap(const struct settings *s)
+/* The gaps of less than a cell whose cells are held; and what is left for free
+ * bodies, the smallest of which has the width d [m]. */
+static void report_gaps(const struct settings *s, double d, int free)
 {
-    struct body_seal seal;
+    struct case_bodies_first first;
     char where[BODY_SEAL_TEXT];
 
-    if (case_bodies_start(s, &seal) != 0 || seal.beside == 0) return;
-    body_seal_describe(&seal, where);
-    check_line("widest closed gap / h", seal.width, "-", where);
+    if (case_bodies_start(s, &first) != 0) return;
+    if (first.seal.beside > 0) {
+        body_seal_describe(&first.seal, where);
+        check_line("widest closed gap / h", first.seal.width, "-", where);
+    }
+    if (free && first.left < d)
+        check_line("way of a prescribed body to a wall", first.left, "m",
+                   "LOW: at the end; a free body between stops the run");
 }
 
 /* The residual of the splitting enters the next step. Where viscosity crosses
@@ -207,7 +218,7 @@ void case_bodies_report(const struct settings *s,
                    : e.cells < 11.5
                        ? "about 5 % of the drag where they are apart"
                        : "2 to 3 % of the drag where they are apart");
-    report_gap(s);
+    report_gaps(s, e.d, e.free > 0);
     report_bandwidth(s, e.d);
     report_viscous(s, nu * dt / (narrowest * narrowest), e.free > 0);
     check_line("CFL of the bodies", e.speed * dt / narrowest, "-",

@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "base/vector.h"
 #include "case/case_steps.h"
+#include "case/particle_options.h"
 #include "case/resolved/case_blocks.h"
 #include "case/resolved/case_bodies.h"
 #include "case/resolved/case_outlines.h"
@@ -65,6 +67,12 @@ double case_bodies_virtual_mass(const struct settings *s, const char *of, int i)
         body_numbers_added_mass(V, width), case_bodies_count(s));
 }
 
+static double contact_volume(const struct settings *s, const char *of, int i)
+{
+    return of == list ? volume(settings_item_real(s, of, i, "diameter"))
+                      : case_outlines_contact_volume(s, of, i);
+}
+
 /* What a contact of number i of a list has to stop [kg]. */
 static double contact_mass(const struct settings *s, const char *of, int i)
 {
@@ -73,8 +81,7 @@ static double contact_mass(const struct settings *s, const char *of, int i)
                  C_v = case_bodies_virtual_mass(s, of, i);
 
     return (rho_p + body_numbers_contact_mass(C_v) * rho) *
-           (of == list ? volume(settings_item_real(s, of, i, "diameter"))
-                       : case_outlines_contact_volume(s, of, i));
+           contact_volume(s, of, i);
 }
 
 /* The smallest mass in a contact of a body with this motion [kg]; HUGE_VAL:
@@ -130,6 +137,52 @@ struct case_bodies_contact case_bodies_contact(const struct settings *s)
     const double m = lightest(s), k = stiffness_of(s, m);
 
     return (struct case_bodies_contact){k, dem_steps(s, k, m)};
+}
+
+/* The largest speed [m/s] at time 0. */
+static double largest_speed(const struct settings *s)
+{
+    const char *const *const all = case_bodies_lists;
+    double most = 0.0, v[3];
+
+    for (int l = 0; all[l] != NULL; l++)
+        for (int i = 0; i < settings_length(s, all[l]); i++) {
+            settings_item_vector(s, all[l], i, "velocity", v);
+            most = fmax(most, vector_length(v));
+        }
+    return most;
+}
+
+/* Of number i of a list that hits something fixed at a speed, or at that of a
+ * fall through its own width: v sqrt(m/k) and what bears its weight, in widths.
+ */
+static double overlap_of(const struct settings *s, const char *of, int i,
+                         double k, double speed)
+{
+    const double rho = settings_real(s, "fluid.density"),
+                 rho_p = settings_item_real(s, of, i, "density");
+    double V, width, g[3];
+
+    particle_options_gravity(s, g);
+    if (size_of(s, of, i, &V, &width) != 0) return 0.0;
+    const double weight = fabs(rho_p - rho) * vector_length(g);
+    const double v = fmax(speed, sqrt(weight / rho * width));
+    return (v * sqrt(contact_mass(s, of, i) / k) +
+            contact_volume(s, of, i) * weight / k) /
+           width;
+}
+
+double case_bodies_expected_overlap(const struct settings *s)
+{
+    const char *const *const all = case_bodies_lists;
+    const double k = case_bodies_contact(s).stiffness, v = largest_speed(s);
+    double most = 0.0;
+
+    for (int l = 0; all[l] != NULL; l++)
+        for (int i = 0; i < settings_length(s, all[l]); i++)
+            if (case_bodies_is(s, all[l], i, "free"))
+                most = fmax(most, overlap_of(s, all[l], i, k, v));
+    return most;
 }
 
 int case_bodies_check_stiffness(const struct settings *s)
