@@ -116,6 +116,29 @@ fact unknown_material_finds_the_one_meant 2 "did you mean felt?" \
 fact explain_names_rolling_friction 0 "rolling_moment" "$winnow" explain felt.cfg
 fact check_weighs_cohesion 0 "capillary / weight" \
     "$winnow" check tiny.cfg -s 'effects.capillary={tension=0.07;}'
+fact check_without_gravity_prints_numbers 1 "" sh -c \
+    '"$0" check "$1" -s "effects.gravity=[0, 0, 0.0]" | grep -i nan' "$winnow" "$top/cases/small-bed.cfg"
+cat >wide.cfg <<'END'
+title = "a sphere wider than a cell";
+mesh = { size = [3.0, 3.0, 3.0]; cells = [3, 3, 3]; };
+fluid = { density = 1000; viscosity = 1e-3; step = 1e-2; sides = "slip"; front_back = "slip"; bottom = "slip"; top = { outlet = 0.0; }; };
+particles = { contact = "linear"; step = 1e-3;
+    grains = { density = 2500; stiffness = 1e7; restitution = 0.5; friction = 0.3; };
+    place = ( { position = [1.5, 1.5, 1.5]; velocity = [0.0, 0.1, 0.0]; diameter = 1.8; } );
+    surfaces = ( { name = "gate"; shape = "plane"; point = [2.9, 0, 0.0]; normal = [-1.0, 0, 0]; } ); };
+averaging = { method = "dpvm"; };
+exchange = { drag = "schiller-naumann"; };
+effects = { pressure_gradient = {}; };
+output = { end = 0.05; every = 0.05; };
+END
+fact sphere_that_fills_a_cell_is_named_as_what_broke_the_run 3 \
+    "a cell holds more solids than it has room for" "$winnow" run wide.cfg -o wide
+fact surfaces_that_the_fluid_does_not_see_are_named_in_check 0 "no walls for the fluid" \
+    "$winnow" check wide.cfg
+fact surfaces_that_the_fluid_does_not_see_are_named_in_run 3 \
+    "particles.surfaces: no walls for the fluid" "$winnow" run wide.cfg -o wide
+fact next_run_says_what_it_replaces 3 \
+    "wide: the files of an earlier run are replaced; -o names" "$winnow" run wide.cfg -o wide
 fact check_knows_the_longest_step_of_a_bed 0 "tau_p: NOT STABLE" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.viscosity=0.1
 fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \

@@ -12,7 +12,7 @@ static void set_up(void)
 {
     scratch_make(dir);
     folder = folder_open(dir);
-    ck_assert_int_eq(folder_begin(folder, 0), 0);
+    ck_assert_int_eq(folder_begin(folder), 0);
 }
 
 static void tear_down(void)
@@ -90,7 +90,7 @@ START_TEST(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
     snprintf(name, sizeof name, "%s/it's a \"bed\"", dir);
     snprintf(png, sizeof png, "%s/bed.png", name);
     struct folder *const odd = folder_open(name);
-    ck_assert_int_eq(folder_begin(odd, 0), 0);
+    ck_assert_int_eq(folder_begin(odd), 0);
     scratch_listen(dir);
     for (int kind = 0; kind < 9; kind++) {
         struct picture p = sample(m);

@@ -31,6 +31,26 @@ static int count(const char *text, char what)
     return n;
 }
 
+/* A run of a day says after seconds how long it will take: 10 s, 20, 40, ... */
+START_TEST(a_long_run_has_lines_before_its_first_tenth)
+{
+    struct capture c = capture_begin(2);
+    struct progress p;
+
+    progress_init(&p, 0.0, 1.0, 0);
+    p.style = PROGRESS_LINES;
+    for (int i = 0; i < 50; i++) {
+        p.began -= 1.0;
+        p.drawn -= 1.0;
+        progress_show(&p, 1e-4 * (i + 1));
+    }
+    progress_end(&p);
+    capture_end(&c, said);
+    ck_assert_int_eq(count(said, '\n'), 3);
+    ck_assert_ptr_nonnull(strstr(said, "  0 %  t = 0.001 of 1 s"));
+}
+END_TEST
+
 START_TEST(away_from_a_terminal_there_are_ten_lines)
 {
     run_steps(PROGRESS_LINES, 1000);
@@ -113,6 +133,7 @@ END_TEST
 
 FACTS("progress")
 {
+    FACT(a_long_run_has_lines_before_its_first_tenth);
     FACT(away_from_a_terminal_there_are_ten_lines);
     FACT(few_steps_give_few_lines);
     FACT(bar_stays_on_one_line_and_ends_full);

@@ -276,7 +276,7 @@ static int begin(struct recorder *r, int resume)
 {
     if (resume)
         folder_resume(r->folder);
-    else if (folder_begin(r->folder, settings_quiet(r->settings)) != 0)
+    else if (folder_begin(r->folder) != 0)
         return 1;
     char *const path = folder_file(r->folder, "summary.json");
     free(path);

@@ -266,6 +266,12 @@ int run_case(const struct settings *s, const struct run_options *o)
     run.folder = folder_open(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;
     code = create_saver(&run);
+    if (code == 0 && !run.resumes && folder_is_used(run.folder) &&
+        !settings_quiet(s))
+        fprintf(stderr,
+                "%s: the files of an earlier run are replaced; -o names "
+                "another folder\n",
+                o->dir);
     if (code == 0) run.sim = build(&run, &code);
     const int built = run.sim != NULL;
     if (built) code = run_simulation(&run);

@@ -44,9 +44,14 @@ void folder_abandon(struct folder *f)
     if (owner() != NULL) owner()->leave(f->own);
 }
 
-int folder_begin(struct folder *f, int quiet)
+int folder_is_used(const struct folder *f)
 {
-    return owner() != NULL ? owner()->begin(f->own, quiet) : 0;
+    return owner() != NULL && owner()->is_used(f->own);
+}
+
+int folder_begin(struct folder *f)
+{
+    return owner() != NULL ? owner()->begin(f->own) : 0;
 }
 
 char *folder_early_file(struct folder *f)

@@ -1,7 +1,7 @@
 /* folder.h -- the folder of a run.
  *
  *     struct folder *f = folder_open("out/bed");   before the work
- *     if (folder_begin(f, quiet) != 0) ...         before the first file
+ *     if (folder_begin(f) != 0) ...         before the first file
  *     char *path = folder_file(f, "history.csv");  before each file
  *     folder_free(f);
  *
@@ -29,9 +29,11 @@ void folder_free(struct folder *f);
  * freed. */
 void folder_abandon(struct folder *f);
 
-/* Removes the files of the previous run, with a message on stderr unless quiet.
- * Non-zero after a message. */
-int folder_begin(struct folder *f, int quiet);
+/* Removes the files of the previous run. Non-zero after a message. */
+int folder_begin(struct folder *f);
+
+/* 1 if files of an earlier run are there, which folder_begin will remove. */
+int folder_is_used(const struct folder *f);
 
 /* The path of the one file that a run may make before folder_begin, as a new
  * string. It is not listed, and while it exists folder_abandon removes nothing.

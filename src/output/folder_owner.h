@@ -9,10 +9,11 @@
 #include "base/state.h"
 
 struct folder_owner {
-    void *(*take)(const char *dir); /* NULL after a message */
-    int (*prepare)(void *own);      /* before a file that begin must keep */
-    int (*begin)(void *own, int quiet);
-    void (*resume)(void *own);                /* instead of begin */
+    void *(*take)(const char *dir);  /* NULL after a message */
+    int (*prepare)(void *own);       /* before a file that begin must keep */
+    int (*is_used)(const void *own); /* 1: files of an earlier run are there */
+    int (*begin)(void *own);         /* removes them */
+    void (*resume)(void *own);       /* instead of begin */
     int (*list)(void *own, const char *name); /* before the file is made */
     void (*state)(void *own, struct state *s);
     void (*leave)(void *own); /* of a run that did not begin */

@@ -111,6 +111,14 @@ static void describe_solids(const struct simulation *sim, const char *when,
              when, sim->coupling->report.eps_lowest);
 }
 
+/* Hardly any fluid is left in a cell: packed spheres leave more. A particle
+ * that is lost then was thrown out by its drag, and no smaller step keeps it.
+ */
+static int is_full(const struct simulation *sim)
+{
+    return sim->coupling != NULL && sim->coupling->report.eps_lowest < 0.05;
+}
+
 /* The void fraction of each cell is positive, but interpolated to a particle it
  * is not. */
 static void describe_seen(const struct simulation *sim, const char *when,
@@ -149,6 +157,8 @@ static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
         describe_fluid(sim, when, text);
     else if (trouble_of(sim) != NULL)
         snprintf(text, RUN_PART_TEXT, "%s %s", trouble_of(sim), when);
+    else if (sim->dem_report.lost > 0 && is_full(sim))
+        describe_solids(sim, when, text);
     else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
              sim->dem_report.lost_through >= 0)
         describe_through(sim, when, text);

@@ -70,6 +70,16 @@ static void summarize(const void *part, struct summary *f)
     summary_end(f);
 }
 
+/* In words that a large share can be read in: 4.3 %, 100 %, 71 times it. */
+static void share_text(double share, char text[32])
+{
+    snprintf(text, 32,
+             share < 0.995  ? "%.2g %%"
+             : share < 10.0 ? "%.0f %%"
+                            : "%.0f times it",
+             share < 10.0 ? 100.0 * share : share);
+}
+
 static void print(const void *part)
 {
     const struct simulation *const sim =
@@ -78,9 +88,11 @@ static void print(const void *part)
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
         if (e->tally.sum == 0.0) continue;
-        printf("%s %.2g %% of weight or drag, at most %.2g %%, in %.0f s\n",
-               e->effect->name, 100.0 * mean_share(sim, i),
-               100.0 * largest_share(sim, i), e->tally.seconds);
+        char mean_text[32], largest_text[32];
+        share_text(mean_share(sim, i), mean_text);
+        share_text(largest_share(sim, i), largest_text);
+        printf("%s %s of weight or drag, at most %s, in %.0f s\n",
+               e->effect->name, mean_text, largest_text, e->tally.seconds);
     }
 }
 

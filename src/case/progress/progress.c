@@ -71,10 +71,13 @@ void progress_show(struct progress *p, double t)
 {
     const int tenths = number_clamped(10.0 * share(p, t) + 1e-9, 0, 10);
     const double now = p->style == PROGRESS_QUIET ? 0.0 : clock_now();
+    /* Before the first tenth after 10 s, 20, 40, ... */
+    const int early = tenths == 0 && now - p->began >= 10.0 &&
+                      now - p->began >= 2.0 * (p->drawn - p->began);
     char text[PROGRESS_TEXT];
 
     if (p->style == PROGRESS_QUIET ||
-        (p->style == PROGRESS_LINES && tenths <= p->tenths) ||
+        (p->style == PROGRESS_LINES && tenths <= p->tenths && !early) ||
         (p->style == PROGRESS_BAR && now - p->drawn < interval && t < p->end))
         return;
     p->tenths = tenths;

@@ -16,6 +16,17 @@
 #include "dem/surfaces/surface_start.h"
 #include "dem/surfaces/surfaces_checksum.h"
 
+static const char surfaces[] = "particles.surfaces";
+static const char unseen[] =
+    "no walls for the fluid, which bodies and the patches of a mesh from files "
+    "are";
+
+/* 1 if there are surfaces in a fluid, which it does not see. */
+static int are_unseen(const struct settings *s)
+{
+    return settings_has(s, "fluid") && settings_length(s, surfaces) > 0;
+}
+
 static int check(const struct settings *s)
 {
     const int code = case_surfaces_check(s);
@@ -58,7 +69,7 @@ static void print(const struct settings *s, const struct case_scales *k)
         speed = fmax(speed, motion_speed(&made[i].motion, reach));
     }
     puts("Walls besides the box");
-    check_line("surfaces", n, "-", "");
+    check_line("surfaces", n, "-", are_unseen(s) ? unseen : "");
     check_line("triangles", triangles, "-", "");
     print_speed(speed, k);
     case_surfaces_free(made, n);
@@ -130,6 +141,8 @@ static int place(const struct settings *s, struct particles *ps,
 static int add(const struct settings *s, struct simulation *sim)
 {
     static const char list[] = "particles.prescribed";
+    if (are_unseen(s) && !settings_quiet(s))
+        fprintf(stderr, "%s: %s\n", surfaces, unseen);
     const int n = settings_has(s, "particles.bed")
                       ? settings_int(s, "particles.bed.count")
                       : sim->particles->n;

@@ -200,7 +200,9 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     const double C = basset_coefficient(k->rho_f, k->mu, k->d);
 
     return (struct effect_estimate){
-        2.0 * C * sqrt(k->time) * k->acceleration / k->force,
+        k->acceleration > 0.0
+            ? 2.0 * C * sqrt(k->time) * k->acceleration / k->force
+            : 0.0, /* of an endless time */
         k->slip * k->d * k->rho_f > k->mu ? "Re > 1: the kernel fades too late"
                                           : "",
         0};

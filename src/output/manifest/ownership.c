@@ -261,15 +261,18 @@ static int prepare(void *own)
     return f->fresh && !f->headed ? write_head(f) : 0;
 }
 
-static int begin(void *own, int quiet)
+static int is_used(const void *own)
+{
+    const struct ownership *const f = own;
+    return f->old.n > 0;
+}
+
+static int begin(void *own)
 {
     struct ownership *const f = own;
     int removed;
 
     if (manifest_remove(&f->old, f->here, f->dir, &removed) != 0) return 1;
-    if (removed > 0 && !quiet)
-        fprintf(stderr, "%s: the %d files of an earlier run are replaced\n",
-                f->dir, removed);
     manifest_release(&f->old);
     f->fresh = 0;
     return write_head(f);
@@ -323,6 +326,7 @@ static int list(void *own, const char *name)
 
 const struct folder_owner ownership = {.take = take_folder,
                                        .prepare = prepare,
+                                       .is_used = is_used,
                                        .begin = begin,
                                        .resume = resume,
                                        .list = list,
