@@ -149,6 +149,23 @@ fuzz: ## broken input for FUZZ_SECONDS (60) from FUZZ_SEED (1), under sanitizers
 replay: $B/tests/fuzz
 	@OMP_NUM_THREADS=1 $< replay tests/data/fuzz/*
 
+PREFIX  = /usr/local
+# The manual page and the completion are the program's own words.
+$B/winnow.1 $B/winnow.bash: $B/winnow src/manual.awk
+	@$B/winnow --help | awk -v version="$$($B/winnow --version)" -f src/manual.awk >$B/winnow.1
+	@{ $B/winnow --help; $B/winnow list; } | awk -v shell=bash -f src/manual.awk >$B/winnow.bash
+IN = $(DESTDIR)$(PREFIX)
+SHARE = $(IN)/share
+install: $B/winnow.1 ## program, cases, manual page and completion, into PREFIX (/usr/local)
+	@mkdir -p $(IN)/bin $(SHARE)/winnow $(SHARE)/man/man1 $(SHARE)/bash-completion/completions
+	cp $B/winnow $(IN)/bin/winnow
+	cp -R cases $(SHARE)/winnow
+	cp $B/winnow.1 $(SHARE)/man/man1/winnow.1
+	cp $B/winnow.bash $(SHARE)/bash-completion/completions/winnow
+uninstall: ## what make install put there
+	rm -f $(IN)/bin/winnow $(SHARE)/man/man1/winnow.1 $(SHARE)/bash-completion/completions/winnow
+	rm -rf $(SHARE)/winnow
+
 weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
 	sh chapters/tools/ledger.sh
@@ -246,7 +263,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
+.PHONY: install uninstall distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \
         commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate validate-bed bench figures fuzz replay weave book help clean tests always

@@ -139,7 +139,7 @@ static int run_command(const struct command *c, int argc, char **argv,
             return 2;
     }
     if (l->n_words < c->min_words)
-        return wrong(c, c->name, " needs a case file");
+        return wrong(c, c->name, " needs more than its name");
     if (c->max_words >= 0 && l->n_words > c->max_words)
         return wrong(c, l->words[c->max_words], ": one argument too many");
     return c->act(l);

@@ -63,7 +63,7 @@ fact unknown_option_is_named_and_nothing_else_is_said 0 "" unknown
 fact option_without_value_is_refused 2 "-o needs a value" \
     "$winnow" run tiny.cfg -o
 fact threads_are_a_number 2 "1 to 1024, not many" "$winnow" run tiny.cfg -j many
-fact run_asks_for_a_case 2 "needs a case" "$winnow" run
+fact run_asks_for_a_case 2 "run needs more than its name" "$winnow" run
 fact one_case_at_a_time 2 "one argument too many" "$winnow" run tiny.cfg tiny.cfg
 
 echo "input:"
@@ -227,6 +227,45 @@ fact the_push_of_a_driven_flow_is_estimated 0 "100.8 %" \
     sh -c "'$winnow' check '$top/cases/carried-bead.cfg' | grep viscous_stress"
 fact a_crowd_of_placed_grains_in_a_stream_is_a_bed 0 "0.3604 -" \
     sh -c "'$winnow' check '$top/cases/ew18-liquid.cfg' | grep 'solids fraction'"
+each_case_has_a_line() {
+    [ "$("$winnow" list cases | wc -l)" -eq "$(ls "$top"/cases/*.cfg | wc -l)" ] &&
+        "$winnow" list cases | grep 'small-bed  *256 cells  *300 particles  Small bed in.* Look at: '
+}
+fact list_names_the_cases_and_what_to_look_at 0 "" each_case_has_a_line
+fact new_writes_a_case_to_begin_with 0 "winnow run mine.cfg" "$winnow" new mine
+fact which_is_a_small_bed 0 "" cmp mine.cfg "$top/cases/small-bed.cfg"
+fact that_check_passes 0 "256" "$winnow" check mine.cfg
+fact and_run_runs 0 "" "$winnow" run mine.cfg -o mine --quiet -s output.end=0.01 -s particles.bed.settle=0
+echo kept >kept.cfg
+new_keeps() { "$winnow" new kept.cfg; [ $? -eq 4 ] && grep -qx kept kept.cfg; }
+fact new_overwrites_nothing 0 "kept.cfg: cannot make it: File exists" new_keeps
+fact new_copies_the_case_that_is_named 0 "" \
+    sh -c '"$0" new other cavity >said && cmp other.cfg "$1/cases/cavity.cfg"' "$winnow" "$top"
+fact misspelt_case_finds_the_one_meant 2 "did you mean small-bed?" "$winnow" new other small-bad
+fact case_of_several_files_says_which 2 "chute needs chute.stl beside it" "$winnow" new other chute
+make_here() { # goal
+    MAKEFLAGS='' make -s -C "$top" B="$(dirname "$winnow")" PREFIX=/usr DESTDIR="$work/there" "$1"
+}
+complete() { # words
+    bash -c '. there/usr/share/bash-completion/completions/winnow
+        COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)); _winnow; echo "${COMPREPLY[@]}"' bash "$@"
+}
+every_command_in_the_manual() {
+    for command in $("$winnow" --help | sed -n 's/^  winnow \([a-z]*\) .*/\1/p'); do
+        grep "^.B winnow $command" there/usr/share/man/man1/winnow.1 || return 1
+    done
+}
+fact make_installs 0 "" make_here install
+fact what_is_installed_finds_its_cases 0 "small-bed" there/usr/bin/winnow list cases
+fact its_manual_has_every_command 0 ".B winnow status" every_command_in_the_manual
+fact its_completion_knows_commands 0 "list" complete winnow li
+fact and_kinds 0 "drag" complete winnow list dra
+make_here uninstall >said
+fact and_make_uninstalls_all_of_it 1 "" sh -c 'find there -type f | grep .'
+fact version_is_the_one_of_the_citation 0 "" \
+    grep -qx "version: $("$winnow" --version | cut -d' ' -f2)" "$top/CITATION.cff"
+fact and_of_the_last_change_that_is_described 0 "" \
+    sh -c 'grep -m 1 "^## " "$0/CHANGELOG.md" | grep -F "## $1"' "$top" "$("$winnow" --version | cut -d' ' -f2)"
 fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_knows_every_drag_law_by_its_name 0 "F = 13.6169545181 [-]" \

@@ -9,7 +9,7 @@ FNR == 1 { fenced = code = 0; command = "" }
 fenced { next }
 /^<!-- exit [0-9]+ -->$/ { code = $3 }
 command != "" && /^    / { take(substr($0, 5)); next }
-/^    (build\/winnow|build\/steps\/[0-9a-z-]+|make|sh|gnuplot|xvfb-run|mkdir|awk|cp|diff)( |$)/ {
+/^    (build\/winnow|build\/steps\/[0-9a-z-]+|make|sudo|sh|gnuplot|xvfb-run|mkdir|awk|cp|diff)( |$)/ {
     where = FILENAME ":" FNR
     take(substr($0, 5))
 }

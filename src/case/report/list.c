@@ -4,6 +4,7 @@
 #include "case/command.h"
 #include "case/models.h"
 #include "case/nearest.h"
+#include "case/report/shipped.h"
 #include "case/schema.h"
 #include "case/case_file.h"
 
@@ -22,6 +23,7 @@ void list_kinds(void)
         putchar('\n');
     }
     printf("%-14s every key of a case file\n", "keys");
+    printf("%-14s the cases that come with the program\n", "cases");
 }
 
 /* "[SX15 Table 1]", or nothing where there is no source. */
@@ -120,6 +122,7 @@ static int unknown_kind(const char *name)
     for (const struct kind *const *k = kinds; *k != NULL; k++)
         nearest_offer(&n, (*k)->name);
     nearest_offer(&n, "keys");
+    nearest_offer(&n, "cases");
     if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no kind of model %s; did you mean %s?\n", name,
                 nearest_best(&n));
@@ -147,7 +150,7 @@ static int wrong_word(const char *word)
 {
     fprintf(stderr,
             "winnow: %s: one argument too many\n"
-            "winnow list [KIND] | keys [PART]\n",
+            "winnow list [KIND] | keys [PART] | cases\n",
             word);
     return 2;
 }
@@ -157,6 +160,8 @@ static int act(const struct command_line *l)
     if (l->n_words > 1 && strcmp(l->words[0], "keys") == 0)
         return list_keys(l->words[1]);
     if (l->n_words > 1) return wrong_word(l->words[1]);
+    if (l->n_words > 0 && strcmp(l->words[0], "cases") == 0)
+        return shipped_list();
     if (l->n_words > 0) return list_models(l->words[0]);
     list_kinds();
     return 0;
@@ -164,8 +169,9 @@ static int act(const struct command_line *l)
 
 const struct command command_list = {
     "list",
-    "[KIND] | keys [PART]",
-    "the models of a kind with their keys; or the keys of a part of a case",
+    "[KIND] | keys [PART] | cases",
+    "the models of a kind with their keys; or the keys of a part of a case; or "
+    "the cases that come with the program",
     "",
     0,
     2,
