@@ -231,7 +231,7 @@ $B/%.o: %.c | $B/packages
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
-$B/src/output/checkpoint/%.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/null)
+$B/src/output/checkpoint/%.o $B/tests/test_crafted.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/null)
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
@@ -261,7 +261,7 @@ $B/tests/%.facts: $B/tests/% always
 $B/tests/winnow_main.o: $B/src/main.o
 	@mkdir -p $(@D)
 	@objcopy --redefine-sym main=winnow_main $< $@
-$B/tests/fuzz: $B/tests/winnow_main.o
+$B/tests/fuzz $B/tests/test_crafted: $B/tests/winnow_main.o
 
 .PHONY: install uninstall distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \

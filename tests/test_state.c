@@ -209,7 +209,7 @@ START_TEST(a_state_of_another_case_is_refused)
         const char *said;
     } cases[] = {{visit_longer, "/part/p has another number of entries"},
                  {visit_other, "/part/q is not there"},
-                 {visit_count, "part/n = 3; expected at most 2"},
+                 {visit_count, "part/n = 3; expected 0 to 2"},
                  {visit_some, "of which this case knows 1"}};
 
     refused(cases[_i].visit, cases[_i].said);

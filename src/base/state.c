@@ -59,6 +59,7 @@ void state_wholes(struct state *s, const char *name, const char *unit, int *x,
 static void visit_members(struct state *s, const char *name,
                           struct state_array a, size_t row, size_t stride)
 {
+    if (s->failed || a.values == NULL || a.rows == 0) return;
     char *const x = a.values, *const copy = alloc_zeroed((size_t)a.rows, row);
 
     a.values = copy;
@@ -114,16 +115,51 @@ void state_several(struct state *s, const char *name, const char *unit,
         *x[k] = all[k];
 }
 
+/* One message, and nothing more is visited. */
+static void refuse(struct state *s, const char *name, long value, long least,
+                   long most)
+{
+    fprintf(stderr, "winnow: the state has %s/%s = %ld; expected %ld to %ld\n",
+            s->path, name, value, least, most);
+    s->failed = 1;
+}
+
 void state_count(struct state *s, const char *name, int *n, int max)
 {
     int now = *n;
 
     state_whole(s, name, "-", &now);
-    if (!s->failed && (now < 0 || now > max)) {
-        fprintf(stderr,
-                "winnow: the state has %s/%s = %d; expected at most %d\n",
-                s->path, name, now, max);
-        s->failed = 1;
-    }
+    if (s->loading && s->most > 0 && max > s->most) max = (int)s->most;
+    if (!s->failed && (now < 0 || now > max)) refuse(s, name, now, 0, max);
     if (!s->failed) *n = now;
+}
+
+void state_indices(struct state *s, const char *name, int *x, long n, int least,
+                   int most)
+{
+    state_indices_of(s, name, x, sizeof *x, n, least, most);
+}
+
+void state_indices_of(struct state *s, const char *name, int *x, size_t stride,
+                      long n, int least, int most)
+{
+    state_wholes_of(s, name, "-", x, stride, n, 1);
+    for (long i = 0; i < n && x != NULL && s->loading && !s->failed; i++) {
+        const int value = *(int *)((char *)x + (size_t)i * stride);
+        if (value < least || value > most) refuse(s, name, value, least, most);
+    }
+}
+
+void state_demand(struct state *s, int holds, const char *what)
+{
+    if (!s->loading || s->failed || holds) return;
+    fprintf(stderr, "winnow: the state has %s with %s\n", s->path, what);
+    s->failed = 1;
+}
+
+int state_rises(const int *x, long n, int first, int last)
+{
+    for (long i = 1; i < n; i++)
+        if (x[i] < x[i - 1]) return 0;
+    return n == 0 || (x[0] == first && x[n - 1] == last);
 }

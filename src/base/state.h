@@ -3,19 +3,8 @@
  *
  * A part of a simulation has one function, xxx_state, that visits each of its
  * numbers and arrays by name and unit. The same visit saves the part and loads
- * it again, so what is saved and what is loaded cannot differ:
- *
- *     void fluid_state(struct fluid *fl, struct state *s)
- *     {
- *         state_begin(s, "fluid");
- *         state_real(s, "t", "s", &fl->t);
- *         state_reals(s, "p", "Pa", fl->p, fl->mesh->n_cells, 1);
- *         state_end(s);
- *     }
- *
- * A count that an array depends on is visited before the array; when it is
- * loaded, the part then allocates what it needs.
- */
+ * it again. A count that an array depends on is visited before the array; the
+ * part that loads it then allocates what it needs. */
 #ifndef BASE_STATE_H
 #define BASE_STATE_H
 
@@ -41,6 +30,7 @@ struct state {
     int (*visit)(void *store, const struct state_array *a);
     void *store;           /* of visit; borrowed */
     char path[STATE_PATH]; /* of the part at hand */
+    long most; /* [-] entries that the store has room for; 0: not known */
 };
 
 /* Parts are nested; the names within one are distinct. */
@@ -48,9 +38,8 @@ void state_begin(struct state *s, const char *part);
 void state_begin_number(struct state *s, const char *part, int number);
 void state_end(struct state *s);
 
-/* Arrays of n rows. NULL, an array that the case does not need, is passed over
- * (it must be NULL again when the state is loaded), and so is one of no rows.
- */
+/* Arrays of n rows. NULL, of what the case never needs, is passed over, and so
+ * is one of no rows. */
 void state_reals(struct state *s, const char *name, const char *unit, double *x,
                  long n, int width);
 void state_wholes(struct state *s, const char *name, const char *unit, int *x,
@@ -72,7 +61,21 @@ void state_long(struct state *s, const char *name, const char *unit, long *x);
 void state_several(struct state *s, const char *name, const char *unit,
                    double *const x[], int n);
 
-/* A whole number from 0 to `max`; a saved one beyond it is refused. */
+/* A whole number from 0 to `max`; a saved one beyond it, or beyond what the
+ * store can have in an array, is refused. */
 void state_count(struct state *s, const char *name, int *n, int max);
+
+/* Indices from `least` to `most`; others are refused, for a file need not be
+ * ours, whatever its checksum says. */
+void state_indices(struct state *s, const char *name, int *x, long n, int least,
+                   int most);
+void state_indices_of(struct state *s, const char *name, int *x, size_t stride,
+                      long n, int least, int most);
+
+/* Refuses what was loaded, after a message, unless it holds. */
+void state_demand(struct state *s, int holds, const char *what);
+
+/* 1 if none is below the one before, and these are the first and the last. */
+int state_rises(const int *x, long n, int first, int last);
 
 #endif

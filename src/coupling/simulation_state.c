@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* simulation_state.c -- the visit of all parts.  Chapter "Nothing is lost". */
+#include <math.h>
+
 #include "coupling/simulation.h"
 
 #include "coupling/coupling.h"
@@ -49,6 +51,10 @@ int simulation_state(struct simulation *sim, struct state *s)
 {
     state_real(s, "t", "s", &sim->t);
     state_long(s, "steps", "-", &sim->steps);
+    state_demand(s,
+                 sim->steps >= 0 && fabs(sim->t - (double)sim->steps *
+                                                      sim->dt) <= 0.5 * sim->dt,
+                 "a number of steps that is not that of its time");
     seconds_state(&sim->seconds, s);
     if (sim->processes != NULL)
         sim->processes->state(sim->processes, s);

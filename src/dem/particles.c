@@ -181,8 +181,8 @@ void particles_state(struct particles *ps, struct state *s)
 
     state_begin(s, "particles");
     state_count(s, "count", &ps->n, ps->capacity);
-    state_whole(s, "next_id", "-", &ps->next_id);
-    state_wholes(s, "id", "-", ps->id, ps->n, 1);
+    state_count(s, "next_id", &ps->next_id, ps->capacity);
+    state_indices(s, "id", ps->id, ps->n, 0, ps->next_id - 1);
     state_wholes(s, "material", "-", ps->material, ps->n, 1);
     for (int k = 0; k < a->n; k++) {
         char name[64];

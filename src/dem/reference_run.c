@@ -301,9 +301,12 @@ static void histories_state(struct histories *t, int n_spheres, struct state *s)
         t->capacity = t->n;
         t->list = alloc_zeroed((size_t)t->n, sizeof *t->list);
     }
-    state_wholes(s, "start", "-", t->start, n_spheres + 1L, 1);
+    state_indices(s, "start", t->start, n_spheres + 1L, 0, t->n);
+    state_demand(s, state_rises(t->start, n_spheres + 1L, 0, t->n),
+                 "lists that do not follow each other");
     const size_t size = sizeof *t->list;
-    state_wholes_of(s, "partner", "-", &t->list->partner, size, t->n, 1);
+    state_indices_of(s, "partner", &t->list->partner, size, t->n, -6,
+                     n_spheres - 1);
     state_reals_of(s, "xi", "m", t->list->xi, size, t->n, 3);
     state_reals_of(s, "roll_angle", "rad", t->list->roll_angle, size, t->n, 3);
     state_end(s);

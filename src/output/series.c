@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "base/number.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
@@ -126,7 +125,11 @@ static int write_collection(struct series *s)
 
 int series_add(struct series *s, double time)
 {
-    assert(s->n == 0 || time > s->time[s->n - 1]);
+    if (s->n > 0 && !(time > s->time[s->n - 1])) {
+        fprintf(stderr, "winnow: %s has a time after %g s already\n", s->pvd,
+                time);
+        return 1;
+    }
     append(s, time);
     return write_collection(s);
 }

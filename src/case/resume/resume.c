@@ -124,7 +124,7 @@ static int is_after_end(const struct resume *r)
     const double t = state_file_number(r->found, "/t");
     const double end = settings_real(r->settings, "output.end");
 
-    if (t <= end + 0.5 * case_steps_length(r->settings)) return 0;
+    if (!(t > end + 0.5 * case_steps_length(r->settings))) return 0;
     fprintf(stderr,
             "winnow: output.end is %g s, and the run in %s is at t = %g s "
             "already: a run can only be continued to a later end\n",
@@ -148,8 +148,9 @@ static int find(struct resume *r)
         return other;
     }
     if (r->found != NULL) return is_other(r, r->path);
-    fprintf(stderr, "winnow: nothing to resume in %s: no %scheckpoint\n",
-            folder_name(r->folder), damaged > 0 ? "whole " : "");
+    if (damaged == 0) /* else it has been said why */
+        fprintf(stderr, "winnow: nothing to resume in %s: no checkpoint\n",
+                folder_name(r->folder));
     return 1;
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/tables/input.h"
+#include "base/text.h"
 #include "base/version.h"
 
 static const char program[] = "winnow " VERSION_TEXT;
@@ -33,6 +34,7 @@ void state_texts_print_version(struct state_file *f, const char *path)
 {
     char *const by = state_file_text(f, "program");
 
+    text_blank(by);
     if (strcmp(by, program) != 0)
         fprintf(stderr,
                 "winnow: %s was written by %s; this is %s, whose numbers may "

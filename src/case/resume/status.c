@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* status.c -- `winnow status`: what the folder of a run holds. Chapter "Nothing
  * is lost". */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,9 +48,14 @@ static int open_state(const char *dir, const char *name, struct found *f)
     const char *why = NULL;
 
     f->file = state_file_open(path, &why);
-    if (f->file != NULL)
-        f->t = state_file_number(f->file, "/t");
-    else if (why != NULL)
+    if (f->file != NULL) f->t = state_file_number(f->file, "/t");
+    if (f->file != NULL && isnan(f->t) &&
+        strcmp(name, RESUME_FILE_AHEAD) != 0) {
+        state_file_free(f->file);
+        f->file = NULL;
+        why = "it has no time";
+    }
+    if (f->file == NULL && why != NULL)
         printf("%-11s %s: %s\n", name, "cannot be used", why);
     free(path);
     return f->file != NULL;

@@ -155,7 +155,7 @@ static void visit(void *memory, struct state *s)
 
     state_begin(s, "statistics");
     state_count(s, "rows", &self->n, self->rows);
-    state_whole(s, "first", "-", &self->first);
+    state_indices(s, "first", &self->first, 1, -1, self->n - 1);
     state_reals(s, "series", "s m2/s2 m2/s2 m m Pa", self->series, self->n,
                 1 + self->n_scalars);
     if (self->layers != NULL) layers_state(self->layers, s);

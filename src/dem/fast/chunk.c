@@ -228,7 +228,9 @@ static int full_lanes(const struct chunk_contacts *c, int first, int from,
     return full < last ? full : last;
 }
 
-static void split_into_blocks(struct chunk *s, int n)
+/* Writes them to `blocks`. */
+static void split_into_blocks(const struct chunk *s, int n,
+                              struct chunk_block *blocks)
 {
     const struct chunk_contacts *const c = &s->contacts;
     struct chunk_block at = {s->begin, 0, c->n_pairs, 0};
@@ -250,8 +252,19 @@ static void split_into_blocks(struct chunk *s, int n)
             at.n_loads = larger(at.n_loads, last + 1);
         }
         if (k + 1 == s->n_blocks) at.n_loads = s->window;
-        s->blocks[k] = at;
+        blocks[k] = at;
     }
+}
+
+int chunk_blocks_fit(const struct chunk *s, int n)
+{
+    const size_t size = sizeof *s->blocks, count = (size_t)s->n_blocks;
+    struct chunk_block *const own = alloc_zeroed(count, size);
+
+    split_into_blocks(s, n, own);
+    const int fit = count == 0 || memcmp(own, s->blocks, count * size) == 0;
+    free(own);
+    return fit;
 }
 
 void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
@@ -268,7 +281,7 @@ void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
     choose_contacts_of(s, b, &s->walls, chunk_wall_gap, margin, &n,
                        s->has_rolling);
     s->contacts.n_walls = n - s->contacts.n_pairs;
-    split_into_blocks(s, b->n);
+    split_into_blocks(s, b->n, s->blocks);
 }
 
 void chunk_reserve_history(struct chunk *s, int n)

@@ -133,9 +133,13 @@ void chunk_finish_lists(struct chunk *s, int n);
 void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
                            double margin);
 
-/* Visits all of the chunk that the next run depends on (state.h); n particles.
+/* 1 if the blocks are those that its contacts are split into; n particles. */
+int chunk_blocks_fit(const struct chunk *s, int n);
+
+/* Visits all of the chunk that the next run depends on (state.h); n particles,
+ * and room for more, which a history may be of.
  * chunk_set_range has been called if the chunk was ever listed. */
-void chunk_state(struct chunk *s, int n, struct state *state);
+void chunk_state(struct chunk *s, int n, int capacity, struct state *state);
 
 /* The budget alone. */
 void chunk_energy_state(struct chunk_energy *e, struct state *state);

@@ -18,15 +18,21 @@ static void add_partners(struct chunk *c, struct neighbour_list *v, int n,
             chunk_add_wall(c, partner[q]);
 }
 
-static void partners_state(struct chunk *c, struct neighbour_list *v,
+enum { WALLS = 6 };
+
+/* Partners are below `most`. */
+static void partners_state(struct chunk *c, struct neighbour_list *v, int most,
                            struct state *s)
 {
+    const long owners = c->end - c->begin + 1L;
     int n = v->n;
 
     state_count(s, "count", &n, INT_MAX);
     int *const partner = s->loading ? alloc_ints(n) : v->partner;
-    state_wholes(s, "partner", "-", partner, n, 1);
-    state_wholes(s, "start", "-", v->start, c->end - c->begin + 1L, 1);
+    state_indices(s, "partner", partner, n, 0, most - 1);
+    state_indices(s, "start", v->start, owners, 0, n);
+    state_demand(s, state_rises(v->start, owners, 0, n),
+                 "lists that do not follow each other");
     if (!s->loading) return;
     if (!s->failed) add_partners(c, v, n, partner);
     free(partner);
@@ -40,7 +46,24 @@ static void list_histories_state(struct neighbour_list *v, struct state *s)
         state_reals(s, "roll_angle", "rad", v->roll_angle[0], v->n, 3);
 }
 
-static void contacts_state(struct chunk *c, struct state *s)
+/* 1 if each contact is that of its place in the list, so that its loads have
+ * theirs. */
+static int are_listed(const struct chunk *c)
+{
+    const struct chunk_contacts *const k = &c->contacts;
+
+    for (int q = 0; q < k->n_pairs + k->n_walls; q++) {
+        const struct neighbour_list *const v =
+            q < k->n_pairs ? &c->pairs : &c->walls;
+        const int at = k->list_index[q], a = k->owner[q] - c->begin;
+        if (at < v->start[a] || at >= v->start[a + 1] ||
+            v->partner[at] != k->partner[q])
+            return 0;
+    }
+    return 1;
+}
+
+static void contacts_state(struct chunk *c, int n_spheres, struct state *s)
 {
     static const char *const xi[] = {"xi_x", "xi_y", "xi_z"};
     static const char *const roll[] = {"roll_x", "roll_y", "roll_z"};
@@ -50,9 +73,12 @@ static void contacts_state(struct chunk *c, struct state *s)
     state_count(s, "pairs", &k->n_pairs, c->pairs.n);
     state_count(s, "walls", &k->n_walls, c->walls.n);
     const long n = k->n_pairs + k->n_walls;
-    state_wholes(s, "owner", "-", k->owner, n, 1);
-    state_wholes(s, "partner", "-", k->partner, n, 1);
+    state_indices(s, "owner", k->owner, n, c->begin, c->end - 1);
+    state_indices(s, "partner", k->partner, n, 0,
+                  n_spheres > WALLS ? n_spheres - 1 : WALLS - 1);
     state_wholes(s, "list_index", "-", k->list_index, n, 1);
+    if (s->loading && !s->failed)
+        state_demand(s, are_listed(c), "a contact that is not in its list");
     for (int a = 0; a < 3; a++) {
         state_reals(s, xi[a], "m", k->xi[a], n, 1);
         state_reals(s, roll[a], "rad", k->roll_angle[a], n, 1);
@@ -67,10 +93,10 @@ static void lists_state(struct chunk *c, int n, struct state *s)
 
     if (s->loading) chunk_clear_lists(c);
     state_begin(s, "pairs");
-    partners_state(c, &c->pairs, s);
+    partners_state(c, &c->pairs, n, s);
     state_end(s);
     state_begin(s, "walls");
-    partners_state(c, &c->walls, s);
+    partners_state(c, &c->walls, WALLS, s);
     state_end(s);
     if (s->loading && !s->failed) chunk_finish_lists(c, n);
     state_begin(s, "pairs");
@@ -79,7 +105,7 @@ static void lists_state(struct chunk *c, int n, struct state *s)
     state_begin(s, "walls");
     list_histories_state(&c->walls, s);
     state_end(s);
-    contacts_state(c, s);
+    contacts_state(c, n, s);
     state_wholes_of(s, "block_end", "-", &c->blocks->end, size, c->n_blocks, 1);
     state_wholes_of(s, "block_pairs", "-", &c->blocks->pairs, size, c->n_blocks,
                     1);
@@ -87,10 +113,12 @@ static void lists_state(struct chunk *c, int n, struct state *s)
                     1);
     state_wholes_of(s, "block_loads", "-", &c->blocks->n_loads, size,
                     c->n_blocks, 1);
+    state_demand(s, s->failed || !s->loading || chunk_blocks_fit(c, n),
+                 "blocks that are not those of its contacts");
     if (c->window > 0) state_reals(s, "load", "N", c->load[0], c->window, 8);
 }
 
-static void histories_state(struct chunk *c, struct state *s)
+static void histories_state(struct chunk *c, int n_spheres, struct state *s)
 {
     int n = c->n_history;
 
@@ -98,8 +126,9 @@ static void histories_state(struct chunk *c, struct state *s)
     state_count(s, "count", &n, INT_MAX);
     if (s->loading && !s->failed) chunk_reserve_history(c, n);
     struct contact_history *const all = c->history;
-    state_wholes_of(s, "owner", "-", &all->owner, sizeof *all, n, 1);
-    state_wholes_of(s, "partner", "-", &all->partner, sizeof *all, n, 1);
+    state_indices_of(s, "owner", &all->owner, sizeof *all, n, 0, n_spheres - 1);
+    state_indices_of(s, "partner", &all->partner, sizeof *all, n, -WALLS,
+                     n_spheres - 1);
     state_reals_of(s, "xi", "m", all->xi, sizeof *all, n, 3);
     state_reals_of(s, "roll_angle", "rad", all->roll_angle, sizeof *all, n, 3);
     state_end(s);
@@ -116,13 +145,13 @@ void chunk_energy_state(struct chunk_energy *e, struct state *s)
     state_whole(s, "skip_release", "-", &e->skip_release);
 }
 
-void chunk_state(struct chunk *c, int n, struct state *s)
+void chunk_state(struct chunk *c, int n, int capacity, struct state *s)
 {
     int listed = c->load != NULL;
 
     state_whole(s, "listed", "-", &listed);
     if (listed) lists_state(c, n, s);
-    histories_state(c, s);
+    histories_state(c, capacity, s);
     state_real(s, "deep_overlap", "-", &c->deep.overlap);
     state_whole(s, "deep_id", "-", &c->deep.id);
     state_whole(s, "deep_other", "-", &c->deep.other);

@@ -32,10 +32,11 @@ void neighbours_state(struct neighbours *nb, struct state *s)
     for (int k = 0; k < nb->n_chunks; k++) {
         if (s->loading) chunk_set_range(&nb->chunks[k], k, nb->n_chunks, b->n);
         state_begin_number(s, "chunk", k);
-        chunk_state(&nb->chunks[k], b->n, s);
+        chunk_state(&nb->chunks[k], b->n, nb->ps->capacity, s);
         state_end(s);
     }
-    if (nb->surfaces != NULL) surfaces_state(nb->surfaces, s);
+    if (nb->surfaces != NULL)
+        surfaces_state(nb->surfaces, nb->chunks, nb->ps->capacity, s);
     prescribed_state(nb->prescribed, s);
     state_end(s);
 }

@@ -62,7 +62,8 @@ void surfaces_restore_history(struct surfaces *sf,
                               const struct surface_history *one);
 
 /* Visits all that the next run depends on (state.h). */
-void surfaces_state(struct surfaces *sf, struct state *s);
+void surfaces_state(struct surfaces *sf, const struct chunk *chunks, int most,
+                    struct state *s);
 
 /* Before a run, and after it: contacts that touch [-], and the largest overlap
  * of the run over the diameter [-]. */
@@ -72,7 +73,6 @@ double surfaces_deepest(const struct surfaces *sf);
 
 struct chunk_energy *surfaces_energy(struct surfaces *sf, int s); /* chunk s */
 double surfaces_work(const struct surfaces *sf); /* [J] on the particles */
-
 /* The totals of a surface over all chunks. */
 struct surface_received surfaces_received(const struct surfaces *sf,
                                           int surface);

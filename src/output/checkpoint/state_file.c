@@ -13,6 +13,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/tables/input.h"
+#include "base/text.h"
 
 struct state_file {
     struct state state;
@@ -134,20 +135,62 @@ static int has_shape(hid_t data, const struct state_array *a)
     return fits;
 }
 
-static unsigned read_checksum(hid_t data)
+/* A single number beside an array or the whole; -1 if there is none. */
+static long attribute(hid_t of, const char *name)
 {
-    const hid_t at = H5Aopen(data, "crc32", H5P_DEFAULT);
-    unsigned sum = 0;
+    const hid_t at = H5Aopen(of, name, H5P_DEFAULT);
+    const hid_t space = at < 0 ? at : H5Aget_space(at);
+    long value = -1;
 
-    H5Aread(at, H5T_NATIVE_UINT, &sum);
-    H5Aclose(at);
-    return sum;
+    if (space >= 0 && H5Sget_simple_extent_npoints(space) == 1)
+        H5Aread(at, H5T_NATIVE_LONG, &value);
+    if (space >= 0) H5Sclose(space);
+    if (at >= 0) H5Aclose(at);
+    return value;
+}
+
+/* Opens what lies in the file in one piece, all of it: what is neither packed
+ * nor elsewhere takes no more room than the file. *bytes are its size. */
+static hid_t opened_array(hid_t file, const char *path, size_t *bytes)
+{
+    const hid_t data = H5Dopen2(file, path, H5P_DEFAULT);
+
+    *bytes = 0;
+    if (data < 0) return data;
+    const hid_t how = H5Dget_create_plist(data), type = H5Dget_type(data),
+                space = H5Dget_space(data);
+    const hssize_t n = H5Sget_simple_extent_npoints(space);
+    if (H5Pget_layout(how) == H5D_CONTIGUOUS &&
+        H5Pget_external_count(how) == 0 && n > 0 &&
+        H5Dget_storage_size(data) / (hsize_t)n == H5Tget_size(type))
+        *bytes = (size_t)H5Dget_storage_size(data);
+    H5Sclose(space);
+    H5Tclose(type);
+    H5Pclose(how);
+    if (*bytes > 0) return data;
+    H5Dclose(data);
+    return H5I_INVALID_HID;
+}
+
+/* Of what moves; means and pictures have cells where nothing was, and a single
+ * number may say that nothing came yet. */
+static int has_no_number(const struct state_array *a)
+{
+    const double *const x = a->values;
+    const long n = a->rows * a->width;
+
+    if (a->type != STATE_REAL || strncmp(a->path, "/recorder/", 10) == 0)
+        return 0;
+    for (long i = 0; i < n; i++)
+        if (n > 1 ? !isfinite(x[i]) : isnan(x[i])) return 1;
+    return 0;
 }
 
 static int load(void *store, const struct state_array *a)
 {
     struct state_file *const f = store;
-    const hid_t data = H5Dopen2(f->file, a->path, H5P_DEFAULT);
+    size_t bytes;
+    const hid_t data = opened_array(f->file, a->path, &bytes);
 
     if (data < 0) return refuse(f, a, "is not there, which this case needs");
     const char *why = NULL;
@@ -156,8 +199,10 @@ static int load(void *store, const struct state_array *a)
     else if (H5Dread(data, type_of(a->type), H5S_ALL, H5S_ALL, H5P_DEFAULT,
                      a->values) < 0)
         why = "cannot be read";
-    else if (read_checksum(data) != checksum(a))
+    else if (attribute(data, "crc32") != (long)checksum(a))
         why = "is damaged: its checksum does not match";
+    else if (has_no_number(a))
+        why = "has an entry that is no finite number";
     H5Dclose(data);
     f->arrays++;
     return why != NULL ? refuse(f, a, why) : 0;
@@ -282,6 +327,72 @@ static hid_t opened(const char *path, char *bytes, size_t length)
     return file;
 }
 
+/* A text of a length that is fixed, as each is written; NULL if it is none. */
+static char *read_text(const struct state_file *f, const char *name)
+{
+    size_t bytes;
+    const hid_t at = opened_array(f->file, name, &bytes);
+    char *text = NULL;
+
+    if (at < 0) return NULL;
+    const hid_t type = H5Dget_type(at);
+    if (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
+        H5Tget_size(type) == bytes) {
+        text = alloc_zeroed(bytes + 1, 1);
+        H5Dread(at, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
+    }
+    H5Tclose(type);
+    H5Dclose(at);
+    return text;
+}
+
+/* Lines without other control characters, for texts are shown. */
+char *state_file_text(struct state_file *f, const char *name)
+{
+    char *const text = read_text(f, name);
+
+    if (text == NULL) return alloc_zeroed(1, 1);
+    for (char *line = text, *end; *line != '\0'; line = end) {
+        end = line + strcspn(line, "\n");
+        const char kept = *end;
+        *end = '\0';
+        text_blank(line);
+        *end = kept;
+        end += kept != '\0';
+    }
+    return text;
+}
+
+double state_file_number(struct state_file *f, const char *path)
+{
+    size_t bytes;
+    const hid_t at = opened_array(f->file, path, &bytes);
+    double x = NAN;
+
+    if (at < 0) return NAN;
+    if (bytes == sizeof x)
+        H5Dread(at, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &x);
+    H5Dclose(at);
+    return x;
+}
+
+/* 1 if the texts that there are can be read, and the time is one. */
+static int has_form(struct state_file *f)
+{
+    static const char *const names[] = {"program", "case_file", "case",
+                                        "settings"};
+    int holds = H5Lexists(f->file, "t", H5P_DEFAULT) <= 0 ||
+                (state_file_number(f, "/t") >= 0.0 &&
+                 isfinite(state_file_number(f, "/t")));
+
+    for (int i = 0; i < 4 && holds; i++) {
+        char *const text = read_text(f, names[i]);
+        holds = text != NULL || H5Lexists(f->file, names[i], H5P_DEFAULT) <= 0;
+        free(text);
+    }
+    return holds;
+}
+
 struct state_file *state_file_open(const char *path, const char **why)
 {
     size_t length;
@@ -296,40 +407,19 @@ struct state_file *state_file_open(const char *path, const char **why)
                            ? opened(path, bytes, length - LAST_LINE)
                            : H5I_INVALID_HID;
     free(bytes);
-    return file < 0 ? NULL : file_of(file, path, 1);
-}
-
-char *state_file_text(struct state_file *f, const char *name)
-{
-    const hid_t at = H5Dopen2(f->file, name, H5P_DEFAULT);
-    if (at < 0) return alloc_zeroed(1, 1);
-    const hid_t type = H5Dget_type(at);
-    char *const text = alloc_zeroed(H5Tget_size(type) + 1, 1);
-
-    H5Dread(at, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
-    H5Tclose(type);
-    H5Dclose(at);
-    return text;
-}
-
-double state_file_number(struct state_file *f, const char *path)
-{
-    const hid_t at = H5Dopen2(f->file, path, H5P_DEFAULT);
-    double x = NAN;
-
-    if (at < 0) return NAN;
-    H5Dread(at, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &x);
-    H5Dclose(at);
-    return x;
+    if (file < 0) return NULL;
+    struct state_file *const f = file_of(file, path, 1);
+    f->state.most = (long)(length / sizeof(int));
+    *why = "its time or a text in it is of another form";
+    if (has_form(f)) return f;
+    state_file_free(f);
+    return NULL;
 }
 
 int state_file_all_visited(const struct state_file *f)
 {
-    const hid_t at = H5Aopen(f->file, "arrays", H5P_DEFAULT);
-    long arrays = -1;
+    const long arrays = attribute(f->file, "arrays");
 
-    H5Aread(at, H5T_NATIVE_LONG, &arrays);
-    H5Aclose(at);
     if (arrays == f->arrays) return 0;
     fprintf(stderr,
             "winnow: %s: it has %ld arrays, of which this case knows %ld\n",

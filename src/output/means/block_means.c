@@ -105,6 +105,8 @@ void block_means_state(struct block_means *b, struct state *s)
     state_count(s, "full", &b->full, MOST_BLOCKS - 1);
     state_long(s, "length", "-", &b->length);
     state_long(s, "filled", "-", &b->filled);
+    state_demand(s, b->length > 0 && b->filled >= 0 && b->filled < b->length,
+                 "a block that is longer than it is");
     state_reals(s, "weight", "of the weights", b->weight, MOST_BLOCKS, b->n);
     state_reals(s, "amount", "weight value", b->amount, MOST_BLOCKS, b->n);
     state_end(s);
