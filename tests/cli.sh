@@ -433,6 +433,45 @@ fact impact_speed_knows_a_moving_wall 0 "" impact 6.28319 shaken.cfg
 fact step_that_is_unsafe_is_refused_with_a_better_one 2 "at most" \
     "$winnow" run tiny.cfg -o never -s particles.step=1e-4
 
+# Half a million grains, each of them with all others in its list, or with many.
+cat >listed.cfg <<'END'
+mesh = { size = [0.1, 1.0, 0.1]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-6; unsafe_step = true;
+    grains = { density = 1000; stiffness = 100.0; restitution = 0.9; friction = 0.1; };
+    bed = { count = 500000; diameter = 1e-3; }; };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 1e-4; every = 1e-4; };
+END
+for command in check "run -o never"; do
+    fact "skin_as_wide_as_the_box_is_refused_by_${command%% *}" 2 "particles.skin: 0.1 m: up to that gap" \
+        "$winnow" $command listed.cfg -s particles.skin=0.1
+    fact "range_as_wide_as_the_box_is_refused_by_${command%% *}" 2 \
+        "effects.capillary.range: 0.05 m: up to that gap there are" \
+        "$winnow" $command listed.cfg -s effects.capillary.tension=0.07 -s effects.capillary.range=0.05
+done
+fact skin_of_a_diameter_is_not 0 "Contacts" "$winnow" check listed.cfg -s particles.skin=1e-3
+# The height of one that falls is along gravity; without gravity it is y.
+cat >falls.cfg <<'END'
+mesh = { size = [0.1, 0.1, 0.4]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 2e-6; unsafe_step = true;
+    grains = { density = 2500; stiffness = 1e5; restitution = 0.3; friction = 0.3; };
+    place = ( { position = [0.05, 0.02, 0.39]; diameter = 0.01; } ); };
+effects = { gravity = [0.0, 0.0, -9.81]; };
+output = { end = 0.1; every = 0.1; };
+END
+height() { # WANTED ARGUMENTS...: the last mean_height [m]
+    wanted=$1
+    shift
+    "$winnow" run falls.cfg -o falls --quiet "$@" || return 1
+    awk -F, -v h="$wanted" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "mean_height [m]") at = i }
+        END { print $at; exit !(($at - h) ^ 2 < 1e-14) }' falls/history.csv
+}
+fact mean_height_is_along_gravity 0 "" height 0.34095
+fact mean_height_is_from_0_up_whatever_points_down 0 "" height 0.05 -s 'effects.gravity=[-1e-9,0.0,0.0]'
+fact mean_height_without_gravity_is_y 0 "" height 0.02 -s 'effects.gravity=[0.0,0.0,0.0]'
+fact mean_height_leaves_out_a_period 0 "" height 0.02 -s 'effects.gravity=[0.0,-1e-9,-9.81]' \
+    -s 'mesh.periodic=[false,false,true]'
+
 echo "runs:"
 fact tiny_case_runs 0 "" "$winnow" run tiny.cfg -o one -j 1
 fact run_leaves_its_files 0 "" test -s one/summary.json -a -s one/history.csv \

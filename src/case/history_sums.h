@@ -24,7 +24,8 @@ double history_spin_energy(const struct simulation *sim);
 /* A third of the mean square of their velocity about its mean [m^2/s^2]. */
 double history_granular_temperature(const struct simulation *sim);
 
-/* Mean of y over the particles [m]. */
+/* Mean height of the particles, the coordinate against gravity [m]; without
+ * gravity that of y. */
 double history_mean_height(const struct simulation *sim);
 
 /* Mean of their velocity along gravity [m/s]; 0 without gravity. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/checks/case_memory.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -135,4 +136,21 @@ int case_memory_check(const struct settings *s, double more)
                           "%.4g cells and %.4g particles need about %.3g GB, "
                           "and this machine has %.3g GB for them",
                           case_extent_cells(s), n, 1e-9 * need, 1e-9 * have);
+}
+
+/* A pair has an index and xi, in lists that grow by half; they are counted by
+ * an int. */
+int case_memory_check_pairs(const struct settings *s, const char *key,
+                            double pairs)
+{
+    const double each = 1.5 * (sizeof(int) + 3 * sizeof(double));
+    const double need = each * pairs + case_memory_bytes(s);
+
+    if (pairs < INT_MAX && (is_divided(s) || need <= available())) return 0;
+    return settings_wrong(
+        s, key,
+        "%.3g m: up to that gap there are %.3g pairs of particles in the list, "
+        "%.3g GB, and this machine has %.3g GB for them; expected a small part "
+        "of a diameter or a few of them",
+        settings_real(s, key), pairs, 1e-9 * need, 1e-9 * available());
 }

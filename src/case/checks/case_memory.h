@@ -17,4 +17,9 @@ double case_memory_bytes(const struct settings *s);
  * what the machine has, or the particles beyond what can be numbered. */
 int case_memory_check(const struct settings *s, double more);
 
+/* Whether the machine can list this many pairs of particles, which this key
+ * [m] asks for: 0, or 2 after a message. */
+int case_memory_check_pairs(const struct settings *s, const char *key,
+                            double pairs);
+
 #endif

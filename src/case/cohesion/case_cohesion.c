@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/cohesion/case_cohesion.h"
 
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "case/case_materials.h"
 #include "case/case_part.h"
+#include "case/checks/case_limits.h"
+#include "case/checks/case_memory.h"
+#include "case/checks/case_scales.h"
 #include "case/table_numbers.h"
 
 enum { MOST_NUMBERS = 16 }; /* of an effect */
@@ -88,5 +94,36 @@ static void release(struct simulation *sim)
     free(sim->attractions);
 }
 
+/* The pairs of a list grow with the cube of its gap: a skin or a range as wide
+ * as the box would list each particle with all others. As many as fit around
+ * one in a bed at rest are counted, at most all. */
+static int check_list(const struct settings *s)
+{
+    static const double packed = 0.64;
+    const struct case_scales k = case_scales_of(s);
+    char key[64] = "particles.skin";
+    const double skin = settings_real_or(s, key, 0.0);
+    double range = 0.0;
+    int n;
+    struct attraction *const all = case_cohesion_create(s, &n);
+
+    for (int i = 0; i < n; i++) {
+        if (all[i].range > fmax(range, skin))
+            snprintf(key, sizeof key, "effects.%s.range", all[i].law->name);
+        range = fmax(range, all[i].range);
+    }
+    free(all);
+    if (skin + range == 0.0 || case_limits_no_contacts(s)) return 0;
+    const double apart = (k.d_most + skin + range) / k.d;
+    const double around = fmin(k.particles, 8.0 * packed * gsl_pow_3(apart));
+    return case_memory_check_pairs(s, key, 0.5 * k.particles * around);
+}
+
+static int check_all(const struct settings *s)
+{
+    const int code = check(s);
+    return code != 0 ? code : check_list(s);
+}
+
 const struct case_part case_cohesion_part = {
-    .check = check, .complete = complete, .free = release};
+    .check = check_all, .complete = complete, .free = release};
