@@ -872,6 +872,15 @@ bodies = { boxes = ( { position = [0.4, 0.25, 0.25]; size = [0.3, 0.3, 0.3];
            spheres = ( { position = [0.82, 0.25, 0.25]; diameter = 0.25; density = 2.0; } ); };
 output = { end = 0.8; every = 0.2; picture = false; };
 END
+no_nan() {
+    "$winnow" run bodies.cfg -o rest --quiet -s fluid.viscosity=0.0 -s bodies.filter=0.05 \
+        -s output.end=0.02 -s effects.gravity=[0.0,0.0,0.0] && ! grep nan rest/*.csv
+}
+fact bodies_at_rest_in_a_fluid_without_viscosity_have_numbers 0 "" no_nan
+"$winnow" run bodies.cfg -o rest --quiet -s output.end=0.16 >/dev/null 2>&1
+cells=$(grep held_cells rest/summary.json)
+fact bodies_hold_as_many_cells_after_a_resume_at_the_end 0 "$cells" \
+    sh -c '"$1" run bodies.cfg -o rest --quiet --resume -s output.end=0.16 2>/dev/null; cat rest/summary.json' sh "$winnow"
 squeeze() { command=$1; shift; "$winnow" $command squeezed.cfg -s output.end="$@"; }
 fact check_says_that_a_body_is_squeezed 0 "way of a prescribed body to a wall" squeeze check 0.8
 fact check_says_what_overlap_to_expect 0 "expected overlap / d                       0.1019" squeeze check 0.8

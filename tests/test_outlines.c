@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/alloc.h"
 #include "base/vector.h"
 #include "facts.h"
 #include "resolved/blocks/block_contacts.h"
@@ -254,6 +255,41 @@ START_TEST(ew18_4_two_spheres_have_the_distance_of_the_nearer_one)
         ck_assert_double_eq_tol(o->distance(o, y), s, 1e-15);
     }
     body_outline_free(o);
+}
+END_TEST
+
+/* A clump of so many spheres that each has to be passed over with many others:
+ * all at each point, and all in each of its columns, would be some minutes. The
+ * distance is that of the nearest one to the last bit. Of a ball of radius R
+ * filled with spheres that reach out to its surface the union has the volume of
+ * the ball, but for what is between them there: less than 2 %. */
+START_TEST(ew18_4_a_clump_of_many_spheres_is_found_in_a_tree)
+{
+    enum { N = 30000 };
+    const double R = 0.4, most = 0.1;
+    struct body_ball *const ball = alloc_zeroed(N, sizeof *ball);
+    int n = 0;
+
+    for (int i = 0; n < N; i++) {
+        point(i, ball[n].at);
+        ball[n].R = fmin(R - vector_length(ball[n].at), most);
+        n += ball[n].R > 0.02;
+    }
+    struct body_outline *const o = clump_create(N, ball);
+    ck_assert_double_eq_tol(o->volume / (4.0 / 3.0 * M_PI * R * R * R), 0.99,
+                            0.01);
+    for (int i = 0; i < 200; i++) {
+        double y[3], least = HUGE_VAL;
+        point(7 * i, y);
+        for (int k = 0; k < N; k++) {
+            double r[3];
+            vector_between(y, o->ball[k].at, r);
+            least = fmin(least, vector_length(r) - o->ball[k].R);
+        }
+        ck_assert_double_eq(o->distance(o, y), least);
+    }
+    body_outline_free(o);
+    free(ball);
 }
 END_TEST
 
@@ -521,6 +557,7 @@ FACTS("outlines")
     FACT(ew18_3_moments_of_a_box_of_triangles);
     FACT(ew18_4_a_surface_that_is_not_closed_is_no_body);
     FACT(ew18_4_two_spheres_have_the_distance_of_the_nearer_one);
+    FACT(ew18_4_a_clump_of_many_spheres_is_found_in_a_tree);
     FACT(ew18_3_moments_of_two_spheres);
     FACT(ew18_4_a_sphere_of_triangles_has_the_drag_of_a_sphere);
     FACT(ew18_4_a_box_of_triangles_has_the_drag_of_a_box);

@@ -247,6 +247,7 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
         body_cells_each(b, fl->mesh, i, free_cell, &by);
     b->start[b->ps->n] = b->n_links;
     sum_links(b);
+    b->held = b->n_cells;
     for (int i = 0; i < b->ps->n; i++)
         sum_inertia(b, fl, i);
     b->dt_marked = fl->options.dt;

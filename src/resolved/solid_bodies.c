@@ -189,6 +189,7 @@ void solid_bodies_state(struct solid_bodies *b, struct state *s)
     state_begin(s, "bodies");
     particles_state(b->ps, s);
     if (b->dem != NULL) dem_state(b->dem, s);
+    state_whole(s, "held_cells", "-", &b->held);
     state_real(s, "deepest_overlap", "-", &b->deepest);
     state_reals(s, "velocity_before", "m/s", b->u_old, n, 3);
     state_reals(s, "velocity_by_fluid", "m/s", b->u_by_fluid, n, 3);

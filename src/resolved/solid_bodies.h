@@ -54,9 +54,10 @@ struct solid_bodies {
     void (*visit_among)(struct solid_bodies *b, struct state *s);
     double dt_marked; /* [s] step that the links were made for; 0: none */
     int cells, *cell, n_cells; /* [-] all; those with a link, each once */
-    int *body_of, *near;       /* [-] work space of mark.c and of body_gaps.c */
-    double *hold;              /* [kg/(m^3 s)] sum of the links of a cell */
-    double *hold_u; /* [N/m^3] sum of hold times velocity, 3 a cell */
+    int held;            /* [-] how many those were, after a restart too */
+    int *body_of, *near; /* [-] work space of mark.c and of body_gaps.c */
+    double *hold;        /* [kg/(m^3 s)] sum of the links of a cell */
+    double *hold_u;      /* [N/m^3] sum of hold times velocity, 3 a cell */
 };
 
 extern const double solid_bodies_immovable; /* [kg] mass of what is held */
@@ -64,7 +65,6 @@ extern const double solid_bodies_immovable; /* [kg] mass of what is held */
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o);
 void solid_bodies_free(struct solid_bodies *b);
-
 /* One more at rest at x [m], of this density [kg/m^3]. Returns its number. */
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,

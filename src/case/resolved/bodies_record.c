@@ -82,7 +82,7 @@ static double mean_flow_z(const struct simulation *sim)
 
 static double held_cells(const struct simulation *sim)
 {
-    return bodies_record_of(sim)->n_cells;
+    return bodies_record_of(sim)->held;
 }
 
 static double contacts(const struct simulation *sim)
@@ -252,7 +252,7 @@ static void summarize(const void *record, struct summary *f)
 
     summary_begin(f, "bodies");
     summary_count(f, "number", r->bodies->ps->n);
-    summary_count(f, "held_cells", r->bodies->n_cells);
+    summary_count(f, "held_cells", r->bodies->held);
     summary_number(f, "largest_overlap", r->bodies->deepest);
     for (int k = 0; k < 3; k++)
         summary_number(f, names[k], force(r->sim, k));

@@ -102,7 +102,8 @@ struct surroundings surroundings_of(struct surroundings_filter *f, int i)
                             s.u[2] - ps->vz[i]};
     const double w = vector_length(slip);
 
-    s.Re = coefficient_reynolds(s.eps, f->b->rho, f->fl->options.mu, d, w);
+    if (w > 0.0) /* mu may be 0 */
+        s.Re = coefficient_reynolds(s.eps, f->b->rho, f->fl->options.mu, d, w);
     if (w > 0.0 && s.eps > 0.0)
         s.Cd = coefficient_of_force(vector_dot(&f->b->force[3 * i], slip) / w,
                                     f->b->rho, d, s.eps, w);

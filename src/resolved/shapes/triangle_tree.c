@@ -157,3 +157,33 @@ int triangle_tree_nearest(const struct triangle_tree *t, const double y[3],
     memcpy(q, s.q, sizeof s.q);
     return s.found;
 }
+
+static double rank(const struct triangle_tree *t, int i,
+                   const struct triangle_tree_search *search, void *by)
+{
+    return search->rank(by, t->branch[i].lo, t->branch[i].hi);
+}
+
+/* What is found in the first half may rule out the second. */
+static void walk(const struct triangle_tree *t, int i,
+                 const struct triangle_tree_search *search, void *by)
+{
+    const struct branch *const b = &t->branch[i];
+
+    if (rank(t, i, search, by) == HUGE_VAL) return;
+    if (b->n <= FEW) {
+        for (int j = 0; j < b->n; j++)
+            search->act(by, t->order[b->first + j].number);
+        return;
+    }
+    const int turned =
+        rank(t, b->next, search, by) < rank(t, i + 1, search, by);
+    walk(t, turned ? b->next : i + 1, search, by);
+    walk(t, turned ? i + 1 : b->next, search, by);
+}
+
+void triangle_tree_walk(const struct triangle_tree *t,
+                        const struct triangle_tree_search *search, void *by)
+{
+    walk(t, 0, search, by);
+}

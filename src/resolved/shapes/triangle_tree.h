@@ -19,4 +19,14 @@ void triangle_tree_free(struct triangle_tree *t);
 int triangle_tree_nearest(const struct triangle_tree *t, const double y[3],
                           int near, double q[3]);
 
+/* Goes into the boxes, from lo to hi [m], and calls `act` for what is in the
+ * smallest ones. Of two halves the one with the lower rank is first; those of
+ * rank HUGE_VAL are passed over. */
+struct triangle_tree_search {
+    double (*rank)(void *by, const double lo[3], const double hi[3]);
+    void (*act)(void *by, int i);
+};
+void triangle_tree_walk(const struct triangle_tree *t,
+                        const struct triangle_tree_search *search, void *by);
+
 #endif
