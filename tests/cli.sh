@@ -830,6 +830,8 @@ fact bandwidth_of_a_bed_is_below_half_of_a_body 0 "HIGH: grains beside a body co
     "$winnow" check "$top/cases/sphere-in-bed.cfg" -s bodies.spheres.0.diameter=0.0035
 fact fixed_sphere_has_no_spin 2 "bodies.spheres: number 0 does not turn and has a spin" \
     body -s 'bodies.spheres.0.spin=[0.0,1.0,0.0]'
+fact body_between_walls_stays_upright 2 "number 0 reaches from wall to wall along z" \
+    body -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.03; length=0.1; axis=[0.0,0.0,1.0]; density=2000.0; motion="free"; spin=[1.0,0.0,0.0];})}'
 fact free_sphere_has_no_spring 2 "number 1 is free and has a spring; motion = \"spring\"" \
     body -s 'bodies.spheres.1.spring=[1.0,0.0,0.0]'
 fact body_moves_along_its_springs_only 2 "number 1 has a velocity along y, where it cannot move" \

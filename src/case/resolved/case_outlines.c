@@ -223,6 +223,28 @@ static int check_thickness(const struct settings *s, int i,
                                              i, o->width / most);
 }
 
+/* A free one from wall to wall across axis k. */
+static int check_upright(const struct settings *s, const char *list, int i,
+                         const struct body_outline *o, int k)
+{
+    double lo[3], hi[3], h[3], v[3], w[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    case_bodies_cell_widths(s, h);
+    settings_item_vector(s, list, i, "velocity", v);
+    settings_item_vector(s, list, i, "spin", w);
+    if (periodic[k] || !body_outline_spans(o, k, hi[k] - lo[k], h[k]) ||
+        (v[k] == 0.0 && w[(k + 1) % 3] == 0.0 && w[(k + 2) % 3] == 0.0))
+        return 0;
+    return settings_wrong(s, list,
+                          "number %d reaches from wall to wall along %c: it "
+                          "has no velocity there and no spin about another "
+                          "axis",
+                          i, "xyz"[k]);
+}
+
 int case_outlines_check_one(const struct settings *s, const char *list, int i)
 {
     if ((case_bodies_is(s, list, i, "free") ||
@@ -235,6 +257,9 @@ int case_outlines_check_one(const struct settings *s, const char *list, int i)
 
     if (code == 0 && list == case_outlines_surfaces)
         code = check_thickness(s, i, o);
+    for (int k = 0; k < 3 && code == 0; k++)
+        if (case_bodies_is(s, list, i, "free"))
+            code = check_upright(s, list, i, o, k);
     body_outline_free(o);
     return code;
 }
