@@ -41,7 +41,7 @@ const struct key keys_core[] = {
      ""},
     {"fluid.piso_tolerance", KEY_REAL, "-", ">= 0", "1e-3",
      "further corrections until the relative splitting error of the momentum "
-     "is below this; 0: none",
+     "is below this, and small beside the inertia; 0: none",
      "", ""},
     {"fluid.outer_correctors", KEY_INT, "-", ">= 0, <= 20", "0",
      "outer iterations: how often a step is repeated with its new velocity", "",

@@ -27,6 +27,8 @@ struct momentum_system {
     double *rhs;      /* [N] the whole right-hand side of the predictor */
     double *H;        /* [N] b - sum a_N u_N */
     double *residual; /* [N] residual carried into the next step */
+    double inertia;   /* [-] the largest of a cell over the largest term, with
+                         the last residual; [N] before it is known */
     double *defect;   /* [m^3/s] d(eps V)/dt + sum phi of the convecting
                          flux: the residual of continuity */
     double *owner_weight; /* [-] weight of the owner in the face velocity */

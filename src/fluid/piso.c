@@ -72,6 +72,20 @@ static void predict_and_correct(struct fluid *fl)
     }
 }
 
+/* The residual acts as a force in the next step. Beside the inertia it has to
+ * be small too, or it keeps a flow in motion that would become steady; down to
+ * a thousandth of the tolerance, and as long as a correction reduces it. */
+static int must_correct(const struct fluid *fl, double before)
+{
+    const double tolerance = fl->options.piso_tolerance;
+    const double residual = fl->report.piso_residual;
+
+    if (tolerance == 0.0 || fl->report.correctors >= MOST_CORRECTORS) return 0;
+    return residual > tolerance ||
+           (residual > 1e-3 * tolerance && residual < before &&
+            residual > 0.03 * fl->momentum->inertia);
+}
+
 /* Each corrector uses the velocities of the neighbours before it. Where
  * viscosity or a long step couples cells strongly, the residual after two
  * correctors is large, and would grow if it were added to the next step; then
@@ -81,13 +95,11 @@ static void predict_and_correct(struct fluid *fl)
  * which the velocities of the neighbours are unknowns. */
 static void correct_further(struct fluid *fl)
 {
-    const double tolerance = fl->options.piso_tolerance;
     double before = INFINITY;
     int helps = 1;
 
     fl->report.piso_residual = velocity_residual(fl);
-    while (tolerance > 0.0 && fl->report.piso_residual > tolerance &&
-           fl->report.correctors < MOST_CORRECTORS) {
+    while (must_correct(fl, before)) {
         const int again = helps && fl->report.piso_residual > before;
 
         if (again) {

@@ -170,10 +170,22 @@ void velocity_correct(struct fluid *fl)
     PARALLEL_RANGES(fl->mesh->n_cells, 12, correct_rows, fl);
 }
 
-/* The largest residual and the largest term, one pair for each range. */
+/* The largest residual, term and inertia, rho eps V du/dt, of each range. */
 struct extremes {
-    double worst, largest; /* [N] */
+    double worst, largest, inertia; /* [N] */
 };
+
+/* The coefficient of the new velocity in the inertia, three times each. */
+static void spread_rates(int first, int last, const struct time_levels *l,
+                         double *rate3)
+{
+    double rate[VEC3_BLOCK];
+
+    for (int c = first; c < last; c++)
+        rate[c - first] =
+            l->ddt[c] + (l->ddt_older != NULL ? l->ddt_older[c] : 0.0);
+    vec3_spread(last - first, rate, rate3);
+}
 
 static double larger(double a, double b)
 {
@@ -184,21 +196,24 @@ static void residual_rows(int first, int last, struct fluid *fl,
                           struct extremes *extremes)
 {
     struct momentum_system *const momentum = fl->momentum;
-    struct extremes r = {0.0, 0.0};
+    struct extremes r = {0.0, 0.0, 0.0};
     const int partial = parallel_ranges_of(fl->mesh->n_cells, first);
 
     for (int end; first < last; first = end) {
         const long at = 3L * first;
         const double *restrict u = fl->u + at;
         double *restrict residual = momentum->residual + at;
-        double right[3 * VEC3_BLOCK], a[3 * VEC3_BLOCK];
+        const double *restrict old = fl->levels->old_time_source + at;
+        double right[3 * VEC3_BLOCK], a[3 * VEC3_BLOCK], rate[3 * VEC3_BLOCK];
         end = block_end(first, last);
         add_known(first, end, fl, momentum->H + at, right);
         vec3_spread(end - first, momentum->diag + first, a);
+        spread_rates(first, end, fl->levels, rate);
         for (int i = 0; i < 3 * (end - first); i++) {
             residual[i] = right[i] - a[i] * u[i];
             r.worst = larger(r.worst, fabs(residual[i]));
             r.largest = larger(r.largest, fabs(a[i] * u[i]));
+            r.inertia = larger(r.inertia, fabs(rate[i] * u[i] - old[i]));
         }
     }
     extremes[partial] = r;
@@ -207,18 +222,22 @@ static void residual_rows(int first, int last, struct fluid *fl,
 double velocity_residual(struct fluid *fl)
 {
     const int n = fl->mesh->n_cells;
-    struct extremes extremes[PARALLEL_RANGES_COUNT] = {{0.0, 0.0}},
-                    all = {0.0, 0.0};
+    struct extremes extremes[PARALLEL_RANGES_COUNT] = {{0.0, 0.0, 0.0}},
+                    all = {0.0, 0.0, 0.0};
 
     velocity_neighbour_sum(fl);
     PARALLEL_RANGES(n, 12, residual_rows, fl, extremes);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
         all.worst = fmax(all.worst, extremes[s].worst);
         all.largest = fmax(all.largest, extremes[s].largest);
+        all.inertia = fmax(all.inertia, extremes[s].inertia);
     }
+    fl->momentum->inertia = all.inertia;
     if (fl->options.shared != NULL)
         return fl->options.shared->residual(fl->options.shared->parts, fl);
     if (fl->immersed != NULL && fl->immersed->largest_term != NULL)
         all.largest = fl->immersed->largest_term(fl->immersed, fl);
-    return all.largest > 0.0 ? all.worst / all.largest : 0.0;
+    if (all.largest == 0.0) return 0.0;
+    fl->momentum->inertia /= all.largest;
+    return all.worst / all.largest;
 }

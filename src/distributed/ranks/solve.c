@@ -239,6 +239,7 @@ static double residual(void *parts, const struct fluid *fl)
     const struct momentum_system *const m = fl->momentum;
     double worst = 0.0, largest = 0.0;
 
+    fl->momentum->inertia = halo_largest(s->h, fl->momentum->inertia);
     for (int i = 0; i < 3 * s->m->n_cells; i++) {
         if (!s->own[i / 3]) continue;
         worst = fmax(worst, fabs(m->residual[i]));
@@ -246,7 +247,9 @@ static double residual(void *parts, const struct fluid *fl)
     }
     worst = halo_largest(s->h, worst);
     largest = halo_largest(s->h, largest);
-    return largest > 0.0 ? worst / largest : 0.0;
+    if (largest == 0.0) return 0.0;
+    fl->momentum->inertia /= largest;
+    return worst / largest;
 }
 
 void solve_refresh(struct solve *s, struct fluid *fl)
