@@ -740,8 +740,8 @@ fact walls_are_explained 0 "surface stl" "$winnow" explain walls.cfg
 fact sphere_rests_on_the_sheet 0 "" "$winnow" run walls.cfg -o walls
 fact force_on_walls_is_a_table 0 "sheet_force_y [N]" head -1 walls/surfaces.csv
 # Of two surfaces, and about the origin: all that touches the sheet is at x = 0.05 m.
-"$winnow" run walls.cfg -o sums --quiet -s output.end=0.2 -s 'output.forces=({ surfaces = "sheet"; },
-    { surfaces = "floor"; }, { name = "both"; surfaces = "floor sheet"; })' >/dev/null 2>&1
+"$winnow" run walls.cfg -o sums --quiet -s output.end=0.2 -s 'output.forces=({ surfaces = "sheet"; }, '\
+'{ surfaces = "floor"; }, { name = "both"; surfaces = "floor sheet"; })' >/dev/null 2>&1
 sums() {
     awk -F, 'NR > 2 { y += $3 * $3; f += $9 * $9; t += ($7 - 0.05 * $3) ^ 2; b += ($15 - $3 - $9) ^ 2 }
         END { print (y > 0 && f > 0 && t < 1e-16 * y && b < 1e-24 * y) }' sums/forces.csv
