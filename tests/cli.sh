@@ -100,6 +100,9 @@ fact mesh_of_more_cells_than_an_int_numbers_is_refused 2 \
 fact case_that_cannot_fit_in_memory_is_refused_before_it_is_made 2 \
     "need about 1.44 GB, and this machine has 0.512 GB" \
     sh -c 'ulimit -v 500000 && $0 run tiny.cfg -s "mesh.cells=[100,80,100]"' "$winnow"
+fact samples_that_cannot_fit_in_memory_are_refused_before_they_are_made 2 \
+    "effects.mixing.sample: 1e+09 samples need about 16 GB, and this machine has 0.512 GB" \
+    sh -c 'ulimit -v 500000 && $0 run tiny.cfg -s "effects.mixing={sample=1e-9;}"' "$winnow"
 fact bed_that_cannot_fit_in_memory_is_refused_at_once 2 \
     "particles; no more than 134217727 can be numbered" timeout 5 "$winnow" \
     check "$top/cases/rebound.cfg" -s 'particles.bed={count=2000000000;diameter=1e-3;}'

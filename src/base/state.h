@@ -77,5 +77,4 @@ void state_demand(struct state *s, int holds, const char *what);
 
 /* 1 if none is below the one before, and these are the first and the last. */
 int state_rises(const int *x, long n, int first, int last);
-
 #endif

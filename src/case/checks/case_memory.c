@@ -59,9 +59,19 @@ static double of_cells(const struct settings *s)
     return case_extent_cells(s) * per_cell[corners][settings_has(s, "fluid")];
 }
 
+static const char sample[] = "effects.mixing.sample";
+
+/* At most a thousand along each side, of two numbers each. */
+static double of_samples(const struct settings *s)
+{
+    if (!settings_has(s, "effects.mixing")) return 0.0;
+    const double n = case_extent_volume(s) / pow(settings_real(s, sample), 3.0);
+    return 2.0 * sizeof(double) * fmin(n, 1e9);
+}
+
 double case_memory_bytes(const struct settings *s)
 {
-    return of_cells(s) + of_particles(s);
+    return of_cells(s) + of_particles(s) + of_samples(s);
 }
 
 /* The key that needs the most memory. */
@@ -132,6 +142,12 @@ int case_memory_check(const struct settings *s, double more)
             "numbered",
             n, most_particles);
     if (need <= have) return 0;
+    if (of_samples(s) > need - of_samples(s))
+        return settings_wrong(s, sample,
+                              "%.4g samples need about %.3g GB, and this "
+                              "machine has %.3g GB for them",
+                              of_samples(s) / (2.0 * sizeof(double)),
+                              1e-9 * of_samples(s), 1e-9 * have);
     return settings_wrong(s, largest_key(s, more),
                           "%.4g cells and %.4g particles need about %.3g GB, "
                           "and this machine has %.3g GB for them",
