@@ -152,10 +152,10 @@ fact check_weighs_virtual_mass_too 0 "eps_s, with the added mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
 fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
     "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
-fact check_refuses_the_bed_that_run_cannot_lay 2 "the bed does not fit" \
+fact check_refuses_the_bed_that_run_cannot_lay 2 "particles.bed.count: the bed does not fit" \
     "$winnow" check "$top/cases/small-bed.cfg" \
     -s 'particles.bed={count=490;diameter=1.4e-3;}'
-fact check_refuses_a_period_too_short_for_the_list 2 "long in the periodic direction z" \
+fact check_refuses_a_period_too_short_for_the_list 2 "mesh.periodic: the box is 0.0015 m long in the periodic direction z" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'mesh.periodic=[false,false,true]' \
     -s 'fluid={density=1.2;viscosity=1e-5;step=1e-4;sides="slip";bottom_top="slip";}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
@@ -184,7 +184,7 @@ fact time_average_is_refused_one_way 2 "one-way there are no averaged fields" \
     -s 'effects.time_average={time=0.01;}'
 sed 's/place = .*/bed = { count = 10; diameter = 1e-3; }; };/' fields.cfg >bed.cfg
 fact bed_wider_than_half_a_period_is_refused_with_its_reason 2 \
-    "long in the periodic direction z" "$winnow" run bed.cfg -o never \
+    "mesh.periodic: the box is 0.0015 m long in the periodic direction z" "$winnow" run bed.cfg -o never \
     -s 'mesh.size=[0.01,0.01,0.002]' -s 'mesh.periodic=[false,false,true]'
 fact none_can_be_driven_where_there_is_none 2 "there is none at the start" \
     "$winnow" run bed.cfg -o never -s particles.bed.count=0 \

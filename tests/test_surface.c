@@ -170,7 +170,7 @@ START_TEST(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin)
         spheres_add(ps, 0.5, 1.0, 0.0, 0.2);
         spheres_add(ps, 0.5, height[k], 0.0, 0.2);
         struct capture c = capture_begin(2);
-        const int wrong = surface_start_wrong(ps, &s, 1);
+        const int wrong = surface_start_wrong(ps, &s, 1, "");
         capture_end(&c, text);
         /* a sheet has the sphere on its other side */
         ck_assert_int_eq(wrong, k >= 2);

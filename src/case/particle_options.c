@@ -27,6 +27,7 @@ struct dem_options particle_options_dem(const struct settings *s, double step)
         .step = step,
         .skin = settings_real_or(s, "particles.skin", 0.0)};
 
+    settings_where(s, "mesh.periodic", o.where, sizeof o.where);
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
     MODELS_EACH(case_parts, dem_options, s, &o);
@@ -42,6 +43,7 @@ struct bed_options particle_options_bed(const struct settings *s)
         .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
         .jitter = settings_real(s, "particles.bed.jitter"),
         .settle = settings_real(s, "particles.bed.settle")};
+    settings_where(s, "particles.bed.count", b.where, sizeof b.where);
 
     MODELS_EACH(case_parts, bed_sizes, s, &b);
     particle_options_gravity(s, b.gravity);

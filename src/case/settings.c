@@ -300,6 +300,16 @@ const struct mesh *settings_mesh(const struct settings *s)
     return s->mesh;
 }
 
+void settings_where(const struct settings *s, const char *path, char *where,
+                    size_t size)
+{
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+    char place[SOURCE_TEXT];
+
+    source_place(found != NULL ? found : config_root_setting(&s->tree), place);
+    snprintf(where, size, "%s: %s: ", place, path);
+}
+
 int settings_wrong(const struct settings *s, const char *path,
                    const char *format, ...)
 {

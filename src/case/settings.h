@@ -113,6 +113,11 @@ void settings_beside(const struct settings *s, const char *file, char *path,
 void settings_keep_mesh(struct settings *s, struct mesh *m);
 const struct mesh *settings_mesh(const struct settings *s);
 
+/* The place of a key and its name, "case.cfg:3: mesh.periodic: ", with which
+ * messages of other rooms begin. */
+void settings_where(const struct settings *s, const char *path, char *where,
+                    size_t size);
+
 /* Prints on stderr what is wrong with a key, with the place where the case sets
  * it. Returns 2. For errors that only the builder of the simulation finds. */
 int settings_wrong(const struct settings *s, const char *path,

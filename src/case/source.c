@@ -113,8 +113,7 @@ double source_number(const config_setting_t *s)
                : (double)config_setting_get_int64(s);
 }
 
-/* The place of a setting: its override, or its file and line. */
-static void place(const config_setting_t *at, char text[SOURCE_TEXT])
+void source_place(const config_setting_t *at, char text[SOURCE_TEXT])
 {
     const config_t *const tree = at->config;
     const size_t longest = SOURCE_TEXT - 16;
@@ -142,7 +141,7 @@ int source_wrong(const config_setting_t *at, const char *format, ...)
     char where[SOURCE_TEXT], message[4 * SOURCE_TEXT];
     va_list values;
 
-    place(at, where);
+    source_place(at, where);
     va_start(values, format);
     vsnprintf(message, sizeof message, format, values);
     va_end(values);

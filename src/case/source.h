@@ -26,6 +26,9 @@ int source_is_default(const config_setting_t *setting);
 /* A number, whole or real; 0 for a word that stands in its place. */
 double source_number(const config_setting_t *setting);
 
+/* The place of a setting: its override, or its file and line. */
+void source_place(const config_setting_t *setting, char text[SOURCE_TEXT]);
+
 /* Prints "winnow: PLACE: message" on stderr. Returns 2. */
 int source_wrong(const config_setting_t *at, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

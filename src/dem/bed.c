@@ -46,16 +46,16 @@ static int lattice_wrong(const struct lattice *l, const struct bed_options *bed,
     for (int k = 0; k < 3; k++)
         if (l->n[k] == 0 && bed->count > 0) {
             fprintf(stderr,
-                    "winnow: the bed does not fit: spheres of %g m in a box "
+                    "winnow: %sthe bed does not fit: spheres of %g m in a box "
                     "%g m wide\n",
-                    bed->diameter, dem->hi[k] - dem->lo[k]);
+                    bed->where, bed->diameter, dem->hi[k] - dem->lo[k]);
             return 1;
         }
     if (height <= available) return 0;
     fprintf(stderr,
-            "winnow: the bed does not fit: %d spheres of %g m on a lattice "
+            "winnow: %sthe bed does not fit: %d spheres of %g m on a lattice "
             "need %g m of height, the box has %g m\n",
-            bed->count, bed->diameter, height, available);
+            bed->where, bed->count, bed->diameter, height, available);
     return 1;
 }
 
@@ -166,10 +166,11 @@ int bed_each(const struct bed_options *bed, const struct dem_options *dem,
         return 1;
     const int n = fill_lattice(&l, bed, dem, put, to);
     if (n == bed->count) return 0;
-    fprintf(stderr,
-            "winnow: the bed does not fit: the mesh has room for %d of its %d "
-            "spheres on a lattice\n",
-            n, bed->count);
+    fprintf(
+        stderr,
+        "winnow: %sthe bed does not fit: the mesh has room for %d of its %d "
+        "spheres on a lattice\n",
+        bed->where, n, bed->count);
     return 1;
 }
 

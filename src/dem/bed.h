@@ -18,6 +18,7 @@ struct sizes;
 struct bed_saver;
 
 struct bed_options {
+    char where[256];    /* in the case, before messages; or empty */
     int count;          /* [-] */
     double diameter;    /* [m] of all, or the mean of sizes */
     double density;     /* [kg/m^3] */

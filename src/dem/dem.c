@@ -49,10 +49,10 @@ int dem_period_wrong(const struct dem_options *o, double widest, double mean)
     for (int k = 0; k < 3; k++)
         if (o->periodic[k] && o->hi[k] - o->lo[k] < 2.0 * (widest + skin)) {
             fprintf(stderr,
-                    "winnow: the box is %g m long in the periodic direction "
+                    "winnow: %sthe box is %g m long in the periodic direction "
                     "%c; particles of %g m that are listed up to a gap of %g m "
                     "need %g m\n",
-                    o->hi[k] - o->lo[k], 'x' + k, widest, skin,
+                    o->where, o->hi[k] - o->lo[k], 'x' + k, widest, skin,
                     2.0 * (widest + skin));
             return 1;
         }

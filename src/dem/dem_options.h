@@ -15,6 +15,7 @@ struct surface;
 struct prescribed_particle;
 
 struct dem_options {
+    char where[256]; /* in the case, before messages; or empty */
     const struct contact_law *law;
     struct material material;          /* number 0 */
     const struct materials *materials; /* with others; NULL: there is no other.

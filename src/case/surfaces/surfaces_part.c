@@ -86,7 +86,7 @@ static int has_room(const void *state, const double x[3], double R)
 static int start_wrong(const void *state, const struct particles *ps)
 {
     const struct simulation *const sim = state;
-    return surface_start_wrong(ps, sim->surfaces, sim->n_surfaces);
+    return surface_start_wrong(ps, sim->surfaces, sim->n_surfaces, "");
 }
 
 static void take_names(struct simulation *sim)
@@ -130,11 +130,14 @@ static int place(const struct settings *s, struct particles *ps,
                  const struct dem_options *o)
 {
     static const char overlaps[] = "particles.overlaps";
+    char where[SETTINGS_PATH];
 
     if (settings_has(s, overlaps) &&
         strcmp(settings_text(s, overlaps), "allow") == 0)
         return 0;
-    return surface_start_wrong(ps, o->surfaces, o->n_surfaces) != 0 ? 2 : 0;
+    settings_where(s, surfaces, where, sizeof where);
+    return surface_start_wrong(ps, o->surfaces, o->n_surfaces, where) != 0 ? 2
+                                                                           : 0;
 }
 
 /* Prescribed particles must exist. */

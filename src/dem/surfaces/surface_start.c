@@ -22,7 +22,8 @@ static double distance(const struct surface *s, const struct pose *p,
 }
 
 static int starts_wrong(const struct particles *ps, int i,
-                        const struct surface *s, struct triangle_list *near)
+                        const struct surface *s, struct triangle_list *near,
+                        const char *where)
 {
     const struct pose p = motion_pose(&s->motion, 0.0);
     const double x[3] = {ps->x[i], ps->y[i], ps->z[i]}, R = 0.5 * ps->d[i];
@@ -30,15 +31,16 @@ static int starts_wrong(const struct particles *ps, int i,
 
     if (r >= (1.0 - most) * R) return 0;
     if (r < 0.0)
-        fprintf(stderr,
-                "winnow: particle %d at [%g, %g, %g] m begins %g m deep in the "
-                "surface \"%s\"\n",
-                ps->id[i], x[0], x[1], x[2], -r, s->name);
+        fprintf(
+            stderr,
+            "winnow: %sparticle %d at [%g, %g, %g] m begins %g m deep in the "
+            "surface \"%s\"\n",
+            where, ps->id[i], x[0], x[1], x[2], -r, s->name);
     else
         fprintf(stderr,
-                "winnow: particle %d at [%g, %g, %g] m begins %g m from the "
+                "winnow: %sparticle %d at [%g, %g, %g] m begins %g m from the "
                 "surface \"%s\", less than its radius %g m\n",
-                ps->id[i], x[0], x[1], x[2], r, s->name, R);
+                where, ps->id[i], x[0], x[1], x[2], r, s->name, R);
     return 1;
 }
 
@@ -54,14 +56,14 @@ double surface_start_distance(const struct surface *s, const double x[3],
 }
 
 int surface_start_wrong(const struct particles *ps, const struct surface *list,
-                        int n)
+                        int n, const char *where)
 {
     struct triangle_list near = {0, 0, NULL};
     int wrong = 0;
 
     for (int i = 0; i < ps->n && !wrong; i++)
         for (int s = 0; s < n && !wrong; s++)
-            wrong = starts_wrong(ps, i, &list[s], &near);
+            wrong = starts_wrong(ps, i, &list[s], &near, where);
     free(near.number);
     return wrong;
 }

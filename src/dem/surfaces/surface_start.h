@@ -6,9 +6,10 @@
 #include "dem/surfaces/surface.h"
 
 /* Non-zero after a message if one of the particles overlaps a surface, as it is
- * at time 0, by more than a tenth of its radius. */
+ * at time 0, by more than a tenth of its radius; `where` is before the message.
+ */
 int surface_start_wrong(const struct particles *ps, const struct surface *list,
-                        int n);
+                        int n, const char *where);
 
 /* Distance of x from the surface, as it is at time 0, or R if it is farther
  * [m]. */
