@@ -23,17 +23,8 @@ LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 
 # Built into build/winnow-mpi only: see `distributed` below.
 RANKS := src/distributed/ranks
-# What is built: the rooms' own files, and the folders in them and rooms aside that are named
-# here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ASIDE   := src/resolved src/study src/distributed
-ALL_FOLDERS := $(filter-out $(RANKS),$(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/)))
-FOLDERS := $(ALL_FOLDERS)
-SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
-# Each folder lists its models in models.txt; models.awk joins the lists of what
-# is built into the arrays drag_laws[], averaging_methods[], ...
-MODELS := $(filter-out $(ASIDE:=/%),$(wildcard src/*/models.txt)) $(wildcard $(addsuffix /models.txt,$(filter $(FOLDERS),$(ALL_FOLDERS))))
-LEFT_OUT := $(wildcard $(addsuffix /*.c,$(filter-out $(FOLDERS),$(ALL_FOLDERS))))
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
+SRC   := $(filter-out $(RANKS)/%,$(wildcard src/commands.c src/*/*.c src/*/*/*.c))
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
@@ -57,7 +48,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow core-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
+slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
       cylinder-slow steps-slow bare-slow
 	@echo "all slow checks hold"
 sanitized-slow:
@@ -124,11 +115,6 @@ chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
 results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
-
-core: $B/winnow ## the rooms' own files alone: build/core/winnow, compared with build/winnow, and its tests
-	@+sh tests/core.sh $B
-core-slow: core
-	@+sh tests/core.sh $B folders
 
 steps: $(STEPS) ## the thirteen steps to a fluidized bed: build/steps/01-bounce and on
 $B/steps/%: chapters/steps/%.c chapters/steps/steps.h
@@ -205,12 +191,7 @@ MPI_CFLAGS = $(patsubst -I%,-isystem %,$(filter -I% -D%,$(shell pkg-config --cfl
 MPI_OBJ := $(patsubst %.c,$B/%.o,$(wildcard $(RANKS)/*.c))
 $(MPI_OBJ): CC = mpicc
 $(MPI_OBJ): STD += $(filter-out -D_FORTIFY_SOURCE=2,$(MPI_CFLAGS))
-$B/ranks/models.c: $B/src/models.c $(RANKS)/models.txt
-	@mkdir -p $(@D)
-	@awk -f src/models.awk $(MODELS) $(RANKS)/models.txt >$@
-$B/ranks/models.o: $B/ranks/models.c
-	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
-$B/winnow-mpi: $(MPI_OBJ) $B/ranks/models.o $B/tests/winnow_main.o $B/libwinnow.a
+$B/winnow-mpi: $(MPI_OBJ) $B/tests/winnow_main.o $B/libwinnow.a
 	@echo "link $@"
 	@mpicc $(OPT) -fopenmp -o $@ $^ $$(pkg-config --libs petsc liblammps) $(LIBS)
 -include $(MPI_OBJ:.o=.d)
@@ -237,15 +218,6 @@ $B/src/output/checkpoint/%.o $B/tests/test_crafted.o: STD += $(shell pkg-config 
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
-# What is built, for those who must know when it changes.
-$B/folders: always
-	@mkdir -p $(@D)
-	@echo "$(FOLDERS)" | cmp -s - $@ || echo "$(FOLDERS)" >$@
-$B/src/models.c: $(MODELS) src/models.awk $(LEFT_OUT) $B/folders
-	@mkdir -p $(@D)
-	@awk -v folders="of $(FOLDERS)" -f src/models.awk $(MODELS) left=1 $(LEFT_OUT) >$@.new && mv $@.new $@
-$B/src/models.o: $B/src/models.c
-	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
 # The book's table of equations, for `winnow explain KEY`.
 $B/src/case/report/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
@@ -267,7 +239,7 @@ $B/tests/fuzz $B/tests/test_crafted: $B/tests/winnow_main.o
 
 .PHONY: install uninstall distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \
-        commands-slow core core-slow sanitized-slow style-slow cylinder-slow bare-slow solutions results text pages \
+        commands-slow sanitized-slow style-slow cylinder-slow bare-slow solutions results text pages \
         validate validate-bed bench figures fuzz replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

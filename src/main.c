@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
-#include "base/left_out.h"
 #include "base/text.h"
 #include "base/version.h"
 #include "case/command.h"
@@ -34,11 +33,7 @@ static const struct command *command_named(const char *name)
         if (strcmp((*c)->name, name) == 0) return *c;
         nearest_offer(&n, (*c)->name);
     }
-    if (left_out_folder(name) != NULL)
-        fprintf(stderr,
-                "winnow: %s is not in this build, which leaves out %s\n", name,
-                left_out_folder(name));
-    else if (nearest_best(&n) != NULL)
+    if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no command %s; did you mean %s?\n", name,
                 nearest_best(&n));
     else

@@ -122,7 +122,6 @@ ln -s "$build" "$work/build"
 cd "$top" || exit 1
 
 compile
-first src/models.o
 first src/case/report/equation_index_rows.o
 first tests/winnow_main.o
 awk -f tests/commands.awk README.md chapters/*.md chapters/steps/README.md >"$work/commands"

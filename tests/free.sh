@@ -1,10 +1,10 @@
 #!/bin/sh
 # An effect that is off costs nothing. For each effect of coupling/effects a
-# program is linked from which its descriptor is left out, so that the linker
-# takes nothing of its file either; the same bed in it and in the whole program,
-# which has the effect and does not name it, must allocate the same arrays,
-# enter the same functions and run the same pieces of code, counted in the rooms
-# coupling and dem. With the effect named more functions are entered, and no fewer
+# program is linked from whose list its descriptor is left out, so that the
+# linker takes nothing of its file either; the same bed in it and in the whole
+# program, which has the effect and does not name it, must allocate the same
+# arrays, enter the same functions and run the same pieces of code, counted in
+# the rooms coupling and dem. With the effect named more functions are entered, and no fewer
 # arrays allocated (whole_drag needs none): the count sees it.
 #
 #   sh tests/free.sh build          (ends with "free: N passed, 0 failed")
@@ -26,23 +26,20 @@ counted="src/coupling/coupling.c src/coupling/effects.c src/coupling/transfer.c
     src/dem/fast/drag_rows.c src/dem/fast/bodies.c"
 
 # What says what it runs; the rest is as in the program.
+instrument() { # source
+    $cc $flags -finstrument-functions -fsanitize-coverage=trace-pc -c \
+        -o "$work/$(basename "$1" .c).o" "$1"
+}
 objects=
 for file in $counted; do
-    object=$work/$(basename "$file" .c).o
-    $cc $flags -finstrument-functions -fsanitize-coverage=trace-pc -c \
-        -o "$object" "$file" || exit
-    objects="$objects $object"
+    instrument "$file" || exit
+    objects="$objects $work/$(basename "$file" .c).o"
 done
 $cc $flags -c -o "$work/count.o" tests/free/count.c || exit
 
-# A program with these lists of models.
-link() { # program, lists
-    out=$1
-    shift
-    awk -f src/models.awk "$@" >"$work/models.c" &&
-        $cc $flags -c -o "$work/models.o" "$work/models.c" &&
-        $cc -fopenmp $wrap -o "$out" "$work/count.o" "$work/models.o" $objects \
-            "$build/libwinnow.a" $libs
+link() { # program
+    # shellcheck disable=SC2086
+    $cc -fopenmp $wrap -o "$1" "$work/count.o" $objects "$build/libwinnow.a" $libs
 }
 
 fact() { # name, 1 if it holds
@@ -51,12 +48,7 @@ fact() { # name, 1 if it holds
     failed=$((failed + 1))
 }
 
-own=src/coupling/effects/models.txt
-# The rooms' lists come first, as in the Makefile: their models are the defaults.
-others="$(ls src/*/models.txt) $(ls src/*/*/models.txt |
-    grep -v "^$own$\|^src/distributed/ranks/")"
-# shellcheck disable=SC2086 # one word a file
-link "$work/whole" $others $own || exit
+link "$work/whole" || exit
 off=$("$work/whole" tests/free/bed.cfg 5)
 echo "# a hundred spheres, 5 steps: arrays, calls and pieces of code"
 echo "# off, in the whole program: $off"
@@ -64,9 +56,8 @@ echo "# effect         without its file        named"
 
 # Name in a case, descriptor, its group, and what else it takes.
 while read -r name descriptor group more; do
-    grep -v " ${descriptor}\$" $own >"$work/list"
-    # shellcheck disable=SC2086
-    link "$work/without" $others "$work/list" || exit
+    sed "s/&$descriptor,//" src/coupling/effects.c >"$work/effects.c"
+    instrument "$work/effects.c" && link "$work/without" || exit
     without=$("$work/without" tests/free/bed.cfg 5)
     # shellcheck disable=SC2086
     on=$("$work/whole" tests/free/bed.cfg 5 "effects.$name=$group" $more)
@@ -95,16 +86,17 @@ whole_drag whole_drag_effect {}
 stochastic_drag stochastic_drag_effect {sigma_low=0.1;sigma_high=0.1;time=0.01;}
 lubrication lubrication_effect {roughness=1e-6;range=1e-4;}
 EOF
-# Contacts: without them the loops that find and compute them are not called, and
-# a program without the folder of these loops does the same.
+instrument src/coupling/effects.c || exit
+# Contacts: without them none of the functions that compute them is entered.
 alone='particles.list="none"'
 none=$("$work/whole" tests/free/bed.cfg 5 "$alone")
-# shellcheck disable=SC2046,SC2086
-link "$work/without" $(echo $others | tr ' ' '\n' | grep -v src/dem/fast/) $own \
-    left=1 src/dem/fast/*.c || exit
-without=$("$work/without" tests/free/bed.cfg 5 "$alone")
-fact "contacts off cost nothing: $none, without their loops $without" \
-    "$([ -n "$none" ] && [ "$none" = "$without" ] && echo 1)"
+all=$objects
+objects=$(echo "$all" | tr ' ' '\n' | grep -v "/coupling.o\|/effects.o\|/transfer.o\|/reaction.o\|/dem.o")
+link "$work/loops" || exit
+loops=$("$work/loops" tests/free/bed.cfg 5 "$alone")
+fact "without contacts their loops are not entered: $loops" \
+    "$(echo "$loops" | awk '{ print ($1 > 0 && $2 == 0 && $3 == 0) }')"
+objects=$all
 fact "contacts on are seen by the count: $off" \
     "$(echo "$none $off" | awk '{ print ($4 > $1 && $6 > $3) }')"
 echo "contacts $none $off" | awk '{
@@ -114,8 +106,7 @@ echo "contacts $none $off" | awk '{
 one=$("$work/whole" tests/free/bed.cfg 5 'exchange.coupling="one-way"')
 objects="$(echo "$objects" | tr ' ' '\n' | grep -v /reaction.o) $work/no_reaction.o"
 $cc $flags -c -o "$work/no_reaction.o" tests/free/no_reaction.c || exit
-# shellcheck disable=SC2086
-link "$work/without" $others $own || exit
+link "$work/without" || exit
 without=$("$work/without" tests/free/bed.cfg 5 'exchange.coupling="one-way"')
 fact "one-way costs nothing of two-way: $one, without its file $without" \
     "$([ -n "$one" ] && [ "$one" = "$without" ] && echo 1)"

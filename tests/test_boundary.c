@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for schemes by name: needs src/fluid/deferred */
 #include "fluid/fluid.h"
 #include "fluid/inlets/parabola_profile.h"
 #include "facts.h"

@@ -478,7 +478,7 @@ START_TEST(every_descriptor_of_every_kind_is_complete)
     struct model m;
 
     case_file_tables(tables);
-    for (const struct kind *const *k = kinds; *k != NULL; k++) {
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++) {
         const struct key *const key = schema_find(tables, (*k)->key);
 
         for (int i = 0; (*k)->model(i, &m); i++) {
@@ -597,10 +597,10 @@ START_TEST(list_shows_every_model_and_key)
     struct model m;
 
     list_kinds();
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         ck_assert_int_eq(list_models((*k)->name), 0);
     capture_end(&c, said);
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++) {
             ck_assert_ptr_nonnull(strstr(said, m.name));
             ck_assert_ptr_nonnull(strstr(said, m.what));

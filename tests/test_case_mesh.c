@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for models by name: needs src/mesh/poly */
 #include "coupling/coupling.h"
 #include "case/build.h"
 #include "case/case_mesh.h"

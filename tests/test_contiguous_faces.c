@@ -20,8 +20,8 @@ static struct mesh *box(int nx, int ny, int nz, int periodic)
 
 static struct face_pieces *runs_of(const struct mesh *m)
 {
-    return contiguous_faces_order.create(m->n_internal, m->n_faces, m->owner,
-                                         m->neighbour);
+    return contiguous_faces_find(m->n_internal, m->n_faces, m->owner,
+                                 m->neighbour);
 }
 
 /* Odd sizes, so that rows end anywhere in a range; and one cell thick. */
@@ -100,8 +100,8 @@ START_TEST(faces_in_disorder_have_no_contiguous_ranges)
     struct links b = links_cube(12, 12, 12);
 
     links_shuffle(&b, 3);
-    ck_assert_ptr_null(contiguous_faces_order.create(b.n_links, b.n_links,
-                                                     b.owner, b.neighbour));
+    ck_assert_ptr_null(
+        contiguous_faces_find(b.n_links, b.n_links, b.owner, b.neighbour));
     links_free(&b);
 }
 END_TEST

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for models by name: needs src/averaging/more */
 #include "averaging/diffusion.h"
 #include "averaging/schemes/diffusion_steps.h"
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every drag law against numbers that are not its own: measurements, flows that
  * others computed, and limits of theory (published.h). Where a law is known to
- * miss them its row says by how much. Asks for laws by name:
- * needs src/coupling/drag_laws */
+ * miss them its row says by how much. Asks for laws by name: */
 #include "published.h"
 
 #include <string.h>

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Flow through beds whose fluid fraction jumps from cell to cell, without
- * damping by drag: in two and three directions, by all schemes, some of which
- * are in a folder: needs src/fluid/deferred
- */
+ * damping by drag: in two and three directions, by all schemes. */
 #include "fluid/fluid.h"
 #include "facts.h"
 

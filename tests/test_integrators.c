@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for models by name: needs src/dem/fast */
 /* Each integrator has its order, on an oscillator with a closed form and on
  * contacts without one. */
 #include <gsl/gsl_math.h>

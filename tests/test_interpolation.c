@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* It names the bell: needs src/averaging/kernel */
 #include "averaging/interpolation.h"
 
 #include <gsl/gsl_math.h>

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for models by name: needs src/coupling/measures */
 #include "case/build.h"
 #include "case/case_file.h"
 #include "coupling/effect_columns.h"

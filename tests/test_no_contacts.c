@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Particles that do not meet: particles.list = "none", a model asked for by its
- * name: needs src/dem/no_contacts */
+/* Particles that do not meet: particles.list = "none". */
 #include <omp.h>
 #include <stdlib.h>
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for schemes by name: needs src/fluid/deferred */
 #include "base/alloc.h"
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"

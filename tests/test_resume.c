@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Its case inserts particles: needs src/case/population */
 /* A simulation that is saved, built anew and loaded goes on with the same bits,
  * whatever the case has. The effects are those that there are: a new one is
  * tested here as soon as it is in its models.txt. */

@@ -4,7 +4,6 @@
 #include "case/models.h"
 #include "case/settings.h"
 
-/* needs src/case/text */
 #include "facts.h"
 #include "capture.h"
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for models by name: needs src/study/equations */
 /* What a study computes: choices, measures, truths, means with their errors,
  * orders. The processes are in tests/study.sh. */
 #include "case/resume/read_summary.h"

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for models by name: needs src/averaging/more */
 /* Averaging and interpolation in other axes and other units give the same
  * numbers. */
 #include "averaging/interpolation.h"

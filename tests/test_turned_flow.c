@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A flow with all its options, in other axes and other units: the same
- * numbers. Asks for schemes by name: needs src/fluid/deferred */
+ * numbers. */
 #include "fluid/fluid.h"
 
 #include <math.h>

@@ -3,8 +3,6 @@
 #include "scratch.h"
 #include "vtk_read.h"
 
-/* It reads what is compressed: needs src/output/compressed */
-
 #include <math.h>
 #include <signal.h>
 #include <stdint.h>
@@ -310,28 +308,6 @@ static int write_samples(const char *folder)
     return failed;
 }
 
-/* As VTK reads an array of a file without a compressor. */
-START_TEST(the_plain_encoding_is_a_length_and_the_numbers)
-{
-    extern const struct vtk_encoding vtk_plain;
-    const double x[2] = {1.5, -2.0}, y[2] = {0.25, 3.0}, z[2] = {7.0, 1e-300};
-    const struct vtk_array a = {.components = 3, .split = {x, y, z}};
-    const double expected[6] = {1.5, 0.25, 7.0, -2.0, 3.0, 1e-300};
-    char *text = NULL;
-    size_t length = 0;
-    FILE *const out = open_memstream(&text, &length);
-    uint64_t bytes;
-
-    vtk_plain.write(NULL, out, &a, 2);
-    fclose(out);
-    ck_assert_uint_eq(length, sizeof bytes + sizeof expected);
-    memcpy(&bytes, text, sizeof bytes);
-    ck_assert_uint_eq(bytes, sizeof expected);
-    ck_assert_int_eq(memcmp(text + sizeof bytes, expected, sizeof expected), 0);
-    free(text);
-}
-END_TEST
-
 int main(int n_arguments, char **argument)
 {
     if (n_arguments == 2) return write_samples(argument[1]);
@@ -347,7 +323,6 @@ int main(int n_arguments, char **argument)
     tcase_add_loop_test(t, blocks_may_be_full_or_not, 0, 6);
     tcase_add_test(t, smooth_arrays_shrink_and_noise_does_not_grow);
     tcase_add_test(t, names_are_escaped);
-    tcase_add_test(t, the_plain_encoding_is_a_length_and_the_numbers);
     tcase_add_test(t, a_full_disk_leaves_nothing_and_the_writer_goes_on);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -200,4 +200,9 @@ int averaging_check(const struct averaging_method *method,
                                        : 0;
 }
 
+const struct averaging_method *const averaging_methods[] = {
+    &pcm_method,      &dpvm_method,      &dpvm_cube_method,
+    &two_grid_method, &kernel_method,    &kernel_gaussian_method,
+    &images_method,   &diffusion_method, NULL};
+
 MODEL_NAMED(averaging_method)

@@ -60,6 +60,9 @@ struct averaging_report {
 
 /* All methods, ended by NULL, and one by its name or NULL. The names for
  * options.scheme are in diffusion.h. */
+extern const struct averaging_method pcm_method, dpvm_method, dpvm_cube_method,
+    two_grid_method, kernel_method, kernel_gaussian_method, images_method,
+    diffusion_method;
 extern const struct averaging_method *const averaging_methods[];
 const struct averaging_method *averaging_method_named(const char *name);
 

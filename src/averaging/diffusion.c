@@ -10,7 +10,8 @@
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion_matrix.h"
-#include "averaging/diffusion_variants.h"
+#include "averaging/more/bandwidth.h"
+#include "averaging/more/separable.h"
 #include "base/alloc.h"
 #include "linear/chebyshev.h"
 #include "linear/csr.h"
@@ -18,7 +19,6 @@
 struct diffusion {
     const struct cell_of_particle *h; /* borrowed */
     const struct diffusion_scheme *scheme;
-    const struct diffusion_variation *variation;
     struct bandwidth *vary; /* NULL: everywhere the same */
     int fields;             /* [-] most in a call */
     double T;               /* [m^2] */
@@ -26,9 +26,8 @@ struct diffusion {
     double *smooth;         /* a copy of the field to be gathered */
     /* The field is smoothed by steps, by the exponential or by its series; the
      * others are NULL. */
-    void *steps; /* state of scheme->stepping */
-    const struct diffusion_operator *direct;
-    void *exponential; /* state of direct */
+    void *steps;                 /* state of scheme->stepping */
+    struct separable *separable; /* NULL: this mesh or bandwidth has none */
     struct chebyshev *series;
     struct csr *K;    /* [m] of the series: -V div (D grad) */
     double largest_D; /* [-] for which the series holds */
@@ -54,11 +53,11 @@ double diffusion_bandwidth(double T)
 static void apply_exponential(struct diffusion *d, int m, double *u,
                               struct averaging_report *r)
 {
-    if (d->exponential != NULL)
-        d->direct->apply(d->exponential, m, u);
+    if (d->separable != NULL)
+        separable_apply(d->separable, m, u);
     else
         chebyshev_apply(d->series, m, u);
-    r->products = d->exponential != NULL ? 0 : chebyshev_products(d->series);
+    r->products = d->separable != NULL ? 0 : chebyshev_products(d->series);
     r->worst = (struct solve_report){.converged = 1};
 }
 
@@ -95,16 +94,6 @@ static int is_uniform(const struct averaging_options *o)
     return strcmp(o->vary, bandwidth_uniform.name) == 0 && o->n_regions == 0;
 }
 
-/* The variation that has the rule of the options, or NULL. */
-static const struct diffusion_variation *
-variation_of(const struct averaging_options *o)
-{
-    for (int v = 0; diffusion_variations[v] != NULL; v++)
-        if (diffusion_variations[v]->has_rule(o->vary))
-            return diffusion_variations[v];
-    return NULL;
-}
-
 static int report_unknown(const char *what, const char *name,
                           const char *expected)
 {
@@ -121,7 +110,7 @@ static int wrong_options(const struct averaging_options *o)
             "scheme", o->scheme,
             "exponential, series, crank-nicolson, implicit-euler or "
             "sdirk2");
-    if (!is_uniform(o) && variation_of(o) == NULL)
+    if (!bandwidth_has_rule(o->vary))
         return report_unknown("variation of its bandwidth",
                               o->n_regions > 0 ? "regions" : o->vary,
                               "uniform, cells or grains");
@@ -135,7 +124,7 @@ static int wrong_options(const struct averaging_options *o)
 
 static void fill_matrix(struct diffusion *d)
 {
-    const double *const D = d->vary != NULL ? d->variation->D(d->vary) : NULL;
+    const double *const D = d->vary != NULL ? bandwidth_D(d->vary) : NULL;
 
     if (d->steps != NULL)
         d->scheme->stepping->fill(d->steps, D);
@@ -155,19 +144,16 @@ static void make_series(struct diffusion *d, double largest)
     d->series = chebyshev_create(d->K, m->V, d->T, d->tolerance, d->fields);
 }
 
-/* Finds an operator that applies the exponential directly, where D is the same
- * on all lines of cells. */
-static void find_direct(struct diffusion *d, const struct averaging_options *o)
+/* The exponential applied directly, where the mesh is a box and D is the same
+ * on all lines of its cells. */
+static void find_separable(struct diffusion *d,
+                           const struct averaging_options *o)
 {
     const double b = d->vary != NULL ? o->bandwidth : 0.0;
 
-    if (!d->scheme->directly) return;
-    if (d->vary != NULL && !d->variation->is_by_lines(o)) return;
-    for (int i = 0; diffusion_operators[i] != NULL; i++) {
-        d->direct = diffusion_operators[i];
-        d->exponential = d->direct->create(d->h->mesh, d->T, b, o->tolerance);
-        if (d->exponential != NULL) return;
-    }
+    if (d->scheme->directly && (d->vary == NULL || bandwidth_is_by_lines(o)))
+        d->separable =
+            separable_create(&d->h->mesh->box, d->T, b, o->tolerance);
 }
 
 static void *diffusion_create(const struct cell_of_particle *h,
@@ -183,16 +169,15 @@ static void *diffusion_create(const struct cell_of_particle *h,
     d->tolerance = o->tolerance;
     /* rounded as the sum of the steps of the other schemes */
     d->T = diffusion_time(o->bandwidth) / o->steps * o->steps;
-    d->variation = variation_of(o);
-    d->vary = is_uniform(o) ? NULL : d->variation->create(h, o);
+    d->vary = is_uniform(o) ? NULL : bandwidth_create(h, o);
     d->smooth = alloc_doubles(m->n_cells * d->fields);
-    find_direct(d, o);
-    if (d->exponential != NULL) return d;
+    find_separable(d, o);
+    if (d->separable != NULL) return d;
     if (d->scheme->stepping != NULL) {
         d->steps = d->scheme->stepping->create(d->scheme, m, o);
     } else {
         d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
-        make_series(d, d->vary != NULL ? d->variation->largest(d->vary) : 1.0);
+        make_series(d, d->vary != NULL ? bandwidth_largest(d->vary) : 1.0);
     }
     fill_matrix(d);
     return d;
@@ -216,9 +201,9 @@ static void diffusion_bind(void *state, struct averaging_report *r)
     struct diffusion *const d = state;
 
     (void)r;
-    if (d->vary == NULL || !d->variation->bind(d->vary)) return;
+    if (d->vary == NULL || !bandwidth_bind(d->vary)) return;
     if (d->series != NULL) {
-        const double bound = rounded_up(d->variation->largest(d->vary));
+        const double bound = rounded_up(bandwidth_largest(d->vary));
         if (bound != d->largest_D) make_series(d, bound);
     }
     fill_matrix(d);
@@ -228,8 +213,8 @@ static void diffusion_free(void *state)
 {
     struct diffusion *const d = state;
 
-    if (d->vary != NULL) d->variation->free(d->vary);
-    if (d->exponential != NULL) d->direct->free(d->exponential);
+    bandwidth_free(d->vary);
+    separable_free(d->separable);
     if (d->steps != NULL) d->scheme->stepping->free(d->steps);
     csr_free(d->K);
     chebyshev_free(d->series);
@@ -273,3 +258,6 @@ const struct averaging_method diffusion_method = {
     .spread = diffusion_spread,
     .gather = diffusion_gather,
 };
+
+const struct model *const bandwidth_rules[] = {
+    &bandwidth_uniform, &bandwidth_cells, &bandwidth_grains, NULL};

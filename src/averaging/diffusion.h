@@ -27,6 +27,7 @@
 extern const struct averaging_method diffusion_method;
 
 /* Names for options.vary, ended by NULL; the first is the default: uniform. */
+extern const struct model bandwidth_uniform, bandwidth_cells, bandwidth_grains;
 extern const struct model *const bandwidth_rules[];
 
 /* The keys that the method reads besides the bandwidth. */

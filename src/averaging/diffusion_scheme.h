@@ -29,13 +29,17 @@ struct diffusion_stepping {
 struct diffusion_scheme {
     MODEL_MEMBERS;                             /* base/model.h */
     const struct diffusion_stepping *stepping; /* NULL: the exponential */
-    int directly;    /* [-] 1: applied by a diffusion_operator, if one exists */
+    int directly;    /* [-] 1: applied direction by direction where possible */
     int stages;      /* [-] linear systems in a step */
     double implicit; /* [-] share of dtau K in the matrix of a stage */
 };
 
 /* All of them, ended by NULL, the default first; diffusion_scheme_named: NULL
  * for an unknown name. */
+extern const struct diffusion_scheme diffusion_exponential, diffusion_series,
+    diffusion_implicit_euler, diffusion_sdirk2;
+extern const struct diffusion_scheme diffusion_crank_nicolson,
+    diffusion_implicit_euler, diffusion_sdirk2;
 extern const struct diffusion_scheme *const diffusion_schemes[];
 const struct diffusion_scheme *diffusion_scheme_named(const char *name);
 

@@ -41,4 +41,8 @@ const struct diffusion_scheme diffusion_series = {
     .function = "chebyshev_apply",
 };
 
+const struct diffusion_scheme *const diffusion_schemes[] = {
+    &diffusion_exponential,    &diffusion_series, &diffusion_crank_nicolson,
+    &diffusion_implicit_euler, &diffusion_sdirk2, NULL};
+
 MODEL_NAMED(diffusion_scheme)

@@ -131,4 +131,7 @@ const struct interpolation interpolation_same = {
     .apply = same,
 };
 
+const struct interpolation *const interpolations[] = {
+    &interpolation_nearest, &interpolation_linear, &interpolation_same, NULL};
+
 MODEL_NAMED(interpolation)

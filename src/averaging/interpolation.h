@@ -36,6 +36,8 @@ struct interpolation {
 
 /* All of them, ended by NULL; interpolation_named gives NULL for an unknown
  * name. */
+extern const struct interpolation interpolation_nearest, interpolation_linear,
+    interpolation_same;
 extern const struct interpolation *const interpolations[];
 const struct interpolation *interpolation_named(const char *name);
 

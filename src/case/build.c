@@ -7,7 +7,7 @@
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
-#include "case/case_part.h"
+#include "case/resolved/case_bodies.h"
 #include "case/case_steps.h"
 #include "case/models.h"
 #include "case/table_numbers.h"
@@ -117,7 +117,7 @@ struct simulation *build_for_run(const struct settings *s, int with_bed,
     }
     if (*code == 0) {
         build_effects(s, sim);
-        MODELS_UNTIL(*code, case_parts, add_last, s, sim);
+        *code = case_bodies_add(s, sim);
         if (*code == 0) return sim;
     }
     build_free(sim);

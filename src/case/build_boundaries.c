@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "case/boundaries/inlet_builder.h"
+#include "case/boundaries/rotating_wall.h"
 #include "case/models.h"
 
 /* A case may leave out a symmetry plane of the mesh. */
@@ -62,9 +64,10 @@ static int one_boundary(const struct settings *s, const struct mesh *m,
     *b = (struct boundary){.kind = BOUNDARY_SLIP};
     if (settings_side(s, p->name) == NULL) return 0;
     plain_boundary(s, p, b);
-    for (int i = 0; boundary_builders[i] != NULL && code == 0; i++)
-        if (build_boundaries_has(s, p, boundary_builders[i]->key, path))
-            code = boundary_builders[i]->build(s, m, p, b);
+    if (build_boundaries_has(s, p, "profile", path))
+        code = inlet_builder_add(s, m, p, b);
+    if (code == 0 && build_boundaries_has(s, p, "rotation", path))
+        code = rotating_wall_add(s, m, p, b);
     return code;
 }
 

@@ -18,16 +18,4 @@ enum { BUILD_BOUNDARIES_PATH = 128 };
 int build_boundaries_has(const struct settings *s, const struct patch *p,
                          const char *key, char path[BUILD_BOUNDARIES_PATH]);
 
-/* How a folder changes the boundary of a patch for which the case gives this
- * key: `build` gets the boundary without that change, and returns 0, or 2 after
- * a message. */
-struct boundary_builder {
-    const char *key; /* "profile" */
-    int (*build)(const struct settings *s, const struct mesh *m,
-                 const struct patch *p, struct boundary *b);
-    /* 1 if the boundary must be built to be checked; NULL: always. */
-    int (*is_checked)(const struct settings *s, const struct patch *p);
-};
-extern const struct boundary_builder *const boundary_builders[]; /* NULL ends */
-
 #endif

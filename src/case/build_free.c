@@ -6,7 +6,8 @@
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
 #include "case/build_boundaries.h"
-#include "case/case_part.h"
+#include "case/cohesion/case_cohesion.h"
+#include "case/surfaces/surfaces_part.h"
 
 void build_free(struct simulation *sim)
 {
@@ -19,7 +20,8 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    MODELS_EACH(case_parts, free, sim);
+    surfaces_part_free(sim);
+    case_cohesion_free(sim);
     if (sim->population != NULL) sim->insert_remove->free(sim->population);
     free(sim->materials);
     particles_free(sim->particles);

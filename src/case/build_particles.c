@@ -10,7 +10,11 @@
 #include "case/build_free.h"
 #include "dem/box_domain.h"
 #include "case/case_steps.h"
-#include "case/case_part.h"
+#include "case/cohesion/case_cohesion.h"
+#include "case/population/case_population.h"
+#include "case/resolved/case_bodies.h"
+#include "case/resume/bed_cache.h"
+#include "case/surfaces/surfaces_part.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/particle_options.h"
@@ -30,7 +34,7 @@ static int allocate_bed(const struct settings *s, struct simulation *sim,
 {
     const int n = settings_int(s, "particles.bed.count");
 
-    sim->particles = particles_create(n + case_part_count_later(s));
+    sim->particles = particles_create(n + case_population_count(s));
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
 }
@@ -66,7 +70,7 @@ static int make_bed(const struct settings *s, struct simulation *sim,
 
     b.region = sim->region;
     b.saver = saver;
-    sim->particles = particles_create(b.count + case_part_count_later(s));
+    sim->particles = particles_create(b.count + case_population_count(s));
     sim->dem = dem_create(sim->particles, o);
     const int found =
         sim->dem == NULL ? BED_REFUSED
@@ -105,9 +109,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (named)
         settings_beside(s, settings_text(s, "particles.bed.file"), path,
                         sizeof path);
-    int cached = 0;
-    if (!named)
-        MODELS_UNTIL(cached, case_parts, bed_file, s, path, sizeof path);
+    const int cached = !named && bed_cache_file(s, path, sizeof path);
     const int was_there = cached && access(path, R_OK) == 0;
     int found = make_bed(s, sim, o, saver, named || cached ? path : NULL, &r);
     if (found == BED_REFUSED && was_there)
@@ -137,9 +139,8 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
     static const char *const list = "particles.place";
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const int n = settings_length(s, list);
-    int code = 0;
 
-    sim->particles = particles_create(n + case_part_count_later(s));
+    sim->particles = particles_create(n + case_population_count(s));
     if (sim->materials != NULL) particles_add_material(sim->particles);
     for (int k = 0; k < n; k++) {
         const int material = material_of(s, list, k);
@@ -161,8 +162,8 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
         sim->particles->wy[i] = w[1];
         sim->particles->wz[i] = w[2];
     }
-    MODELS_UNTIL(code, case_parts, place, s, sim->particles, o);
-    return code;
+    const int code = surfaces_part_place(s, sim->particles, o);
+    return code != 0 ? code : case_population_place(s, sim->particles, o);
 }
 
 static int place_spheres(const struct settings *s, struct simulation *sim,
@@ -180,7 +181,7 @@ static int place_bed(const struct settings *s, struct simulation *sim,
     struct bed_options b = particle_options_bed(s);
 
     b.region = sim->region;
-    sim->particles = particles_create(b.count + case_part_count_later(s));
+    sim->particles = particles_create(b.count + case_population_count(s));
     const int wrong = bed_fill(sim->particles, &b, o) != 0;
     particle_options_release(&b);
     if (wrong) return 2;
@@ -188,17 +189,22 @@ static int place_bed(const struct settings *s, struct simulation *sim,
     return sim->dem == NULL ? 2 : 0;
 }
 
-/* The options of dem, with the materials and with what folders add. */
+/* The options of dem, with materials, surfaces, attractions and bodies. */
 static int complete(const struct settings *s, struct simulation *sim,
                     struct dem_options *o)
 {
-    int code = 0;
-
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
-    MODELS_UNTIL(code, case_parts, complete, s, sim, o);
-    MODELS_UNTIL(code, case_parts, complete_last, s, sim, o);
-    return code;
+    int code = surfaces_part_complete(s, sim, o);
+    if (code == 0) code = case_cohesion_complete(s, sim, o);
+    return code != 0 ? code : case_bodies_complete(s, sim, o);
+}
+
+/* What is added to the particles that there are. */
+static int add_rest(const struct settings *s, struct simulation *sim)
+{
+    const int code = surfaces_part_add(s, sim);
+    return code != 0 ? code : case_population_add(s, sim);
 }
 
 int build_particles_check(const struct settings *s)
@@ -212,7 +218,7 @@ int build_particles_check(const struct settings *s)
     if (code == 0)
         code = settings_has(s, "particles.bed") ? place_bed(s, sim, &o)
                                                 : place_spheres(s, sim, &o);
-    MODELS_UNTIL(code, case_parts, add, s, sim);
+    if (code == 0) code = add_rest(s, sim);
     build_free(sim);
     return code;
 }
@@ -240,7 +246,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
     build_particles_limit(s, sim);
-    MODELS_UNTIL(code, case_parts, add, s, sim);
+    code = add_rest(s, sim);
     if (code != 0) return code;
     sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;

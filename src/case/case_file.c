@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/case_file.h"
 
-#include "mesh/mesh_form.h"
-#include "case/mesh_reader.h"
-#include "case/case_check.h"
-#include "case/case_part.h"
+#include "case/meshes/read_mesh.h"
+#include "case/checks/case_memory.h"
+#include "case/checks/mesh_check.h"
+#include "case/checks/validate.h"
+#include "case/engine/case_engine.h"
+#include "case/population/case_population.h"
+#include "case/resolved/case_bodies.h"
+#include "case/statistics/case_statistics.h"
+#include "case/surfaces/case_surfaces.h"
 #include "case/keys.h"
 #include "case/models.h"
 #include "case/recorder_part.h"
@@ -17,10 +22,11 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     int n = 0;
 
     tables[n++] = keys_core;
-    for (int i = 0; mesh_forms[i] != NULL; i++)
-        tables[n++] = mesh_forms[i]->keys;
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->keys != NULL) tables[n++] = case_parts[i]->keys;
+    tables[n++] = case_surfaces_keys;
+    tables[n++] = case_engine_keys;
+    tables[n++] = case_population_keys;
+    tables[n++] = case_bodies_keys;
+    tables[n++] = case_statistics_keys;
     for (int i = 0; recorder_parts[i] != NULL; i++)
         if (recorder_parts[i]->keys != NULL)
             tables[n++] = recorder_parts[i]->keys;
@@ -38,9 +44,11 @@ struct settings *case_file_read(const char *file, int n_overrides,
     case_file_tables(tables);
     s = settings_create(file, n_overrides, overrides, tables, code);
     if (s == NULL) return NULL;
-    MODELS_UNTIL(*code, case_checks, mesh, s);
-    if (*code == 0 && mesh_readers[0] != NULL) *code = mesh_readers[0]->read(s);
-    MODELS_UNTIL(*code, case_checks, whole, s);
+    *code = mesh_check_keys(s);
+    if (*code == 0) *code = case_memory_check(s, 0.0);
+    if (*code == 0) *code = read_mesh(s);
+    if (*code == 0) *code = mesh_check_cells(s);
+    if (*code == 0) *code = validate_case(s);
     if (*code == 0) return s;
     settings_free(s);
     return NULL;

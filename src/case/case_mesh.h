@@ -7,7 +7,7 @@
 #ifndef CASE_CASE_MESH_H
 #define CASE_CASE_MESH_H
 
-#include "mesh/mesh_form.h"
+#include "mesh/mesh.h"
 #include "case/settings.h"
 
 /* The plain box that the case gives. */

@@ -1,6 +1,6 @@
 /* command.h -- a command of the program, such as `winnow run`.
  *
- * A command is one descriptor, named in the models.txt of its folder. The
+ * A command is one descriptor, listed in commands.c. The
  * command line, `winnow --help` and the messages about words that are missing
  * or too many are made from the descriptors.
  */
@@ -30,6 +30,9 @@ struct command {
 };
 
 /* All of them, ended by NULL. */
+extern const struct command command_run, study_command, export_command,
+    command_check, command_explain, command_list, command_new, command_eval,
+    command_status;
 extern const struct command *const commands[];
 
 /* The settings of the case that the first word names, with the overrides; NULL

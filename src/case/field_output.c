@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/processes.h"
+#include "output/poly/vtk_cells.h"
 #include "output/vtk.h"
 
 struct field_output {
@@ -16,9 +17,8 @@ struct field_output {
     struct folder *folder;            /* borrowed */
     struct series *fluid, *particles; /* NULL where there are none */
     struct vtk_file *writer;
-    const struct vtk_grid *grid; /* the form of a mesh that is no box */
-    void *cells;                 /* its state; NULL for a box */
-    double last;                 /* [s] */
+    struct vtk_cells *cells; /* of a mesh that is no box; else NULL */
+    double last;             /* [s] */
 };
 
 struct series *field_output_series(struct folder *f, const char *name,
@@ -36,19 +36,6 @@ struct series *field_output_series(struct folder *f, const char *name,
     return made;
 }
 
-/* The cells in the first form that can hold this mesh; NULL if none can, as for
- * a box. */
-static void *create_cells(struct field_output *p)
-{
-    void *made = NULL;
-
-    for (int i = 0; vtk_grids[i] != NULL && made == NULL; i++) {
-        p->grid = vtk_grids[i];
-        made = p->grid->create(p->mesh);
-    }
-    return made;
-}
-
 struct field_output *field_output_create(const struct simulation *sim,
                                          struct folder *folder)
 {
@@ -60,7 +47,7 @@ struct field_output *field_output_create(const struct simulation *sim,
     p->writer = vtk_file_create();
     p->last = -1.0;
     if (sim->fluid != NULL && p->mesh->shape != NULL)
-        p->cells = create_cells(p);
+        p->cells = vtk_cells_create(p->mesh);
     if (sim->fluid != NULL)
         p->fluid = field_output_series(folder, "fluid",
                                        sim->processes != NULL ? "pvtr"
@@ -81,7 +68,7 @@ void field_output_free(struct field_output *p)
     if (p == NULL) return;
     series_free(p->fluid);
     series_free(p->particles);
-    if (p->cells != NULL) p->grid->free(p->cells);
+    vtk_cells_free(p->cells);
     vtk_file_free(p->writer);
     free(p);
 }
@@ -143,7 +130,7 @@ static int add_fluid(struct field_output *p, const struct snapshot *s)
     const int failed =
         others != NULL ? others->write(others, path, s)
         : p->cells != NULL
-            ? p->grid->write(p->writer, path, p->cells, s->t, n, arrays)
+            ? vtk_cells_write(p->writer, path, p->cells, s->t, n, arrays)
             : vtk_write_box(p->writer, path, p->mesh, s->t, n, arrays);
     return failed != 0 || series_add(p->fluid, s->t) != 0;
 }

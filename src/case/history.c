@@ -8,6 +8,10 @@
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
 
+const struct history_table *const history_tables[] = {
+    &history_of_bed, &history_population, &history_budget, &history_further,
+    NULL};
+
 /* --- physics ------------------------------------------------------------ */
 
 HISTORY_VALUE(now, sim->t)

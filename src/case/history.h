@@ -42,6 +42,8 @@ struct history_table {
 };
 
 /* All of them, in the order of the row, ended by NULL. */
+extern const struct history_table history_of_bed, history_population,
+    history_budget, history_further;
 extern const struct history_table *const history_tables[];
 
 /* Loops over all columns; t is the table of column c. */

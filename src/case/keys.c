@@ -22,6 +22,14 @@ const struct key keys_core[] = {
      "width of the last cell over that of the first", "", ""},
     {"mesh.periodic", KEY_FLAGS, "", "", "[false, false, false]",
      "periodic directions", "", ""},
+    {"mesh.polymesh", KEY_FILE, "", "", "",
+     "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
+     "it begins with /; its patches take the place of the sides under fluid",
+     "", ""},
+    {"mesh.shear", KEY_VECTOR, "-", "", "",
+     "shift of the box along x over height y, along x over depth z, along y "
+     "over depth z; left out: none",
+     "", ""},
     {"fluid", KEY_GROUP, "", "", "", "the fluid; left out: particles alone",
      "XS11 2.7, 2.8", ""},
     {"fluid.density", KEY_REAL, "kg/m^3", "> 0", NULL,

@@ -14,6 +14,30 @@
 #include <stdio.h>
 #include <string.h>
 
+const struct kind *const models_kinds[] = {&models_contact,
+                                           &models_integrator,
+                                           &models_list,
+                                           &case_sizes_kind,
+                                           &surfaces_part_kind,
+                                           &models_averaging,
+                                           &models_scheme,
+                                           &models_variation,
+                                           &models_interpolation,
+                                           &models_drag,
+                                           &models_treatment,
+                                           &models_slip_integration,
+                                           &models_form,
+                                           &models_direction,
+                                           &models_time_scheme,
+                                           &models_convection,
+                                           &models_gradient,
+                                           &models_continuity,
+                                           &models_patch,
+                                           &models_profile,
+                                           &models_effect,
+                                           &case_bodies_method,
+                                           NULL};
+
 MODELS_KIND(models_contact, contact_laws, "contact", "contact laws",
             "particles.contact", NULL)
 MODELS_KIND(models_integrator, integrators, "integrator",
@@ -58,7 +82,7 @@ MODELS_KIND(models_effect, effects, "effect",
 
 const struct kind *models_kind(const char *name)
 {
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         if (strcmp((*k)->name, name) == 0) return *k;
     return NULL;
 }
@@ -68,7 +92,7 @@ int models_tables(const struct key **tables, int max)
     struct model m;
     int n = 0;
 
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++)
             for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++) {
                 int known = 0;
@@ -104,7 +128,7 @@ void models_words(const struct key *key, char *text, size_t size)
     size_t used = 0;
 
     text[0] = '\0';
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; is_chosen_by(*k, key) && (*k)->model(i, &m); i++) {
             if (key->type == KEY_PATCH && m.keys[0] != NULL) continue;
             const int wrote = snprintf(text + used, size - used, "%s%s",
@@ -129,7 +153,7 @@ static int patch_reads(const struct model *m, const char *name)
 
     snprintf(path, sizeof path, "fluid." KEY_ANY_PATCH ".%s", name);
     if (models_reads(m, path)) return 1;
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; models_reads(m, (*k)->key) && (*k)->model(i, &other);
              i++)
             if (models_reads(&other, path)) return 1;

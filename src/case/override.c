@@ -2,7 +2,7 @@
 #include "case/override.h"
 
 #include "base/alloc.h"
-#include "case/case_check.h"
+#include "case/text/include.h"
 #include "case/scan.h"
 #include "case/source.h"
 
@@ -150,11 +150,10 @@ static config_setting_t *group_of(config_t *tree, const char *text, char *path,
 static int set(config_setting_t *group, const char *name, const char *text,
                const char *value)
 {
-    const char *wrong = NULL;
+    const char *const wrong = include_check_value(value);
     config_t tree;
     int code;
 
-    MODELS_UNTIL(wrong, case_checks, text, value);
     if (wrong != NULL) return report_wrong(text, wrong);
     if (read_value(&tree, value))
         code = put(group, name, text, config_lookup(&tree, "value"));

@@ -6,7 +6,8 @@
 #include "dem/dem_method.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/case_part.h"
+#include "case/population/case_population.h"
+#include "case/surfaces/surfaces_part.h"
 
 int particle_options_gravity(const struct settings *s, double g[3])
 {
@@ -30,7 +31,7 @@ struct dem_options particle_options_dem(const struct settings *s, double step)
     settings_where(s, "mesh.periodic", o.where, sizeof o.where);
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
-    MODELS_EACH(case_parts, dem_options, s, &o);
+    surfaces_part_dem_options(s, &o);
     return o;
 }
 
@@ -45,7 +46,7 @@ struct bed_options particle_options_bed(const struct settings *s)
         .settle = settings_real(s, "particles.bed.settle")};
     settings_where(s, "particles.bed.count", b.where, sizeof b.where);
 
-    MODELS_EACH(case_parts, bed_sizes, s, &b);
+    case_population_bed_sizes(s, &b);
     particle_options_gravity(s, b.gravity);
     return b;
 }

@@ -1,6 +1,6 @@
 /* recorder_part.h -- a file of results that a folder adds to those of a run.
  *
- * Its descriptor is named in the models.txt of the folder. All but
+ * Its descriptor stands in recorder_part.c. All but
  * create and free may be NULL; row, fields and finish return non-zero after a
  * message.
  */
@@ -48,6 +48,11 @@ struct recorder_part {
 };
 
 /* All of them, ended by NULL. */
+extern const struct recorder_part second_half_part, profiles_part, probes_part,
+    effect_shares_part, contacts_part, forces_part, walls_part,
+    particle_fields_part, grains_record, outlines_record, exit_record,
+    surface_table_part, surface_fields_part, pictures_part;
+extern const struct recorder_part bodies_record, case_statistics_output;
 extern const struct recorder_part *const recorder_parts[];
 
 /* Those that this simulation uses, ended by NULL. */

@@ -8,19 +8,23 @@
 
 #include "base/clock.h"
 #include "base/model.h"
-#include "base/thread_choice.h"
+#include "base/threads/thread_tuner.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
 #include "output/folder.h"
 #include "case/build.h"
-#include "case/case_check.h"
+#include "case/engine/case_engine.h"
+#include "case/checks/case_scales.h"
 #include "case/case_steps.h"
 #include "case/command.h"
 #include "case/recorder.h"
-#include "case/run_part.h"
-#include "case/saver.h"
+#include "case/diagnosis/breakdown.h"
+#include "case/diagnosis/overlap.h"
+#include "case/population/case_population_run.h"
+#include "case/progress/progress.h"
+#include "case/resume/resume.h"
 
 enum {
     WRONG = 2,
@@ -39,13 +43,13 @@ static int sample(struct recorder *r, struct simulation *sim)
     return failed;
 }
 
-static int step(struct simulation *sim, void *threads)
+static int step(struct simulation *sim, struct thread_tuner *threads)
 {
     const double began = clock_processor();
 
-    MODELS_EACH(thread_choices, before_step, threads);
+    thread_tuner_before_step(threads);
     const int failed = coupling_step(sim);
-    MODELS_EACH(thread_choices, after_step, threads);
+    thread_tuner_after_step(threads);
     sim->seconds.processor += clock_processor() - began;
     return failed;
 }
@@ -57,24 +61,16 @@ struct run {
     struct folder *folder;
     struct simulation *sim;
     struct recorder *recorder;
-    const struct saver *saver; /* NULL: the run cannot be saved */
-    void *memory;              /* of the saver */
-    void *part[RUN_PARTS];     /* what the parts have created */
-    int resumes;               /* [-] 1: it had begun, and goes on */
-    int cut;                   /* [-] 1: a signal ended the last step early */
-    char why[RUN_PART_TEXT];   /* the computation broke down */
+    struct resume *resume;
+    int resumes;              /* [-] 1: it had begun, and goes on */
+    int cut;                  /* [-] 1: a signal ended the last step early */
+    int told;                 /* [-] 1: of an overlap deeper than expected */
+    char why[BREAKDOWN_TEXT]; /* the computation broke down */
 };
 
 static int broke_down(struct run *run)
 {
-    const struct simulation *const sim = run->sim;
-    int known = 0;
-
-    MODELS_UNTIL(known, run_parts, broke_down, sim, run->why);
-    if (!known)
-        snprintf(run->why, RUN_PART_TEXT,
-                 "the computation broke down at t = %g s (step %ld)", sim->t,
-                 sim->steps + 1);
+    breakdown_describe(run->sim, run->why);
     return BROKE_DOWN;
 }
 
@@ -84,47 +80,46 @@ static int start(struct run *run)
     if (!run->resumes && coupling_start(run->sim) != 0) return broke_down(run);
     if (!run->resumes && sample(run->recorder, run->sim) != 0)
         return NOT_WRITTEN;
-    if (run->saver == NULL) return 0;
-    return run->saver->begin(run->memory, run->sim, run->recorder) != 0
-               ? NOT_WRITTEN
-               : 0;
+    return resume_begin(run->resume, run->sim, run->recorder) != 0 ? NOT_WRITTEN
+                                                                   : 0;
 }
 
-/* The loop. Returns the exit code. A step that was cut short is not sampled. */
-static int advance(struct run *run, void *threads)
+/* One step. One that was cut short is not sampled. */
+static int advance_one(struct run *run, struct thread_tuner *threads,
+                       struct progress *progress)
+{
+    struct simulation *const sim = run->sim;
+    const int failed = step(sim, threads);
+
+    if (case_population_run_is_cut_short(sim)) return INTERRUPTED;
+    run->cut = failed && interrupt_arrived();
+    if (run->cut) return INTERRUPTED;
+    if (failed) return broke_down(run);
+    progress_show(progress, sim->t);
+    overlap_warn(&run->told, sim);
+    if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
+    if (resume_after_step(run->resume) != 0) return NOT_WRITTEN;
+    return interrupt_arrived() ? INTERRUPTED : 0;
+}
+
+/* The loop. Returns the exit code. */
+static int advance(struct run *run)
 {
     struct simulation *const sim = run->sim;
     const long steps = case_steps_until_end(run->settings);
+    struct thread_tuner *const threads = thread_tuner_create();
+    struct progress progress;
+    int code = 0;
 
-    while (sim->steps < steps) {
-        const int failed = step(sim, threads);
-        int cut_short = 0;
-
-        MODELS_UNTIL(cut_short, run_parts, is_cut_short, sim);
-        if (cut_short) return INTERRUPTED;
-        run->cut = failed && interrupt_arrived();
-        if (run->cut) return INTERRUPTED;
-        if (failed) return broke_down(run);
-        MODELS_EACH(run_parts, after_step, run->part[i_model], sim);
-        if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
-        if (run->saver != NULL && run->saver->after_step(run->memory) != 0)
-            return NOT_WRITTEN;
-        if (interrupt_arrived()) return INTERRUPTED;
-    }
-    return 0;
-}
-
-static int run_steps(struct run *run)
-{
-    void *const threads = thread_choice_create();
-
-    for (int i = 0; run_parts[i] != NULL; i++)
-        if (run_parts[i]->create != NULL)
-            run->part[i] = run_parts[i]->create(run->settings, run->sim);
-    int code = advance(run, threads);
-    MODELS_EACH(thread_choices, free, threads);
+    run->told = overlap_is_deeper(sim); /* before this run went on */
+    progress_init(&progress, sim->t, settings_real(run->settings, "output.end"),
+                  settings_quiet(run->settings));
+    while (code == 0 && sim->steps < steps)
+        code = advance_one(run, threads, &progress);
+    thread_tuner_free(threads);
     if (code == INTERRUPTED) interrupt_discard();
-    MODELS_EACH(run_parts, after_run, run->part[i_model], run->sim);
+    progress_end(&progress);
+    case_population_run_report(sim);
     return code;
 }
 
@@ -157,8 +152,8 @@ static int finish(struct run *run, int code)
 {
     struct recorder *const r = run->recorder;
 
-    if (code != NOT_WRITTEN && run->saver != NULL &&
-        run->saver->end(run->memory, code == BROKE_DOWN || run->cut) != 0)
+    if (code != NOT_WRITTEN &&
+        resume_end(run->resume, code == BROKE_DOWN || run->cut) != 0)
         code = NOT_WRITTEN;
     if (code == 0 && recorder_last_row(r) != 0) code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
@@ -173,8 +168,7 @@ static int finish(struct run *run, int code)
  * change the folder. */
 static int run_simulation(struct run *run)
 {
-    if (run->saver != NULL && run->saver->before(run->memory) != 0)
-        return NOT_WRITTEN;
+    if (resume_before(run->resume) != 0) return NOT_WRITTEN;
     run->recorder =
         recorder_create(run->settings, run->sim, run->folder, run->resumes);
     if (run->recorder == NULL) {
@@ -183,7 +177,7 @@ static int run_simulation(struct run *run)
         return NOT_WRITTEN;
     }
     int code = start(run);
-    if (code == 0) code = run_steps(run);
+    if (code == 0) code = advance(run);
     if (code == 0 || !run->resumes || run->sim->steps > 0)
         code = finish(run, code);
     recorder_free(run->recorder);
@@ -212,7 +206,7 @@ static int settle(void *data, struct bed_settling *bed, enum bed_stage stage)
     struct building *const b = data;
 
     if (stage == BED_STAGE_START) interrupt_watch_end(&b->watch);
-    const int code = b->run->saver->settle(b->run->memory, bed, stage);
+    const int code = resume_settle(b->run->resume, bed, stage);
     if (stage == BED_STAGE_END) interrupt_watch_begin(&b->watch, clean_up, b);
     return code;
 }
@@ -231,51 +225,35 @@ static struct simulation *build(const struct run *run, int *code)
 
     interrupt_watch_begin(&b.watch, clean_up, &b);
     struct simulation *const sim =
-        processes_engines[0] != NULL
-            ? processes_engines[0]->build(s, run->options->dir, run->resumes,
-                                          code)
-            : build_for_run(s, !run->resumes,
-                            run->saver != NULL ? &saver : NULL, code);
+        processes_engine != NULL
+            ? processes_engine->build(s, run->options->dir, run->resumes, code)
+            : build_for_run(s, !run->resumes, &saver, code);
     interrupt_watch_end(&b.watch);
     return sim;
-}
-
-/* Non-zero, the exit code, after a message. */
-static int create_saver(struct run *run)
-{
-    int code = 0;
-
-    run->saver = savers[0];
-    if (run->saver == NULL && run->options->resume)
-        fprintf(stderr, "winnow: this program was built without src/case/resume"
-                        " and cannot resume a run\n");
-    if (run->saver == NULL) return run->options->resume ? WRONG : 0;
-    run->memory =
-        run->saver->create(run->settings, run->folder, run->options, &code);
-    run->resumes = code == 0 && run->saver->is_of_run(run->memory);
-    return code;
 }
 
 int run_case(const struct settings *s, const struct run_options *o)
 {
     int code = 0;
 
-    MODELS_UNTIL(code, case_checks, run, s);
-    if (code != 0) return WRONG;
+    if (case_engine_check_run(s) != 0 || case_scales_check(s) != 0)
+        return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_open(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;
-    code = create_saver(&run);
-    if (code == 0 && !run.resumes && folder_is_used(run.folder) &&
-        !settings_quiet(s))
-        fprintf(stderr,
-                "%s: the files of an earlier run are replaced; -o names "
-                "another folder\n",
-                o->dir);
-    if (code == 0) run.sim = build(&run, &code);
+    run.resume = resume_create(s, run.folder, o, &code);
+    if (run.resume != NULL) {
+        run.resumes = resume_is_of_run(run.resume);
+        if (!run.resumes && folder_is_used(run.folder) && !settings_quiet(s))
+            fprintf(stderr,
+                    "%s: the files of an earlier run are replaced; -o names "
+                    "another folder\n",
+                    o->dir);
+        run.sim = build(&run, &code);
+    }
     const int built = run.sim != NULL;
     if (built) code = run_simulation(&run);
-    if (run.memory != NULL) run.saver->free(run.memory);
+    resume_free(run.resume);
     if (!built) folder_abandon(run.folder);
     build_free(run.sim);
     folder_free(run.folder);

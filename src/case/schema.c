@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/schema.h"
 
-#include "base/left_out.h"
 #include "case/models.h"
 #include "case/nearest.h"
 
@@ -40,11 +39,6 @@ const struct key *schema_find(const struct key *const *tables, const char *path)
     SCHEMA_EACH (k, tables)
         if (matches(k->path, path)) return k;
     return NULL;
-}
-
-int schema_knows(const struct key *const *tables, const char *path)
-{
-    return schema_find(tables, path) != NULL || left_out_folder(path) != NULL;
 }
 
 const char *schema_member(const struct key *key, const char *group)

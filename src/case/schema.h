@@ -22,10 +22,6 @@ extern const char *const schema_patches[];
 const struct key *schema_find(const struct key *const *tables,
                               const char *path);
 
-/* 1 if there is such a row, or would be in a build that leaves no folder out.
- */
-int schema_knows(const struct key *const *tables, const char *path);
-
 /* Loops over the rows of all tables. */
 #define SCHEMA_EACH(found, tables)                                             \
     for (const struct key *const *table_of_##found = (tables);                 \

@@ -2,9 +2,8 @@
 #include "case/schema_check.h"
 
 #include "case/models.h"
-#include "base/left_out.h"
 #include "base/text.h"
-#include "case/case_check.h"
+#include "case/checks/unit_range.h"
 #include "case/override.h"
 #include "case/schema.h"
 #include "case/source.h"
@@ -141,25 +140,12 @@ static int is_count_as_real(const struct key *key, const config_setting_t *s)
     return key->type == KEY_INT && config_setting_type(s) == CONFIG_TYPE_FLOAT;
 }
 
-/* A key, or a word in its place, of a folder that is not built. */
-static int report_left_out(const config_setting_t *s, const char *path,
-                           const char *word)
-{
-    const int is_key = word == path;
-
-    return source_wrong(s, "%s: %s%snot in this build, which leaves out %s",
-                        path, is_key ? "" : word, is_key ? "" : " is ",
-                        left_out_folder(word));
-}
-
 static int report_misfit(const struct key *key, const char *path,
                          const config_setting_t *s)
 {
     char expected[SCHEMA_TEXT], found[SOURCE_TEXT], nearest[SCHEMA_TEXT];
     const int is_text = config_setting_type(s) == CONFIG_TYPE_STRING;
 
-    if (is_text && left_out_folder(config_setting_get_string(s)) != NULL)
-        return report_left_out(s, path, config_setting_get_string(s));
     schema_expected(key, expected);
     source_value(s, found);
     if (is_count_as_real(key, s))
@@ -181,7 +167,6 @@ static int report_unknown(const struct key *const *tables, const char *path,
     const struct key *const key = schema_nearest(tables, path, nearest);
     const char *const dot = strrchr(path, '.');
 
-    if (left_out_folder(path) != NULL) return report_left_out(s, path, path);
     if (key == NULL)
         return source_wrong(s, "%s: no such key; see winnow list keys%s%.*s",
                             path, dot != NULL ? " " : "",
@@ -258,8 +243,7 @@ static int check_setting(const struct key *const *tables, const char *path,
         key->type == KEY_PATCH && config_setting_is_group(s);
     if (!is_patch_group && !fits(key, s)) return report_misfit(key, path, s);
     if ((code = check_needs(key, s)) != 0) return code;
-    if (key->type != KEY_LIST)
-        MODELS_UNTIL(code, case_checks, value, key, path, s);
+    if (key->type != KEY_LIST) code = unit_range_check(key, path, s);
     if (code != 0) return code;
     if (config_setting_is_group(s)) code = check_group(tables, path, s);
     if (is_patch_group && code == 0 && !fits(key, s))

@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "case/override.h"
-#include "case/mesh_reader.h"
+#include "case/meshes/read_mesh.h"
 #include "case/schema.h"
 #include "case/source.h"
 #include "case/schema_check.h"
@@ -49,8 +49,8 @@ struct settings *settings_create(const char *file, int n_overrides,
     for (int i = 0; i < n_overrides && *code == 0; i++)
         *code = override_apply(&s->tree, overrides[i]);
     if (*code == 0) *code = schema_check_texts(&s->tree);
-    if (*code == 0 && mesh_readers[0] != NULL)
-        *code = mesh_readers[0]->patches(s, &s->tree, s->tables, &s->patches);
+    if (*code == 0)
+        *code = read_mesh_patches(s, &s->tree, s->tables, &s->patches);
     if (*code == 0) *code = schema_check_check(&s->tree, s->tables);
     if (*code == 0) {
         schema_check_fill(&s->tree, s->tables);
@@ -137,7 +137,7 @@ int settings_has(const struct settings *s, const char *path)
 {
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(row_of(s, path) != NULL || schema_knows(s->tables, path));
+    assert(row_of(s, path) != NULL);
     return found != NULL && !source_is_default(found);
 }
 
@@ -233,7 +233,7 @@ int settings_length(const struct settings *s, const char *list)
 {
     const config_setting_t *const found = config_lookup(&s->tree, list);
 
-    assert(schema_knows(s->tables, list));
+    assert(schema_find(s->tables, list) != NULL);
     return found != NULL ? config_setting_length(found) : 0;
 }
 

@@ -3,7 +3,7 @@
 
 #include "base/tables/input.h"
 #include "base/text.h"
-#include "case/case_check.h"
+#include "case/text/include.h"
 #include "case/scan.h"
 
 #include <stdarg.h>
@@ -86,11 +86,9 @@ int source_read(config_t *tree, const char *file)
 {
     const char *why;
     size_t length;
-    int code = 0;
-
     config_init(tree);
     include_beside(tree, file);
-    MODELS_UNTIL(code, case_checks, file, file, config_get_include_dir(tree));
+    const int code = include_check_file(file, config_get_include_dir(tree));
     if (code != 0) return code;
     char *const text = input_text(file, &length, &why);
     if (text != NULL) scan_mixed(text);

@@ -70,3 +70,15 @@ const struct model coupling_one_way = {
     .function = "transfer_drag_terms",
     .value = 0,
 };
+
+const struct model *const coupling_treatments[] = {&coupling_semi_implicit,
+                                                   &coupling_explicit, NULL};
+
+const struct model *const coupling_slip_integrations[] = {
+    &coupling_frozen, &coupling_exponential, NULL};
+
+const struct model *const coupling_forms[] = {&coupling_form_a,
+                                              &coupling_form_b, NULL};
+
+const struct model *const coupling_directions[] = {&coupling_two_way,
+                                                   &coupling_one_way, NULL};

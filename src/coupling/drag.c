@@ -150,4 +150,19 @@ double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re)
     return drag_stokes_time(rho_p, d, mu) / (1.0 + 0.15 * pow(Re, 0.687));
 }
 
+const struct drag_law *const drag_laws[] = {&drag_syamlal_obrien,
+                                            &drag_gidaspow,
+                                            &drag_schiller_naumann,
+                                            &drag_di_felice,
+                                            &drag_di_felice_printed,
+                                            &drag_beetstra,
+                                            &drag_huilin_gidaspow,
+                                            &drag_hill_koch_ladd,
+                                            &drag_tenneti,
+                                            &drag_rong,
+                                            &drag_cello,
+                                            &drag_dallavalle,
+                                            &drag_haider_levenspiel,
+                                            NULL};
+
 MODEL_NAMED(drag_law)

@@ -16,6 +16,10 @@
 #include "coupling/drag_law.h"
 
 /* All laws, ended by NULL; drag_law_named: NULL if unknown. */
+extern const struct drag_law drag_syamlal_obrien, drag_gidaspow,
+    drag_schiller_naumann, drag_di_felice, drag_di_felice_printed,
+    drag_beetstra, drag_huilin_gidaspow, drag_hill_koch_ladd, drag_tenneti,
+    drag_rong, drag_cello, drag_dallavalle, drag_haider_levenspiel;
 extern const struct drag_law *const drag_laws[];
 const struct drag_law *drag_law_named(const char *name);
 

@@ -14,6 +14,11 @@ extern const struct effect gravity_effect;
 extern const struct effect pressure_gradient_effect;
 
 /* All of them, ended by NULL, and the one of that name or NULL. */
+extern const struct effect viscous_stress_effect, virtual_mass_effect,
+    basset_effect, saffman_effect, fluid_torque_effect, magnus_effect,
+    time_average_effect, energy_budget_effect, cohesion_electrostatic,
+    cohesion_van_der_waals, cohesion_capillary, whole_drag_effect,
+    stochastic_drag_effect, lubrication_effect, bubbles_effect, mixing_effect;
 extern const struct effect *const effects[];
 const struct effect *effect_named(const char *name);
 

@@ -52,17 +52,17 @@ struct processes {
 
 /* An implementation of several processes, which a build has or has not. */
 struct processes_engine {
-    const char *name;
     /* Whether it can compute the case; else 2, after a message. */
     int (*check)(const struct settings *s);
     /* Builds the part of the first process, before the first step, or to be
      * loaded from the folder. NULL after a message, with the exit code. */
     struct simulation *(*build)(const struct settings *s, const char *dir,
                                 int resumes, int *code);
+    const struct recorder_part *summary; /* what it adds to the summary */
 };
 
-/* All of them, ended by NULL: there is one, or none. */
-extern const struct processes_engine *const processes_engines[];
+/* That of this program; NULL: it computes on one machine (processes_none.c). */
+extern const struct processes_engine *const processes_engine;
 
 /* The same for any simulation: where sim->processes is NULL, join has no
  * effect, a sum is the number itself, and the cells and particles are those of

@@ -13,6 +13,7 @@
 #include "base/number.h"
 #include "base/vector.h"
 #include "dem/bed_settling.h"
+#include "dem/population/bed_file.h"
 
 static const double lattice_spacing = 1.02; /* [-] over d */
 
@@ -236,13 +237,11 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
                const struct bed_options *bed, const struct dem_options *dem,
                struct bed_report *r)
 {
-    const struct bed_store *const store = bed_stores[0];
     struct bed_histories histories = {0, NULL};
     int code = BED_ABSENT;
 
-    assert(path == NULL || store != NULL);
     *r = (struct bed_report){.settled = 1};
-    if (path != NULL) code = store->load(path, ps, &histories, bed, dem);
+    if (path != NULL) code = bed_file_load(path, ps, &histories, bed, dem);
     if (code == BED_CREATED) bed_measure(ps, bed, dem, r);
     if (code == BED_ABSENT) {
         if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
@@ -252,7 +251,7 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
                : wrong > 0 ? BED_LOST
                            : BED_CREATED;
         if (path != NULL && code == BED_CREATED &&
-            store->save(path, ps, &histories, bed, dem) != 0)
+            bed_file_save(path, ps, &histories, bed, dem) != 0)
             code = BED_UNSAVED;
     }
     if (code == BED_CREATED || code == BED_UNSAVED)

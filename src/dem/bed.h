@@ -59,19 +59,6 @@ struct bed_histories {
     struct dem_history *list; /* released with free() */
 };
 
-/* A kind of file that a settled bed is kept in (population/bed_file.h). */
-struct bed_store {
-    int (*save)(const char *path, const struct particles *ps,
-                const struct bed_histories *histories,
-                const struct bed_options *bed, const struct dem_options *dem);
-    int (*load)(const char *path, struct particles *ps,
-                struct bed_histories *histories, const struct bed_options *bed,
-                const struct dem_options *dem);
-};
-
-/* All of them, ended by NULL; beds are kept in the first. */
-extern const struct bed_store *const bed_stores[];
-
 /* Creates the bed: reads it from the file, if path is not NULL and the file
  * exists; else fills the lattice, settles it, and writes the file. ps has
  * capacity for it; `run` was created for ps with `dem` and starts with the

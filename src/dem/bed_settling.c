@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/model.h"
-#include "base/thread_choice.h"
+#include "base/threads/thread_tuner.h"
 #include "base/vector.h"
 #include "dem/limits.h"
 
@@ -125,14 +125,14 @@ static int call_saver(struct bed_settling *b, enum bed_stage stage)
 static int run_to_rest(struct bed_settling *b, double least, double factor)
 {
     struct bed_report *const r = b->r;
-    void *const threads = thread_choice_create();
+    struct thread_tuner *const threads = thread_tuner_create();
     int lost = 0;
 
     do {
         if (call_saver(b, BED_STAGE_STEPS) != 0) break;
-        MODELS_EACH(thread_choices, before_step, threads);
+        thread_tuner_before_step(threads);
         lost = dem_run(b->run, CHECK_EVERY, &r->dem);
-        MODELS_EACH(thread_choices, after_step, threads);
+        thread_tuner_after_step(threads);
         r->steps += r->dem.steps;
         r->time += (double)r->dem.steps * b->step;
         r->kinetic = (r->dem.translation + r->dem.rotation) /
@@ -140,7 +140,7 @@ static int run_to_rest(struct bed_settling *b, double least, double factor)
         r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= least;
         if (factor < 1.0) slow_down(b->ps, factor);
     } while (!lost && !r->settled && r->time < b->bed->settle);
-    MODELS_EACH(thread_choices, free, threads);
+    thread_tuner_free(threads);
     return lost;
 }
 

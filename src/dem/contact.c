@@ -14,4 +14,7 @@ double contact_damping_ratio(double e)
     return e > 0.0 ? -ln_e / sqrt(M_PI * M_PI + ln_e * ln_e) : 1.0;
 }
 
+const struct contact_law *const contact_laws[] = {&contact_hertz,
+                                                  &contact_linear, NULL};
+
 MODEL_NAMED(contact_law)

@@ -231,4 +231,8 @@ void dem_remove(struct dem *dem, const int *removed)
     free(histories);
 }
 
+const struct dem_method *const dem_methods[] = {
+    &fast_verlet, &reference_link_cells, &reference_all_pairs,
+    &no_contacts_method, NULL};
+
 MODEL_NAMED(dem_method)

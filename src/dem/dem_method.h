@@ -43,6 +43,9 @@ struct dem_method {
 
 /* All methods, ended by NULL, the default first; dem_method_named: NULL for an
  * unknown name. */
+extern const struct dem_method no_contacts_method;
+extern const struct dem_method fast_verlet, reference_link_cells,
+    reference_all_pairs;
 extern const struct dem_method *const dem_methods[];
 const struct dem_method *dem_method_named(const char *name);
 

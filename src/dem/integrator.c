@@ -20,4 +20,8 @@ const struct integrator integrators_symplectic_euler = {
     .first = 1.0,
 };
 
+const struct integrator *const integrators[] = {&integrators_velocity_verlet,
+                                                &integrators_symplectic_euler,
+                                                &heun_integrator, NULL};
+
 MODEL_NAMED(integrator)

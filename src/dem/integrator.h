@@ -26,6 +26,8 @@ struct integrator {
 
 /* All of them, ended by NULL, the default first; integrator_named: NULL for an
  * unknown name. */
+extern const struct integrator integrators_velocity_verlet,
+    integrators_symplectic_euler, heun_integrator;
 extern const struct integrator *const integrators[];
 const struct integrator *integrator_named(const char *name);
 

@@ -19,8 +19,8 @@
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/simulation.h"
-#include "distributed/refusal.h"
-#include "distributed/words.h"
+#include "case/engine/refusal.h"
+#include "case/engine/words.h"
 
 static void put_line(void *to, const char *line)
 {

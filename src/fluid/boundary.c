@@ -111,3 +111,7 @@ const struct model boundary_pressure = {
     .keys = {pressure_keys},
     .value = BOUNDARY_OUTLET,
 };
+
+const struct model *const boundary_kinds[] = {
+    &boundary_no_slip, &boundary_slip,      &boundary_inlet,    &boundary_wall,
+    &boundary_outlet,  &rotating_wall_kind, &boundary_pressure, NULL};

@@ -134,3 +134,6 @@ const struct model fluid_continuity_void_rate = {
     .function = "continuity_source",
     .value = CONTINUITY_VOID_RATE,
 };
+
+const struct model *const fluid_continuity_forms[] = {
+    &fluid_continuity_mixture, &fluid_continuity_void_rate, NULL};

@@ -58,5 +58,13 @@ const struct convection_scheme convection_blended = {
     .owner_weights = weights_blended,
 };
 
+const struct convection_scheme *const convection_schemes[] = {
+    &convection_upwind,        &convection_linear,   &convection_blended,
+    &convection_second_upwind, &convection_van_leer, NULL};
+
 MODEL_NAMED(convection_scheme)
+const struct velocity_gradient_scheme *const velocity_gradient_schemes[] = {
+    &velocity_gradient_by_mesh, &velocity_gradient_gauss,
+    &velocity_gradient_least_squares, NULL};
+
 MODEL_NAMED(velocity_gradient_scheme)

@@ -37,6 +37,8 @@ struct convection_scheme {
 };
 
 /* All schemes, ended by NULL, the default first; NULL for an unknown name. */
+extern const struct convection_scheme convection_upwind, convection_linear,
+    convection_blended, convection_second_upwind, convection_van_leer;
 extern const struct convection_scheme *const convection_schemes[];
 const struct convection_scheme *convection_scheme_named(const char *name);
 

@@ -1,11 +1,11 @@
-/* deferred.h -- the hooks of explicit terms that use the gradients of cells.
+/* deferred.h -- explicit terms that use the gradients of cells.
  * Chapter "The flow, verified".
  *
  * Where the links of a mesh are not normal to their faces, or miss the middles
  * of these, and in a scheme of convection that uses more than two cells, the
  * equations have terms with gradients. They are computed from the values known
- * so far and added to the explicit side (deferred correction). The folder
- * deferred/ has these terms; in a box, with the other schemes, there are none.
+ * so far and added to the explicit side (deferred correction). In a box, with
+ * the other schemes, there are none. The files are those of deferred/.
  */
 #ifndef FLUID_DEFERRED_H
 #define FLUID_DEFERRED_H
@@ -13,23 +13,29 @@
 struct fluid;
 
 struct deferred {
-    /* Adds the terms to the right-hand side of the momentum equation [N]. */
-    void (*add_to_momentum)(struct deferred *self, struct fluid *fl);
-    /* Adds the terms to the fluxes without the pressure [m^3/s]. */
-    void (*add_to_fluxes)(struct deferred *self, struct fluid *fl);
-    /* Adds the terms to p_face [Pa] and computes grad_p from it. */
-    void (*set_gradient)(struct deferred *self, struct fluid *fl);
-    void (*free)(struct deferred *self);
     double *reach; /* [m] from the centre of a cell to where the velocity of its
                       boundary face holds, 3 a boundary face
                       (velocity_gradient.h); NULL: to the middle */
+    double *slope; /* [1/s] gradient of the velocity, 9 a cell */
+    double *u_boundary;       /* [m/s] the velocity on the boundary, 3 a face */
+    double *off;              /* [m] of skewness.h; NULL for a mesh without */
+    double *normal_equations; /* [1/m^2] of least squares, likewise; NULL
+                                 without tetrahedra */
 };
 
-/* create returns NULL where the mesh and the schemes of the fluid need none. */
-struct deferred_kind {
-    const char *name;
-    struct deferred *(*create)(const struct fluid *fl);
-};
-extern const struct deferred_kind *const deferred_kinds[]; /* ended by NULL */
+/* NULL where the mesh and the schemes of the fluid need none. */
+struct deferred *deferred_create(const struct fluid *fl);
+void deferred_free(struct deferred *d);
+
+/* Adds the terms to the right-hand side of the momentum equation [N]. */
+void deferred_add_to_momentum(struct deferred *d, struct fluid *fl);
+/* Adds the terms to the fluxes without the pressure [m^3/s]. */
+void deferred_add_to_fluxes(const struct deferred *d, struct fluid *fl);
+/* Adds the terms to p_face [Pa] and computes grad_p from it. */
+void deferred_set_gradient(const struct deferred *d, struct fluid *fl);
+
+/* non_orthogonal.c: adds to the fluxes what the pressure gradient drives
+ * through the part of the area vector that is not along the link. */
+void deferred_add_oblique_fluxes(struct fluid *fl);
 
 #endif

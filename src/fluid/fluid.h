@@ -35,6 +35,7 @@
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
+extern const struct model fluid_continuity_mixture, fluid_continuity_void_rate;
 extern const struct model *const fluid_continuity_forms[]; /* ended by NULL */
 
 struct fluid_options {

@@ -117,7 +117,7 @@ void gradient_update(struct fluid *fl)
     inner_pressures(fl);
     boundary_pressures(fl);
     if (fl->deferred != NULL)
-        fl->deferred->set_gradient(fl->deferred, fl);
+        deferred_set_gradient(fl->deferred, fl);
     else
         gradient_of_faces(fl);
 }

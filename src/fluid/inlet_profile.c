@@ -3,6 +3,10 @@
 
 #include "base/model.h"
 
+const struct inlet_profile *const inlet_profiles[] = {
+    &inlet_profile_uniform, &parabola_profile, &formula_profile,
+    &table_profile,         &file_profile,     NULL};
+
 MODEL_NAMED(inlet_profile)
 
 static int uniform(const struct inlet_request *r, struct boundary *b,

@@ -38,6 +38,8 @@ struct inlet_profile {
                   char wrong[INLET_PROFILE_TEXT]);
 };
 
+extern const struct inlet_profile inlet_profile_uniform, parabola_profile,
+    formula_profile, table_profile, file_profile;
 extern const struct inlet_profile *const inlet_profiles[]; /* ended by NULL */
 const struct inlet_profile *inlet_profile_named(const char *name);
 

@@ -200,7 +200,7 @@ void momentum_assemble(struct fluid *fl)
         PARALLEL_RANGES(fl->mesh->n_cells, 12, add_drag, fl);
         face_jump_update(fl);
     }
-    if (fl->deferred != NULL) fl->deferred->add_to_momentum(fl->deferred, fl);
+    if (fl->deferred != NULL) deferred_add_to_momentum(fl->deferred, fl);
     if (fl->immersed != NULL) fl->immersed->add_friction(fl->immersed, fl);
     add_boundaries(fl);
 }

@@ -196,7 +196,7 @@ static void predicted_fluxes(struct fluid *fl)
 
     FOR_EACH_FACE(fl->faces, 8, inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
-    if (fl->deferred != NULL) fl->deferred->add_to_fluxes(fl->deferred, fl);
+    if (fl->deferred != NULL) deferred_add_to_fluxes(fl->deferred, fl);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
         const int o = m->owner[f];
         if (b->kind == BOUNDARY_OUTLET)

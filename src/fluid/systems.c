@@ -195,8 +195,7 @@ void systems_create(struct fluid *fl)
     fl->faces = faces_of(m);
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
-    for (int i = 0; deferred_kinds[i] != NULL && fl->deferred == NULL; i++)
-        fl->deferred = deferred_kinds[i]->create(fl);
+    fl->deferred = deferred_create(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
@@ -215,7 +214,7 @@ void systems_free(struct fluid *fl)
     bicgstab_work_free(fl->momentum->bicgstab);
     preconditioned_free(fl->pressure->matrix);
     cg_work_free(fl->pressure->cg);
-    if (fl->deferred != NULL) fl->deferred->free(fl->deferred);
+    deferred_free(fl->deferred);
     free_arrays(fl);
     faces_release(fl->faces);
     free(fl->faces);

@@ -37,4 +37,7 @@ const struct time_scheme time_scheme_bdf2 = {
     .weights = weights_bdf2,
 };
 
+const struct time_scheme *const time_schemes[] = {&time_scheme_euler,
+                                                  &time_scheme_bdf2, NULL};
+
 MODEL_NAMED(time_scheme)

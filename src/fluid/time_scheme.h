@@ -28,6 +28,7 @@ struct time_scheme {
 };
 
 /* All schemes, ended by NULL, the default first; NULL for an unknown name. */
+extern const struct time_scheme time_scheme_euler, time_scheme_bdf2;
 extern const struct time_scheme *const time_schemes[];
 const struct time_scheme *time_scheme_named(const char *name);
 

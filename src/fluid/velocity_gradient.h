@@ -27,6 +27,8 @@ struct velocity_gradient_scheme {
 extern const struct key velocity_gradient_keys[];
 
 /* All schemes, ended by NULL, the default first; NULL for an unknown name. */
+extern const struct velocity_gradient_scheme velocity_gradient_by_mesh,
+    velocity_gradient_gauss, velocity_gradient_least_squares;
 extern const struct velocity_gradient_scheme *const velocity_gradient_schemes[];
 const struct velocity_gradient_scheme *
 velocity_gradient_scheme_named(const char *name);

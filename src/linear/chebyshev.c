@@ -52,7 +52,7 @@ struct chebyshev *chebyshev_create(const struct csr *K, const double *V,
     double lambda = 0.0; /* [1/m^2] Gershgorin's bound */
 
     assert(m >= 1 && T >= 0.0 && tail > 0.0);
-    s->loop = chebyshev_loops[0];
+    s->loop = &chebyshev_groups;
     s->K = K;
     s->m = m;
     for (int i = 0; i < K->n; i++)

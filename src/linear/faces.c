@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/faces.h"
 
+#include "linear/fast/contiguous_faces.h"
 #include "linear/vec3.h"
 
 #include <stddef.h>
 
 void faces_divide(struct faces *f)
 {
-    f->pieces = NULL;
-    for (int i = 0; faces_orders[i] != NULL && f->pieces == NULL; i++)
-        f->pieces =
-            faces_orders[i]->create(f->n_inner, f->n, f->owner, f->neighbour);
+    f->pieces = contiguous_faces_find(f->n_inner, f->n, f->owner, f->neighbour);
 }
 
 void faces_release(struct faces *f)

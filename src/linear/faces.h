@@ -38,15 +38,6 @@ struct face_pieces {
     void (*free)(struct face_pieces *r);
 };
 
-/* A way to find the pieces: create returns NULL if the pieces are too short to
- * be of use. All ways, ended by NULL. */
-struct faces_order {
-    const char *name;
-    struct face_pieces *(*create)(int n_inner, int n, const int *owner,
-                                  const int *neighbour);
-};
-extern const struct faces_order *const faces_orders[];
-
 /* The faces of a mesh; all arrays are borrowed. */
 struct faces {
     int n_inner, n; /* faces between two cells; with those of the boundary */

@@ -13,9 +13,7 @@ struct preconditioned preconditioned_create(int n, int n_links,
                                             const double *strength,
                                             const double *link, const double *V)
 {
-    const struct preconditioned_kind *const kind =
-        preconditioned_kinds[0] != NULL ? preconditioned_kinds[0]
-                                        : &preconditioned_jacobi;
+    const struct preconditioned_kind *const kind = &multigrid_preconditioned;
 
     return (struct preconditioned){
         kind, kind->create(n, n_links, owner, neighbour, strength, link, V)};

@@ -35,13 +35,12 @@ struct preconditioned {
     void *matrix;
 };
 
-/* The kinds that folders add, ended by NULL; and the plain kind, whose matrix
- * is a struct csr (csr.h). */
-extern const struct preconditioned_kind *const preconditioned_kinds[];
+/* What the flow uses, and the plain kind, whose matrix is a struct csr (csr.h).
+ */
+extern const struct preconditioned_kind multigrid_preconditioned;
 extern const struct preconditioned_kind preconditioned_jacobi;
 
-/* Creates a matrix of the first kind that a folder adds, or of the plain one;
- * the arguments are those of `create`. */
+/* Creates a matrix with multigrid; the arguments are those of `create`. */
 struct preconditioned
 preconditioned_create(int n, int n_links, const int *owner,
                       const int *neighbour, const double *strength,

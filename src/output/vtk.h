@@ -24,17 +24,6 @@ int vtk_write_box_at(struct vtk_file *f, const char *path, const struct mesh *m,
                      const int at[3], double time, int n_arrays,
                      const struct vtk_array *arrays);
 
-/* A form of a mesh that is no box, .vtu, with what it has created of it. All
- * that are built in, ended by NULL. */
-struct vtk_grid {
-    const char *name;
-    void *(*create)(const struct mesh *m); /* the mesh is borrowed */
-    void (*free)(void *cells);
-    int (*write)(struct vtk_file *f, const char *path, const void *cells,
-                 double time, int n_arrays, const struct vtk_array *arrays);
-};
-extern const struct vtk_grid *const vtk_grids[];
-
 /* n particles, 0 allowed, with centres x[0][i], x[1][i], x[2][i] [m]. */
 int vtk_write_particles(struct vtk_file *f, const char *path, int n,
                         const double *const x[3], double time, int n_arrays,

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "output/compressed/vtk_blocks.h"
 #include "base/number.h"
 
 #include <assert.h>
@@ -14,7 +15,6 @@
 /* Blanks for an offset and the quote after it: some readers look for the text
  * of the number, without zeros before it. */
 enum { OFFSET = 17 };
-
 /* An array whose bytes are still to be written. */
 struct pending {
     struct vtk_array array;
@@ -23,7 +23,7 @@ struct pending {
 };
 
 struct vtk_file {
-    void *state; /* of the encoding */
+    struct vtk_blocks *blocks;
     struct file *file;
     FILE *out;
     const char *kind;
@@ -31,37 +31,18 @@ struct vtk_file {
     struct pending pending[VTK_FILE_ARRAYS];
 };
 
-/* The number of bytes, and then the numbers. */
-static void write_plain(void *none, FILE *out, const struct vtk_array *a, int n)
-{
-    const size_t width = vtk_array_width(a);
-    const size_t n_values = (size_t)n * (size_t)a->components;
-    const uint64_t bytes = n_values * width;
-    double value;
-
-    (void)none;
-    fwrite(&bytes, sizeof bytes, 1, out);
-    for (size_t v = 0; v < n_values; v++) {
-        vtk_array_copy(a, v, 1, &value);
-        fwrite(&value, width, 1, out);
-    }
-}
-
-const struct vtk_encoding vtk_plain = {
-    .name = "plain", .attribute = "", .write = write_plain};
-
 struct vtk_file *vtk_file_create(void)
 {
     struct vtk_file *const f = alloc_zeroed(1, sizeof *f);
 
-    if (vtk_encodings[0]->create != NULL) f->state = vtk_encodings[0]->create();
+    f->blocks = vtk_blocks_create();
     return f;
 }
 
 void vtk_file_free(struct vtk_file *f)
 {
     if (f == NULL) return;
-    if (vtk_encodings[0]->free != NULL) vtk_encodings[0]->free(f->state);
+    vtk_blocks_free(f->blocks);
     free(f);
 }
 
@@ -93,9 +74,9 @@ int vtk_file_begin(struct vtk_file *f, const char *path, const char *kind,
     fprintf(f->out,
             "<?xml version=\"1.0\"?>\n"
             "<VTKFile type=\"%s\" version=\"1.0\" byte_order=\"%s\" "
-            "header_type=\"UInt64\"%s>\n"
+            "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
             "<%s%s>\n",
-            kind, byte_order(), vtk_encodings[0]->attribute, kind, extent);
+            kind, byte_order(), kind, extent);
     put_time(f->out, time);
     return 0;
 }
@@ -151,7 +132,7 @@ int vtk_file_end(struct vtk_file *f)
         fseeko(f->out, a->at, SEEK_SET);
         fprintf(f->out, "%lld\"", (long long)(here - start));
         fseeko(f->out, here, SEEK_SET);
-        vtk_encodings[0]->write(f->state, f->out, &a->array, a->n);
+        vtk_blocks_write(f->blocks, f->out, &a->array, a->n);
     }
     fprintf(f->out, "\n</AppendedData>\n</VTKFile>\n");
     return file_commit(f->file);

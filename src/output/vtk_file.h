@@ -14,17 +14,6 @@
 /* Most arrays in one file, coordinates and cells among them. */
 enum { VTK_FILE_ARRAYS = 64 };
 
-/* How the bytes of an array are written, at the present position of the stream,
- * in which an error remains set. The first of the list is used. */
-struct vtk_encoding {
-    const char *name;
-    const char *attribute; /* of the file, "" or " compressor=..." */
-    void *(*create)(void); /* NULL: `write` needs nothing */
-    void (*free)(void *state);
-    void (*write)(void *state, FILE *out, const struct vtk_array *a, int n);
-};
-extern const struct vtk_encoding *const vtk_encodings[];
-
 /* One writer serves all files of a run, one after the other. */
 struct vtk_file;
 

@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Written by models.awk. */
-extern const struct truth_function *const truth_functions[];
+extern const struct truth_function truth_equation, truth_formula;
+static const struct truth_function *const truth_functions[] = {
+    &truth_equation, &truth_formula, NULL};
 
 int truth_is_table(const char *text)
 {

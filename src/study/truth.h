@@ -17,7 +17,7 @@
 
 #include "study/curve.h"
 
-/* Functions of one variable. Each kind is a descriptor in models.txt. */
+/* Functions of one variable. Each kind is a descriptor. */
 struct truth_function {
     const char *name; /* for messages: "a formula" */
     /* 1 if the text is meant for this kind. */

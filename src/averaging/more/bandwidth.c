@@ -157,18 +157,8 @@ double bandwidth_largest(const struct bandwidth *w)
     return base * gsl_pow_2(d_max * volume / sum);
 }
 
-static int has_rule(const char *vary)
+int bandwidth_has_rule(const char *vary)
 {
     return strcmp(vary, "uniform") == 0 || strcmp(vary, "cells") == 0 ||
            strcmp(vary, "grains") == 0;
 }
-
-const struct diffusion_variation bandwidth_variation = {
-    .has_rule = has_rule,
-    .is_by_lines = bandwidth_is_by_lines,
-    .create = bandwidth_create,
-    .free = bandwidth_free,
-    .bind = bandwidth_bind,
-    .D = bandwidth_D,
-    .largest = bandwidth_largest,
-};

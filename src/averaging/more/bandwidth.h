@@ -24,12 +24,11 @@
 #define AVERAGING_MORE_BANDWIDTH_H
 
 #include "averaging/averaging.h"
-#include "averaging/diffusion_variants.h"
 #include "averaging/cell_of_particle.h"
 #include "base/model.h"
 
-/* All of this, for the diffusion. */
-extern const struct diffusion_variation bandwidth_variation;
+/* 1 if there is such a rule, a value of options.vary. */
+int bandwidth_has_rule(const char *vary);
 
 /* D minus the smoothing by a cell of width dx [m], where D = 1 for the
  * bandwidth b [m]: the rule "cells". [-] */

@@ -325,25 +325,3 @@ void separable_apply(struct separable *s, int m, double *u)
     for (int k = 0; k < 3; k++)
         if (s->direction[k].n > 1) apply_direction(s, k, m, u);
 }
-
-static void *create(const struct mesh *mesh, double T, double b, double tail)
-{
-    return separable_create(&mesh->box, T, b, tail);
-}
-
-static void release(void *state)
-{
-    separable_free(state);
-}
-
-static void apply(void *state, int m, double *u)
-{
-    separable_apply(state, m, u);
-}
-
-const struct diffusion_operator separable_exponential = {
-    .name = "separable",
-    .create = create,
-    .free = release,
-    .apply = apply,
-};

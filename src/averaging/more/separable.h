@@ -19,11 +19,7 @@
 #ifndef AVERAGING_MORE_SEPARABLE_H
 #define AVERAGING_MORE_SEPARABLE_H
 
-#include "averaging/diffusion_variants.h"
 #include "mesh/mesh.h"
-
-/* All of this, for the diffusion. */
-extern const struct diffusion_operator separable_exponential;
 
 struct separable;
 

@@ -6,7 +6,6 @@
 
 #include "base/alloc.h"
 #include "base/clock.h"
-#include "base/thread_choice.h"
 
 enum { TRIAL = 3 }; /* [-] steps */
 
@@ -84,7 +83,7 @@ int thread_tuner_next(struct thread_tuner *c, double seconds)
 }
 
 /* With one thread there are no trials, and the clock is not read. */
-static void *create(void)
+struct thread_tuner *thread_tuner_create(void)
 {
     struct thread_tuner *const c = alloc_zeroed(1, sizeof *c);
 
@@ -93,28 +92,19 @@ static void *create(void)
     return c;
 }
 
-static void before_step(void *choice)
+void thread_tuner_before_step(struct thread_tuner *c)
 {
-    struct thread_tuner *const c = choice;
-
     if (c->max_threads > 1) c->step_start = clock_now();
 }
 
-static void after_step(void *choice)
+void thread_tuner_after_step(struct thread_tuner *c)
 {
-    struct thread_tuner *const c = choice;
-
     if (c->max_threads > 1)
         omp_set_num_threads(thread_tuner_next(c, clock_now() - c->step_start));
 }
 
-static void release(void *choice)
+void thread_tuner_free(struct thread_tuner *c)
 {
-    struct thread_tuner *const c = choice;
-
     omp_set_num_threads(c->max_threads);
     free(c);
 }
-
-const struct thread_choice thread_tuner_choice = {create, before_step,
-                                                  after_step, release};

@@ -31,4 +31,11 @@ void thread_tuner_init(struct thread_tuner *c, int most);
 /* Number of threads for the next step; seconds: wall time of the last step. */
 int thread_tuner_next(struct thread_tuner *c, double seconds);
 
+/* The same for a loop of steps: before the first, around each, and after the
+ * last one. */
+struct thread_tuner *thread_tuner_create(void);
+void thread_tuner_before_step(struct thread_tuner *c);
+void thread_tuner_after_step(struct thread_tuner *c);
+void thread_tuner_free(struct thread_tuner *c);
+
 #endif

@@ -89,8 +89,8 @@ static int check_values(const struct settings *s, const struct boundary *b,
 }
 
 /* Adds the profile to an inlet; non-zero after a message. */
-static int add_profile(const struct settings *s, const struct mesh *m,
-                       const struct patch *p, struct boundary *b)
+int inlet_builder_add(const struct settings *s, const struct mesh *m,
+                      const struct patch *p, struct boundary *b)
 {
     const struct inlet_profile *const profile = profile_of(s, p);
     struct inlet_request r = {.mesh = m, .patch = p};
@@ -112,13 +112,10 @@ static int add_profile(const struct settings *s, const struct mesh *m,
 }
 
 /* Profiles that ask for no key cannot be wrong. */
-static int is_checked(const struct settings *s, const struct patch *p)
+int inlet_builder_is_checked(const struct settings *s, const struct patch *p)
 {
     return profile_of(s, p)->asks != NULL;
 }
-
-const struct boundary_builder inlet_builder = {
-    .key = "profile", .build = add_profile, .is_checked = is_checked};
 
 /* --- the velocity over the patch ------------------------------------------ */
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rotating_wall.c -- no-slip walls that rotate within their own surface. */
-#include "case/build_boundaries.h"
+#include "case/boundaries/rotating_wall.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/model.h"
 #include "base/vector.h"
+#include "case/build_boundaries.h"
 #include "mesh/geometry/face_corners.h"
 
 /* From the projection of the cell's centre onto boundary face f, where the
@@ -22,8 +23,8 @@ static void from_foot(const struct mesh *m, int f, double off[3])
 /* omega x (x - centre) at the projection of the centre of each face's cell onto
  * the face, with the normal component removed. A wall with a large normal
  * component would move through itself: an error. */
-static int add_rotation(const struct settings *s, const struct mesh *m,
-                        const struct patch *p, struct boundary *b)
+int rotating_wall_add(const struct settings *s, const struct mesh *m,
+                      const struct patch *p, struct boundary *b)
 {
     const double most = 0.05; /* [-] normal part over the speed of the patch */
     double *const u = alloc_doubles(3 * p->n);
@@ -74,6 +75,3 @@ const struct model rotating_wall_kind = {
     .keys = {rotation_keys},
     .value = BOUNDARY_NO_SLIP,
 };
-
-const struct boundary_builder rotating_wall = {.key = "rotation",
-                                               .build = add_rotation};

@@ -3,21 +3,18 @@
 
 #include <stdlib.h>
 
+#include "case/boundaries/inlet_builder.h"
 #include "case/build_boundaries.h"
 #include "case/case_mesh.h"
 
-/* 1 if a folder adds to a boundary what is only found right by building it. */
+/* 1 if the boundary has what is only found right by building it. */
 static int needs_arrays(const struct settings *s, const struct patch *p)
 {
     char path[BUILD_BOUNDARIES_PATH];
-    int needs = 0;
 
-    for (int i = 0; boundary_builders[i] != NULL; i++) {
-        const struct boundary_builder *const b = boundary_builders[i];
-        needs |= build_boundaries_has(s, p, b->key, path) &&
-                 (b->is_checked == NULL || b->is_checked(s, p));
-    }
-    return needs;
+    return build_boundaries_has(s, p, "rotation", path) ||
+           (build_boundaries_has(s, p, "profile", path) &&
+            inlet_builder_is_checked(s, p));
 }
 
 int boundary_check(const struct settings *s)

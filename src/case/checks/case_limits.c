@@ -6,7 +6,7 @@
 #include "base/vector.h"
 #include "dem/dem_method.h"
 #include "dem/limits.h"
-#include "case/case_part.h"
+#include "case/population/case_population.h"
 #include "case/case_materials.h"
 #include "case/particle_options.h"
 
@@ -24,21 +24,6 @@ const char *case_limits_name(const struct settings *s, int m)
 {
     return m == 0 ? "grains"
                   : settings_item_text(s, "particles.materials", m - 1, "name");
-}
-
-struct case_diameters case_limits_later(const struct settings *s, int material)
-{
-    struct case_diameters all = {0.0, 0.0};
-
-    for (int i = 0; case_parts[i] != NULL; i++) {
-        if (case_parts[i]->later_diameters == NULL) continue;
-        const struct case_diameters d =
-            case_parts[i]->later_diameters(s, material);
-        if (d.max <= 0.0) continue;
-        all.min = all.max > 0.0 ? fmin(all.min, d.min) : d.min;
-        all.max = fmax(all.max, d.max);
-    }
-    return all;
 }
 
 /* The smaller of two diameters, of which 0 is none. */
@@ -83,7 +68,7 @@ struct case_limits case_limits_of(const struct settings *s, int m, double v)
 
     k.density = case_materials_density(s, m);
     k.d = smaller(smallest_of_bed(s, m), smallest_placed(s, m));
-    k.d = smaller(k.d, case_limits_later(s, m).min);
+    k.d = smaller(k.d, case_population_diameters(s, m).min);
     if (k.d <= 0.0) return k;
     k.rayleigh = law->wave_time(&of, 0.5 * k.d, k.density);
     k.contact = limits_contact_time(law, &of, k.d, k.density, v);

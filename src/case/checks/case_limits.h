@@ -2,7 +2,7 @@
 #ifndef CASE_CHECKS_CASE_LIMITS_H
 #define CASE_CHECKS_CASE_LIMITS_H
 
-#include "case/case_part.h"
+#include "case/population/case_population.h"
 #include "case/settings.h"
 
 /* Of the smallest particle of one material in an impact on an equal one. */
@@ -19,10 +19,6 @@ struct case_limits {
 /* 1 if particles.list chooses a method without contacts: particles pass through
  * each other, and no impact has to be resolved. */
 int case_limits_no_contacts(const struct settings *s);
-
-/* The diameters of the particles that may come after the start, of one material
- * or, if it is negative, of all. */
-struct case_diameters case_limits_later(const struct settings *s, int material);
 
 /* How many materials the case lists, grains included. */
 int case_limits_count(const struct settings *s);

@@ -89,7 +89,7 @@ static int is_divided(const struct settings *s)
 {
     static const char key[] = "engine";
 
-    return processes_engines[0] != NULL ||
+    return processes_engine != NULL ||
            (settings_has(s, key) &&
             strcmp(settings_text(s, key), "distributed") == 0);
 }

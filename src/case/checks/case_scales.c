@@ -14,17 +14,17 @@
 #include "case/checks/case_memory.h"
 #include "case/case_mesh.h"
 #include "case/extent/case_extent.h"
-#include "case/case_part.h"
+#include "case/population/case_population.h"
 #include "case/case_steps.h"
 #include "case/particle_options.h"
 
 /* Particles that are inserted later count as if they were there. */
 static void add_inserted(const struct settings *s, struct case_scales *k)
 {
-    k->particles += case_part_count_later(s);
-    k->d_most = fmax(k->d_most, case_limits_later(s, -1).max);
+    k->particles += case_population_count(s);
+    k->d_most = fmax(k->d_most, case_population_diameters(s, -1).max);
     for (int m = 0; m < case_limits_count(s); m++) {
-        const double d = case_limits_later(s, m).min;
+        const double d = case_population_diameters(s, m).min;
         if (d > 0.0) k->d = k->d > 0.0 ? fmin(k->d, d) : d;
     }
 }

@@ -13,35 +13,31 @@
 /* --- its keys ------------------------------------------------------------- */
 
 /* A mesh from files has no key of a box. */
-static int check_files(const struct settings *s, const char *files)
+static int check_files(const struct settings *s)
 {
-    const struct mesh_form *const other = case_extent_form(s, 0);
-    const char *const of_box[] = {"mesh.size", "mesh.cells", "mesh.grading",
-                                  "mesh.periodic",
-                                  other != NULL ? other->keys[0].path : NULL};
+    static const char *const of_box[] = {"mesh.size", "mesh.cells",
+                                         "mesh.grading", "mesh.periodic",
+                                         "mesh.shear"};
 
-    for (int i = 0; i < 5 && of_box[i] != NULL; i++)
+    for (int i = 0; i < 5; i++)
         if (settings_has(s, of_box[i]))
-            return settings_wrong(
-                s, of_box[i],
-                "the mesh comes from files; leave this key or %s out", files);
+            return settings_wrong(s, of_box[i],
+                                  "the mesh comes from files; leave this key "
+                                  "or mesh.polymesh out");
     return 0;
 }
 
 static int check_box(const struct settings *s)
 {
     static const char *const asked[] = {"mesh.size", "mesh.cells"};
-    const char *files = NULL;
 
-    for (int i = 0; mesh_forms[i] != NULL && files == NULL; i++)
-        if (mesh_forms[i]->read != NULL) files = mesh_forms[i]->keys[0].path;
     for (int i = 0; i < 2; i++)
         if (!settings_has(s, asked[i]))
             return settings_wrong(s, "mesh",
                                   "%s is missing: a box needs mesh.size, three "
-                                  "numbers [m], and mesh.cells%s%s",
-                                  asked[i], files != NULL ? "; or give " : "",
-                                  files != NULL ? files : "");
+                                  "numbers [m], and mesh.cells; or give "
+                                  "mesh.polymesh",
+                                  asked[i]);
     return 0;
 }
 
@@ -60,9 +56,7 @@ static int check_numbers(const struct settings *s)
 
 int mesh_check_keys(const struct settings *s)
 {
-    const struct mesh_form *const files = case_extent_form(s, 1);
-    if (files != NULL) return check_files(s, files->keys[0].path);
-
+    if (settings_has(s, "mesh.polymesh")) return check_files(s);
     const int code = check_box(s);
     return code != 0 ? code : check_numbers(s);
 }

@@ -78,7 +78,7 @@ static int is_at_work(const struct settings *s, const struct kind *kind)
                          : group[0] != '\0'  ? group
                                              : kind->key))
         return 0;
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++)
             if (models_reads(&m, kind->key)) {
                 if (model_choice_is_on(s, *k, &m)) return 1;
@@ -176,7 +176,7 @@ int model_choice_check(const struct settings *s)
         code = check_own(s, "averaging", averaging_methods[i]->own_keys);
     if (code != 0) return code;
 
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++)
             for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++)
                 for (const struct key *row = m.keys[t]; row->path != NULL;

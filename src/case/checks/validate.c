@@ -12,7 +12,11 @@
 #include "case/checks/mesh_check.h"
 #include "case/build_fluid.h"
 #include "case/checks/case_averaging.h"
-#include "case/case_part.h"
+#include "case/cohesion/case_cohesion.h"
+#include "case/engine/case_engine.h"
+#include "case/population/case_population.h"
+#include "case/resolved/case_bodies.h"
+#include "case/surfaces/surfaces_part.h"
 #include "case/case_steps.h"
 #include "case/case_mesh.h"
 #include "case/extent/case_extent.h"
@@ -259,20 +263,6 @@ static int check_list(const struct settings *s)
                           unknown, dem_methods[0]->name);
 }
 
-/* Without walls of its boundary, particles would leave a mesh that is not a
- * box. */
-static int check_mesh_walls(const struct settings *s)
-{
-    int made = settings_mesh(s) == NULL;
-
-    for (int i = 0; case_parts[i] != NULL; i++)
-        made |= case_parts[i]->mesh_walls;
-    if (made) return 0;
-    return settings_wrong(s, "particles",
-                          "this build has no walls for particles in a mesh "
-                          "that is not a box");
-}
-
 static int check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
@@ -280,8 +270,9 @@ static int check_particles(const struct settings *s)
     int code = check_integrator(s);
 
     if (code == 0) code = materials_check(s);
-    if (code == 0) code = check_mesh_walls(s);
-    MODELS_UNTIL(code, case_parts, check, s);
+    if (code == 0) code = surfaces_part_check(s);
+    if (code == 0) code = case_cohesion_check(s);
+    if (code == 0) code = case_population_check(s);
     if (code == 0) code = check_list(s);
     if (code != 0) return code;
     if (bed == place && (bed || !settings_has(s, "particles.insert")))
@@ -322,6 +313,7 @@ int validate_case(const struct settings *s)
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);
-    MODELS_UNTIL(code, case_parts, check_any, s);
+    if (code == 0) code = case_engine_check(s);
+    if (code == 0) code = case_bodies_check_start(s);
     return code != 0 ? code : check_output(s);
 }

@@ -9,7 +9,6 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "case/case_materials.h"
-#include "case/case_part.h"
 #include "case/checks/case_limits.h"
 #include "case/checks/case_memory.h"
 #include "case/checks/case_scales.h"
@@ -81,15 +80,15 @@ static int check(const struct settings *s)
     return code;
 }
 
-static int complete(const struct settings *s, struct simulation *sim,
-                    struct dem_options *o)
+int case_cohesion_complete(const struct settings *s, struct simulation *sim,
+                           struct dem_options *o)
 {
     o->attractions = sim->attractions =
         case_cohesion_create(s, &o->n_attractions);
     return 0;
 }
 
-static void release(struct simulation *sim)
+void case_cohesion_free(struct simulation *sim)
 {
     free(sim->attractions);
 }
@@ -119,11 +118,8 @@ static int check_list(const struct settings *s)
     return case_memory_check_pairs(s, key, 0.5 * k.particles * around);
 }
 
-static int check_all(const struct settings *s)
+int case_cohesion_check(const struct settings *s)
 {
     const int code = check(s);
     return code != 0 ? code : check_list(s);
 }
-
-const struct case_part case_cohesion_part = {
-    .check = check_all, .complete = complete, .free = release};

@@ -2,10 +2,20 @@
 #ifndef CASE_COHESION_CASE_COHESION_H
 #define CASE_COHESION_CASE_COHESION_H
 
-#include "dem/attraction.h"
 #include "case/settings.h"
+#include "coupling/simulation.h"
+#include "dem/attraction.h"
 
 /* All of them, to be released with free(), and how many; NULL if none. */
 struct attraction *case_cohesion_create(const struct settings *s, int *n);
+
+/* 0, or 2 after a message. */
+int case_cohesion_check(const struct settings *s);
+
+/* Gives a simulation its attractions, before there are particles; free releases
+ * them. */
+int case_cohesion_complete(const struct settings *s, struct simulation *sim,
+                           struct dem_options *o);
+void case_cohesion_free(struct simulation *sim);
 
 #endif

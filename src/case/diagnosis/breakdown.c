@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* breakdown.c -- the message when a computation breaks down. */
-#include "case/run_part.h"
+#include "case/diagnosis/breakdown.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +18,7 @@ static int fluid_broke(const struct simulation *sim)
 }
 
 static void describe_fluid(const struct simulation *sim, const char *when,
-                           char text[RUN_PART_TEXT])
+                           char text[BREAKDOWN_TEXT])
 {
     const struct fluid_report *const r = &sim->fluid->report;
     const double angle = mesh_quality(sim->mesh).non_orthogonal;
@@ -31,7 +31,7 @@ static void describe_fluid(const struct simulation *sim, const char *when,
             "The mesh has links at %.1f degrees to the normals of their faces, "
             "more than 80: improve it",
             angle);
-    snprintf(text, RUN_PART_TEXT,
+    snprintf(text, BREAKDOWN_TEXT,
              "the flow solver broke down %s: momentum %s after %d iterations "
              "(residual %.2g), pressure %s after %d (residual %.2g), CFL "
              "number %.3g.\n%s",
@@ -43,11 +43,11 @@ static void describe_fluid(const struct simulation *sim, const char *when,
 
 /* Through a surface, by its name. */
 static void describe_through(const struct simulation *sim, const char *when,
-                             char text[RUN_PART_TEXT])
+                             char text[BREAKDOWN_TEXT])
 {
     const struct dem_report *const r = &sim->dem_report;
 
-    snprintf(text, RUN_PART_TEXT,
+    snprintf(text, BREAKDOWN_TEXT,
              "%d particle%s went through a wall %s, the first with id %d, "
              "through \"%s\", at [%g, %g, %g] m; the largest overlap was %.3g "
              "d, the highest speed %.3g m/s.\nTry a smaller particles.step "
@@ -58,11 +58,11 @@ static void describe_through(const struct simulation *sim, const char *when,
 }
 
 static void describe_lost(const struct simulation *sim, const char *when,
-                          char text[RUN_PART_TEXT])
+                          char text[BREAKDOWN_TEXT])
 {
     const struct dem_report *const r = &sim->dem_report;
 
-    snprintf(text, RUN_PART_TEXT,
+    snprintf(text, BREAKDOWN_TEXT,
              "%d particle%s left the box or %s no longer anywhere %s, the "
              "first with id %d, at [%g, %g, %g] m; the largest overlap was "
              "%.3g d, the highest speed %.3g m/s.\nTry a smaller "
@@ -74,11 +74,11 @@ static void describe_lost(const struct simulation *sim, const char *when,
 }
 
 static void describe_crossing(const struct simulation *sim, const char *when,
-                              char text[RUN_PART_TEXT])
+                              char text[BREAKDOWN_TEXT])
 {
     const struct dem_report *const r = &sim->dem_report;
 
-    snprintf(text, RUN_PART_TEXT,
+    snprintf(text, BREAKDOWN_TEXT,
              "particles %d and %d passed through each other %s, within a "
              "particle step of %g s and without a contact; the highest speed "
              "was %.3g m/s.\nTry a smaller particles.step: none may move by "
@@ -88,12 +88,12 @@ static void describe_crossing(const struct simulation *sim, const char *when,
 }
 
 static void describe_overlap(const struct simulation *sim, const char *when,
-                             char text[RUN_PART_TEXT])
+                             char text[BREAKDOWN_TEXT])
 {
     char who[OVERLAP_TEXT];
 
     overlap_describe(sim, who);
-    snprintf(text, RUN_PART_TEXT,
+    snprintf(text, BREAKDOWN_TEXT,
              "%s %s, more than particles.max_overlap, %g.\nTry a stiffer "
              "material with a smaller particles.step (winnow check suggests "
              "one), or a higher particles.max_overlap if this is meant",
@@ -101,9 +101,9 @@ static void describe_overlap(const struct simulation *sim, const char *when,
 }
 
 static void describe_solids(const struct simulation *sim, const char *when,
-                            char text[RUN_PART_TEXT])
+                            char text[BREAKDOWN_TEXT])
 {
-    snprintf(text, RUN_PART_TEXT,
+    snprintf(text, BREAKDOWN_TEXT,
              "a cell holds more solids than it has room for %s: the lowest "
              "fluid fraction is %.3g.\nTry averaging.method = \"diffusion\", "
              "or \"kernel\" with a bandwidth from 1.5 of the largest cells "
@@ -122,10 +122,10 @@ static int is_full(const struct simulation *sim)
 /* The void fraction of each cell is positive, but interpolated to a particle it
  * is not. */
 static void describe_seen(const struct simulation *sim, const char *when,
-                          char text[RUN_PART_TEXT])
+                          char text[BREAKDOWN_TEXT])
 {
     snprintf(
-        text, RUN_PART_TEXT,
+        text, BREAKDOWN_TEXT,
         "the fluid fraction interpolated to a particle is %.3g %s, though that "
         "of no cell is below %.3g.\nTry averaging.method = \"diffusion\", or "
         "\"kernel\" with a bandwidth from 1.5 of the largest cells on, larger "
@@ -147,7 +147,7 @@ static const char *trouble_of(const struct simulation *sim)
     return NULL;
 }
 
-static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
+void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
 {
     char when[64];
 
@@ -156,7 +156,7 @@ static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
     if (sim->fluid != NULL && sim->fluid->t > 0.0 && fluid_broke(sim))
         describe_fluid(sim, when, text);
     else if (trouble_of(sim) != NULL)
-        snprintf(text, RUN_PART_TEXT, "%s %s", trouble_of(sim), when);
+        snprintf(text, BREAKDOWN_TEXT, "%s %s", trouble_of(sim), when);
     else if (sim->dem_report.lost > 0 && is_full(sim))
         describe_solids(sim, when, text);
     else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
@@ -175,14 +175,8 @@ static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
              sim->coupling->report.lowest_interpolated <= 0.0)
         describe_seen(sim, when, text);
     else
-        snprintf(text, RUN_PART_TEXT,
+        snprintf(text, BREAKDOWN_TEXT,
                  "a value is no longer finite %s.\nTry "
                  "smaller steps",
                  when);
-    return 1;
 }
-
-const struct run_part breakdown_part = {.create = overlap_create,
-                                        .after_step = overlap_warn,
-                                        .after_run = overlap_free,
-                                        .broke_down = describe};

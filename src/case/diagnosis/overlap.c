@@ -30,33 +30,16 @@ void overlap_describe(const struct simulation *sim, char text[OVERLAP_TEXT])
              deep.id, other, deep.depth, deep.at[0], deep.at[1], deep.at[2]);
 }
 
-static int is_deeper(const struct simulation *sim)
+int overlap_is_deeper(const struct simulation *sim)
 {
     return sim->dem != NULL && dem_deepest(sim->dem).id >= 0;
 }
 
-/* Of a run that goes on the warning was given before. */
-void *overlap_create(const struct settings *s, const struct simulation *sim)
+void overlap_warn(int *told, const struct simulation *sim)
 {
-    int *const told = alloc_ints(1);
-
-    (void)s;
-    *told = is_deeper(sim);
-    return told;
-}
-
-void overlap_free(void *told, const struct simulation *sim)
-{
-    (void)sim;
-    free(told);
-}
-
-void overlap_warn(void *of, const struct simulation *sim)
-{
-    int *const told = of;
     char text[OVERLAP_TEXT];
 
-    if (*told || !is_deeper(sim)) return;
+    if (*told || !overlap_is_deeper(sim)) return;
     *told = 1;
     overlap_describe(sim, text);
     fprintf(stderr,

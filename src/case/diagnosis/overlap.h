@@ -3,7 +3,6 @@
 #ifndef CASE_DIAGNOSIS_OVERLAP_H
 #define CASE_DIAGNOSIS_OVERLAP_H
 
-#include "case/settings.h"
 #include "coupling/simulation.h"
 
 /* Describes the deepest overlap, its two partners and its place, as one clause
@@ -11,9 +10,10 @@
 enum { OVERLAP_TEXT = 256 };
 void overlap_describe(const struct simulation *sim, char text[OVERLAP_TEXT]);
 
-/* Warns once in a run of an overlap deeper than expected (run_part.h). */
-void *overlap_create(const struct settings *s, const struct simulation *sim);
-void overlap_warn(void *told, const struct simulation *sim);
-void overlap_free(void *told, const struct simulation *sim);
+/* 1 if an overlap is deeper than expected. */
+int overlap_is_deeper(const struct simulation *sim);
+
+/* Warns once in a run, as *told says, of an overlap deeper than expected. */
+void overlap_warn(int *told, const struct simulation *sim);
 
 #endif

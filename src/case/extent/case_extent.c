@@ -13,16 +13,6 @@ double case_extent_cells(const struct settings *s)
     return (double)spec.cells[0] * spec.cells[1] * spec.cells[2];
 }
 
-const struct mesh_form *case_extent_form(const struct settings *s,
-                                         int from_files)
-{
-    for (int i = 0; mesh_forms[i] != NULL; i++)
-        if ((mesh_forms[i]->read != NULL) == from_files &&
-            settings_has(s, mesh_forms[i]->keys[0].path))
-            return mesh_forms[i];
-    return NULL;
-}
-
 /* Of a box the product of its sides. */
 double case_extent_volume(const struct settings *s)
 {

@@ -3,16 +3,10 @@
 #define CASE_EXTENT_CASE_EXTENT_H
 
 #include "case/settings.h"
-#include "mesh/mesh_form.h"
 
 /* The cells that the case asks for, before there is a mesh; 0 for one from
  * files. They may be more than an int holds. */
 double case_extent_cells(const struct settings *s);
-
-/* The form of mesh that the case chooses, one from files or one that is made of
- * the box; NULL if it chooses none of that sort. */
-const struct mesh_form *case_extent_form(const struct settings *s,
-                                         int from_files);
 
 /* [m^3] of all cells. */
 double case_extent_volume(const struct settings *s);

@@ -91,15 +91,3 @@ int patch_schema_check(const struct key *const *tables,
     }
     return 0;
 }
-
-const struct mesh_form *patch_schema_form(const config_t *tree,
-                                          const config_setting_t **at)
-{
-    for (int i = 0; mesh_forms[i] != NULL; i++) {
-        *at = config_lookup(tree, mesh_forms[i]->keys[0].path);
-        if (*at != NULL && mesh_forms[i]->patches != NULL &&
-            config_setting_type(*at) == CONFIG_TYPE_STRING)
-            return mesh_forms[i];
-    }
-    return NULL;
-}

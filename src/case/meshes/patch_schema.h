@@ -9,14 +9,9 @@
 #define CASE_MESHES_PATCH_SCHEMA_H
 
 #include "base/key.h"
-#include "mesh/mesh_form.h"
+#include "mesh/poly/poly.h"
 
 #include <libconfig.h>
-
-/* The form of mesh from files that the case chooses, and where it does; NULL if
- * it chooses none. */
-const struct mesh_form *patch_schema_form(const config_t *tree,
-                                          const config_setting_t **at);
 
 /* The table with <patch> replaced by the n patches; NULL if the table has no
  * such row. One block: free() it. */

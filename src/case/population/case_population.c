@@ -16,7 +16,6 @@
 #include "case/case_materials.h"
 #include "case/checks/materials_check.h"
 #include "case/case_mesh.h"
-#include "case/case_part.h"
 #include "case/population/case_sizes.h"
 #include "case/particle_options.h"
 
@@ -257,7 +256,7 @@ static int check_sink(const struct settings *s, int i)
 
 /* --- particles that come later ------------------------------------------- */
 
-static int count(const struct settings *s)
+int case_population_count(const struct settings *s)
 {
     long sum = 0;
 
@@ -269,7 +268,8 @@ static int count(const struct settings *s)
     return number_clamped((double)sum, 0, INT_MAX);
 }
 
-static struct case_diameters diameters(const struct settings *s, int material)
+struct case_diameters case_population_diameters(const struct settings *s,
+                                                int material)
 {
     struct case_diameters all = {0.0, 0.0};
 
@@ -290,7 +290,7 @@ static struct case_diameters diameters(const struct settings *s, int material)
 static int check_period(const struct settings *s)
 {
     struct dem_options o = particle_options_dem(s, 1.0);
-    const double most = diameters(s, -1).max;
+    const double most = case_population_diameters(s, -1).max;
     struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
 
     o.attractions = pulls;
@@ -310,7 +310,7 @@ static int check_sizes(const struct settings *s)
     return case_sizes_check_name(s, bed_key, settings_text(s, bed_key));
 }
 
-static int check(const struct settings *s)
+int case_population_check(const struct settings *s)
 {
     int code = check_sizes(s);
 
@@ -323,7 +323,7 @@ static int check(const struct settings *s)
     return code != 0 ? code : check_period(s);
 }
 
-static void bed_sizes(const struct settings *s, struct bed_options *b)
+void case_population_bed_sizes(const struct settings *s, struct bed_options *b)
 {
     if (!settings_has(s, bed_key)) return;
     b->sizes = case_sizes_create(s, settings_text(s, bed_key));
@@ -332,8 +332,8 @@ static void bed_sizes(const struct settings *s, struct bed_options *b)
     b->diameter = sizes_moment(b->sizes, 1);
 }
 
-static int place(const struct settings *s, struct particles *ps,
-                 const struct dem_options *o)
+int case_population_place(const struct settings *s, struct particles *ps,
+                          const struct dem_options *o)
 {
     const char *const what = settings_text(s, "particles.overlaps");
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
@@ -365,7 +365,7 @@ static struct population_sink sink_of(const struct settings *s, int i)
     return k;
 }
 
-static int add(const struct settings *s, struct simulation *sim)
+int case_population_add(const struct settings *s, struct simulation *sim)
 {
     const int n = settings_length(s, sources), m = settings_length(s, sinks);
     int code = 0;
@@ -383,11 +383,3 @@ static int add(const struct settings *s, struct simulation *sim)
         l->sinks[i] = sink_of(s, i);
     return code;
 }
-
-const struct case_part case_population_part = {.keys = case_population_keys,
-                                               .check = check,
-                                               .bed_sizes = bed_sizes,
-                                               .count_later = count,
-                                               .later_diameters = diameters,
-                                               .place = place,
-                                               .add = add};

@@ -6,7 +6,35 @@
 #define CASE_POPULATION_CASE_POPULATION_H
 
 #include "base/key.h"
+#include "case/settings.h"
+#include "coupling/simulation.h"
+#include "dem/bed.h"
 
 extern const struct key case_population_keys[];
+
+/* 0, or 2 after a message. */
+int case_population_check(const struct settings *s);
+
+/* The sizes of the bed, where they are not all equal. */
+void case_population_bed_sizes(const struct settings *s, struct bed_options *b);
+
+/* How many particles may be inserted after the start. */
+int case_population_count(const struct settings *s);
+
+/* Their smallest and largest diameter [m], of one material or, if it is
+ * negative, of all; 0 if there are none. */
+struct case_diameters {
+    double min, max;
+};
+struct case_diameters case_population_diameters(const struct settings *s,
+                                                int material);
+
+/* Whether particles can start where they were placed; may move them. 0, or 2
+ * after a message. */
+int case_population_place(const struct settings *s, struct particles *ps,
+                          const struct dem_options *o);
+
+/* Adds sources and sinks to the particles that there are. */
+int case_population_add(const struct settings *s, struct simulation *sim);
 
 #endif

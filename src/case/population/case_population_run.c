@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* case_population_run.c -- insertion during a run and after it.
  * Chapter "Insertion, removal and energy". */
-#include "case/run_part.h"
+#include "case/population/case_population_run.h"
 
 #include <stdio.h>
 
 #include "base/interrupt.h"
 #include "dem/population/population.h"
 
-/* Says which sources have spheres that are due and found no room. */
-static void report(void *none, const struct simulation *sim)
+void case_population_run_report(const struct simulation *sim)
 {
-    (void)none;
     const struct population *const l = sim->population;
 
     for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
@@ -27,13 +25,8 @@ static void report(void *none, const struct simulation *sim)
     }
 }
 
-/* A step in which a signal ended the insertion early differs from that of a run
- * without the signal. */
-static int is_cut_short(const struct simulation *sim)
+int case_population_run_is_cut_short(const struct simulation *sim)
 {
     return interrupt_arrived() && sim->population != NULL &&
            sim->population->totals.waiting > 0;
 }
-
-const struct run_part case_population_run = {.after_run = report,
-                                             .is_cut_short = is_cut_short};

@@ -4,7 +4,6 @@
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/number.h"
-#include "case/run_part.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -93,26 +92,3 @@ void progress_end(struct progress *p)
 {
     if (p->style == PROGRESS_BAR) fputc('\n', stderr);
 }
-
-static void *create(const struct settings *s, const struct simulation *sim)
-{
-    struct progress *const p = alloc_zeroed(1, sizeof *p);
-
-    progress_init(p, sim->t, settings_real(s, "output.end"), settings_quiet(s));
-    return p;
-}
-
-static void after_step(void *part, const struct simulation *sim)
-{
-    progress_show(part, sim->t);
-}
-
-static void after_run(void *part, const struct simulation *sim)
-{
-    (void)sim;
-    progress_end(part);
-    free(part);
-}
-
-const struct run_part progress_part = {
-    .create = create, .after_step = after_step, .after_run = after_run};

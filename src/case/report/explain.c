@@ -65,7 +65,7 @@ static void print_on(const struct settings *s)
     puts("On");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++)
             if (model_choice_is_on(s, *k, &m)) {
                 char name[128];
@@ -81,7 +81,7 @@ static void print_off(const struct settings *s)
     puts("Off: nothing is allocated and nothing called");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *const *k = kinds; *k != NULL; k++) {
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++) {
         int n = 0;
 
         for (int i = 0; (*k)->model(i, &m); i++)
@@ -106,7 +106,7 @@ static int explain_case_key(const char *key)
 {
     const int code = list_keys(key);
 
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         if (strcmp((*k)->key, key) == 0) list_models((*k)->name);
     return code;
 }
@@ -125,7 +125,7 @@ static int explain_models(const char *word)
     struct model m;
     int n = 0;
 
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++) {
             if (strcmp(m.name, word) != 0 && strcmp(m.function, word) != 0)
                 continue;
@@ -155,7 +155,7 @@ static void offer_paths(struct nearest *n, const struct key *const *tables)
 
     for (const struct command *const *c = commands; *c != NULL; c++)
         nearest_offer(n, (*c)->name);
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++) {
             nearest_offer(n, m.name);
             nearest_offer(n, m.function);

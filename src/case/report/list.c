@@ -15,7 +15,7 @@ void list_kinds(void)
 {
     struct model m;
 
-    for (const struct kind *const *k = kinds; *k != NULL; k++) {
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++) {
         printf("%-14s %s, chosen by %s:\n%-14s", (*k)->name, (*k)->what,
                (*k)->key, "");
         for (int i = 0; (*k)->model(i, &m); i++)
@@ -119,7 +119,7 @@ static int unknown_kind(const char *name)
     struct nearest n;
 
     nearest_init(&n, name);
-    for (const struct kind *const *k = kinds; *k != NULL; k++)
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         nearest_offer(&n, (*k)->name);
     nearest_offer(&n, "keys");
     nearest_offer(&n, "cases");

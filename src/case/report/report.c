@@ -18,7 +18,10 @@
 #include "case/checks/case_scales.h"
 #include "case/case_materials.h"
 #include "case/checks/case_memory.h"
-#include "case/case_part.h"
+#include "case/engine/case_engine.h"
+#include "case/resolved/case_bodies.h"
+#include "case/statistics/case_statistics.h"
+#include "case/surfaces/surfaces_part.h"
 #include "case/checks/check_line.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
@@ -211,7 +214,10 @@ int report_case(const struct settings *s)
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0) report_cohesion(s, k.d, k.density, k.dem_dt, k.impact);
-    MODELS_EACH(case_parts, print, s, &k);
+    surfaces_part_print(s, &k);
+    case_engine_print(s, &k);
+    case_bodies_report(s, &k);
+    case_statistics_print(s);
     if (settings_has(s, "fluid"))
         case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
     if (settings_has(s, "averaging"))

@@ -239,7 +239,7 @@ int case_bodies_start(const struct settings *s, struct case_bodies_first *first)
     return code;
 }
 
-static int check(const struct settings *s)
+int case_bodies_check_start(const struct settings *s)
 {
     struct case_bodies_first first;
     const int code = case_bodies_check(s);
@@ -275,8 +275,8 @@ static void join_surfaces(struct simulation *sim, const struct solid_bodies *b,
 }
 
 /* Among particles, which touch the bodies: before there are any. */
-static int complete(const struct settings *s, struct simulation *sim,
-                    struct dem_options *o)
+int case_bodies_complete(const struct settings *s, struct simulation *sim,
+                         struct dem_options *o)
 {
     if (!settings_has(s, "bodies")) return 0;
     struct solid_bodies *const b = create(s);
@@ -289,7 +289,7 @@ static int complete(const struct settings *s, struct simulation *sim,
     return 0;
 }
 
-static int add(const struct settings *s, struct simulation *sim)
+int case_bodies_add(const struct settings *s, struct simulation *sim)
 {
     if (!settings_has(s, "bodies")) return 0;
     struct solid_bodies *b = effects_memory(sim, &among_effect);
@@ -305,9 +305,3 @@ static int add(const struct settings *s, struct simulation *sim)
 
 MODELS_KIND(case_bodies_method, body_methods, "body_method",
             "ways that bodies hold the fluid", "bodies.method", NULL)
-
-const struct case_part case_bodies_part = {.keys = case_bodies_keys,
-                                           .check_any = check,
-                                           .complete_last = complete,
-                                           .add_last = add,
-                                           .print = case_bodies_report};

@@ -3,12 +3,12 @@
 #ifndef CASE_RESOLVED_CASE_BODIES_H
 #define CASE_RESOLVED_CASE_BODIES_H
 
-#include "case/case_part.h"
+#include "case/settings.h"
+#include "coupling/simulation.h"
 #include "case/models.h"
 #include "resolved/body_seal.h"
 
 extern const struct kind case_bodies_method;
-extern const struct case_part case_bodies_part;
 extern const struct key case_bodies_keys[];
 
 /* The lists of bodies in the order in which they are numbered, ended by NULL;
@@ -34,6 +34,13 @@ double case_bodies_virtual_mass(const struct settings *s, const char *of,
 double case_bodies_expected_overlap(const struct settings *s);
 int case_bodies_check_stiffness(const struct settings *s); /* 0, or 2 */
 
+/* Before there are particles, after all else that is; and after all else has
+ * been created. 0, or 2 after a message. */
+int case_bodies_complete(const struct settings *s, struct simulation *sim,
+                         struct dem_options *o);
+int case_bodies_add(const struct settings *s, struct simulation *sim);
+
+struct case_scales;
 /* case_bodies_report.c: prints the section of `check`. */
 void case_bodies_report(const struct settings *s,
                         const struct case_scales *scales);
@@ -41,6 +48,8 @@ void case_bodies_report(const struct settings *s,
 /* case_bodies_check.c: 0, or 2 after a message; and the widths of a cell [m].
  */
 int case_bodies_check(const struct settings *s);
+/* The same, and for bodies in the places where they start. */
+int case_bodies_check_start(const struct settings *s);
 /* case_bodies.c: what they shut off at the start, and the least that a
  * prescribed one leaves of its way to a wall at the end [m]; 0, or 2 after a
  * message. */

@@ -29,7 +29,8 @@ int ahead_find(struct ahead *a);
  * `tell` is not 0. */
 int ahead_is_other(struct ahead *a, int tell);
 
-/* Saves the bed, or loads it when it begins to settle, as saver.h says. */
+/* Saves the bed, or loads it when it begins to settle, as resume_settle says.
+ */
 int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_stage when);
 
 /* Writes the file, if it is not there, for a run that will remove the

@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "base/tables/input.h"
-#include "case/case_part.h"
 #include "case/resume/case_text.h"
 
 /* A smaller bed settles in a second or two. */
@@ -109,9 +108,7 @@ void bed_cache_forget(const struct settings *s)
     if (path_of(s, path, sizeof path)) unlink(path);
 }
 
-/* Without a folder that can be written the bed is not kept; that is no error.
- */
-static int bed_file(const struct settings *s, char *path, size_t room)
+int bed_cache_file(const struct settings *s, char *path, size_t room)
 {
     char folder[SETTINGS_PATH];
 
@@ -123,5 +120,3 @@ static int bed_file(const struct settings *s, char *path, size_t room)
     mkdir(folder, 0777);
     return access(folder, W_OK) == 0;
 }
-
-const struct case_part bed_cache_part = {.bed_file = bed_file};

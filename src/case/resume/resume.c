@@ -8,7 +8,7 @@
  * has the bed that settles, and stays until there is a first checkpoint. In
  * between, a copy of the state in memory is renewed about
  * every second, for a run that breaks down has no good state any more. */
-#include "case/saver.h"
+#include "case/resume/resume.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -24,7 +24,6 @@
 #include "case/resume/bed_cache.h"
 #include "case/resume/case_copy.h"
 #include "case/resume/case_text.h"
-#include "case/resume/resume.h"
 #include "case/resume/state_texts.h"
 #include "output/checkpoint/state_file.h"
 
@@ -154,10 +153,9 @@ static int find(struct resume *r)
     return 1;
 }
 
-static void release(void *memory)
+void resume_free(struct resume *r)
 {
-    struct resume *const r = memory;
-
+    if (r == NULL) return;
     state_file_free(r->found);
     ahead_free(r->ahead);
     case_copy_free(r->copy);
@@ -168,8 +166,8 @@ static void release(void *memory)
     free(r);
 }
 
-static void *create(const struct settings *s, struct folder *folder,
-                    const struct run_options *o, int *code)
+struct resume *resume_create(const struct settings *s, struct folder *folder,
+                             const struct run_options *o, int *code)
 {
     struct resume *const r = alloc_zeroed(1, sizeof *r);
 
@@ -185,25 +183,22 @@ static void *create(const struct settings *s, struct folder *folder,
     r->ahead = ahead_create(s, folder, o, r->lines);
     if (!o->resume || find(r) == 0) return r;
     *code = 2;
-    release(r);
+    resume_free(r);
     return NULL;
 }
 
-static int is_of_run(const void *memory)
+int resume_is_of_run(const struct resume *r)
 {
-    const struct resume *const r = memory;
     return r->found != NULL;
 }
 
-static int settle(void *memory, struct bed_settling *b, enum bed_stage when)
+int resume_settle(struct resume *r, struct bed_settling *b, enum bed_stage when)
 {
-    const struct resume *const r = memory;
     return ahead_settle(r->ahead, b, when);
 }
 
-static int before(void *memory)
+int resume_before(struct resume *r)
 {
-    const struct resume *const r = memory;
     return r->found != NULL ? 0 : ahead_replaces(r->ahead, r->path);
 }
 
@@ -231,10 +226,9 @@ static int list(const struct resume *r, const char *name)
     return path == NULL;
 }
 
-static int begin(void *memory, struct simulation *sim,
+int resume_begin(struct resume *r, struct simulation *sim,
                  struct recorder *recorder)
 {
-    struct resume *const r = memory;
     const int goes_on = r->found != NULL;
 
     r->sim = sim;
@@ -251,9 +245,8 @@ static int begin(void *memory, struct simulation *sim,
     return failed;
 }
 
-static int after_step(void *memory)
+int resume_after_step(struct resume *r)
 {
-    struct resume *const r = memory;
     const double now = clock_now();
     const double every = settings_real(r->settings, "output.checkpoint");
 
@@ -270,19 +263,8 @@ static int after_step(void *memory)
 }
 
 /* The state as it is now, unless the last step broke down or was cut short. */
-static int end(void *memory, int broke_down)
+int resume_end(struct resume *r, int broke_down)
 {
-    struct resume *const r = memory;
     if (r->image.bytes == NULL) return 0;
     return !broke_down && r->sampled == r->sim->steps ? save(r) : write_copy(r);
 }
-
-const struct saver resume_saver = {.name = "resume",
-                                   .create = create,
-                                   .is_of_run = is_of_run,
-                                   .settle = settle,
-                                   .before = before,
-                                   .begin = begin,
-                                   .after_step = after_step,
-                                   .end = end,
-                                   .free = release};

@@ -168,7 +168,7 @@ static int finish(void *memory)
     return statistics_files_write(memory);
 }
 
-static const struct key keys[] = {
+const struct key case_statistics_keys[] = {
     {"output.statistics", KEY_GROUP, "", "", KEY_OPTIONAL,
      "means, errors, correlations of a bed, in the folder statistics",
      "EW18 23-31", "particles"},
@@ -187,15 +187,12 @@ static const struct key keys[] = {
      "integral times are means over ends beyond this", "EW18 31", ""},
     KEY_END};
 
-static void print(const struct settings *s, const struct case_scales *k)
+void case_statistics_print(const struct settings *s)
 {
-    (void)k;
     if (begins_after_end(s))
         check_line("statistics", settings_real(s, "output.statistics.from"),
                    "s", "they begin after the end: there are no samples");
 }
-
-const struct case_part case_statistics_part = {.keys = keys, .print = print};
 
 const struct recorder_part case_statistics_output = {.create = create,
                                                      .free = release,

@@ -15,10 +15,13 @@
 #ifndef CASE_STATISTICS_CASE_STATISTICS_H
 #define CASE_STATISTICS_CASE_STATISTICS_H
 
-#include "case/case_part.h"
 #include "case/recorder_part.h"
 
-extern const struct case_part case_statistics_part;
+extern const struct key case_statistics_keys[];
+
+/* Prints its lines for `winnow check`. */
+void case_statistics_print(const struct settings *s);
+
 extern const struct recorder_part case_statistics_output;
 
 #endif

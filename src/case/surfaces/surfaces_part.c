@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* surfaces_part.c -- surfaces and prescribed particles as a part of a case. */
+#include "case/surfaces/surfaces_part.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +9,6 @@
 
 #include "base/alloc.h"
 #include "case/case_mesh.h"
-#include "case/case_part.h"
 #include "case/checks/case_scales.h"
 #include "case/checks/check_line.h"
 #include "case/models.h"
@@ -27,13 +28,13 @@ static int are_unseen(const struct settings *s)
     return settings_has(s, "fluid") && settings_length(s, surfaces) > 0;
 }
 
-static int check(const struct settings *s)
+int surfaces_part_check(const struct settings *s)
 {
     const int code = case_surfaces_check(s);
     return code != 0 ? code : case_walls_check(s);
 }
 
-static void dem_options(const struct settings *s, struct dem_options *o)
+void surfaces_part_dem_options(const struct settings *s, struct dem_options *o)
 {
     case_walls_ends(s, o->lo, o->hi);
     o->n_surfaces = case_surfaces_count(s);
@@ -53,7 +54,7 @@ static void print_speed(double speed, const struct case_scales *k)
                    "-", "of the smallest particle");
 }
 
-static void print(const struct settings *s, const struct case_scales *k)
+void surfaces_part_print(const struct settings *s, const struct case_scales *k)
 {
     const int n = case_surfaces_count(s);
     double lo[3], hi[3], speed = 0.0;
@@ -97,8 +98,8 @@ static void take_names(struct simulation *sim)
         sim->surface_names[i] = sim->surfaces[i].name;
 }
 
-static int complete(const struct settings *s, struct simulation *sim,
-                    struct dem_options *o)
+int surfaces_part_complete(const struct settings *s, struct simulation *sim,
+                           struct dem_options *o)
 {
     int code;
 
@@ -117,7 +118,7 @@ static int complete(const struct settings *s, struct simulation *sim,
     return 0;
 }
 
-static void release(struct simulation *sim)
+void surfaces_part_free(struct simulation *sim)
 {
     case_surfaces_free(sim->surfaces, sim->n_surfaces);
     free(sim->surface_names);
@@ -126,8 +127,8 @@ static void release(struct simulation *sim)
 }
 
 /* Placed spheres may overlap a surface only where the case allows it. */
-static int place(const struct settings *s, struct particles *ps,
-                 const struct dem_options *o)
+int surfaces_part_place(const struct settings *s, struct particles *ps,
+                        const struct dem_options *o)
 {
     static const char overlaps[] = "particles.overlaps";
     char where[SETTINGS_PATH];
@@ -141,7 +142,7 @@ static int place(const struct settings *s, struct particles *ps,
 }
 
 /* Prescribed particles must exist. */
-static int add(const struct settings *s, struct simulation *sim)
+int surfaces_part_add(const struct settings *s, struct simulation *sim)
 {
     static const char list[] = "particles.prescribed";
     if (are_unseen(s) && !settings_quiet(s))
@@ -167,13 +168,3 @@ static int add(const struct settings *s, struct simulation *sim)
 
 MODELS_KIND(surfaces_part_kind, surface_shapes, "surface",
             "walls besides those of the box", "particles.surfaces.shape", NULL)
-
-const struct case_part surfaces_part = {.keys = case_surfaces_keys,
-                                        .mesh_walls = 1,
-                                        .check = check,
-                                        .dem_options = dem_options,
-                                        .print = print,
-                                        .complete = complete,
-                                        .free = release,
-                                        .place = place,
-                                        .add = add};

@@ -6,7 +6,7 @@
  * where it is a pipe, and reads a whole number that does not fit an int as
  * another one.
  */
-#include "case/case_check.h"
+#include "case/text/include.h"
 
 #include "base/tables/input.h"
 #include "case/text/digits.h"
@@ -107,13 +107,12 @@ static int check(const char *file, const char *folder, struct place at,
     return code;
 }
 
-static int check_file(const char *file, const char *folder)
+int include_check_file(const char *file, const char *folder)
 {
     return check(file, folder, (struct place){NULL, 0}, 0);
 }
 
-/* The text of an override is that of one value. */
-static const char *check_value(const char *value)
+const char *include_check_value(const char *value)
 {
     int line;
 
@@ -121,6 +120,3 @@ static const char *check_value(const char *value)
     return "too large for a whole number, at most 2147483647; a real one has a "
            "point or an exponent";
 }
-
-const struct case_check include_check = {.file = check_file,
-                                         .text = check_value};

@@ -354,5 +354,3 @@ int bed_file_load(const char *path, struct particles *ps,
     free(bytes);
     return line == 0 || wrong != NULL ? BED_REFUSED : BED_CREATED;
 }
-
-const struct bed_store bed_file_store = {bed_file_save, bed_file_load};

@@ -71,4 +71,8 @@ double sizes_max(const struct sizes *s)
     return s->max;
 }
 
+const struct sizes_law *const sizes_laws[] = {&sizes_uniform,   &sizes_normal,
+                                              &sizes_lognormal, &sizes_discrete,
+                                              &sizes_table,     NULL};
+
 MODEL_NAMED(sizes_law)

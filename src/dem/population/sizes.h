@@ -30,6 +30,7 @@ struct sizes_law {
 };
 
 /* All of them, ended by NULL; NULL for an unknown name. */
+extern const struct sizes_law sizes_discrete, sizes_table;
 extern const struct sizes_law *const sizes_laws[];
 const struct sizes_law *sizes_law_named(const char *name);
 

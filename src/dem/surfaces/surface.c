@@ -133,4 +133,7 @@ const struct surface_shape surface_stl = {
     .wrong = without_triangles,
 };
 
+const struct surface_shape *const surface_shapes[] = {
+    &surface_plane, &surface_cylinder, &surface_stl, NULL};
+
 MODEL_NAMED(surface_shape)

@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "case/case_mesh.h"
-#include "distributed/refusal.h"
+#include "case/engine/refusal.h"
 #include "output/checkpoint/state_file.h"
 
 /* A picture of more is not drawn [-]. */
@@ -217,8 +217,9 @@ static int check(const struct settings *s)
     return code;
 }
 
-const struct processes_engine engine_of_ranks = {
-    .name = "ranks", .check = check, .build = build};
+static const struct processes_engine of_ranks = {
+    .check = check, .build = build, .summary = &engine_summary};
+const struct processes_engine *const processes_engine = &of_ranks;
 
 void engine_stop(int code)
 {

@@ -11,7 +11,6 @@
 #include "case/recorder_part.h"
 #include "coupling/processes.h"
 
-extern const struct processes_engine engine_of_ranks;
 extern const struct recorder_part engine_summary;
 
 /* Serves until the first rank stops; returns its exit code. The words are those

@@ -11,7 +11,7 @@
 #include "dem/bed.h"
 #include "dem/dem_method.h"
 #include "distributed/ranks/partition.h"
-#include "distributed/words.h"
+#include "case/engine/words.h"
 
 #include <mpi.h>
 

@@ -16,7 +16,7 @@
  * velocities known so far and added to the right-hand sides of the two cells
  * with opposite signs.
  */
-#include "fluid/deferred/deferred_terms.h"
+#include "fluid/deferred.h"
 
 #include <stdlib.h>
 
@@ -29,8 +29,8 @@
 #include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
-static void fill_velocity_gradients(struct deferred_terms *d,
-                                    const struct fluid *fl, const double *u)
+static void fill_velocity_gradients(struct deferred *d, const struct fluid *fl,
+                                    const double *u)
 {
     const struct mesh *const m = fl->mesh;
 
@@ -42,9 +42,8 @@ static void fill_velocity_gradients(struct deferred_terms *d,
 
 /* The explicit part of the convection scheme for component k at face f [m/s].
  */
-static double explicit_part(const struct deferred_terms *d,
-                            const struct fluid *fl, const double *u, int f,
-                            int k)
+static double explicit_part(const struct deferred *d, const struct fluid *fl,
+                            const double *u, int f, int k)
 {
     const struct mesh *const m = fl->mesh;
     const int o = m->owner[f], n = m->neighbour[f];
@@ -60,9 +59,8 @@ static double explicit_part(const struct deferred_terms *d,
 }
 
 /* grad u . (S - d S.S / S.d) of component k, linear between the cells. */
-static double non_orthogonal(const struct deferred_terms *d,
-                             const struct fluid *fl, const double oblique[3],
-                             int f, int k)
+static double non_orthogonal(const struct deferred *d, const struct fluid *fl,
+                             const double oblique[3], int f, int k)
 {
     const struct mesh *const m = fl->mesh;
     const double *const slope = d->slope;
@@ -79,7 +77,7 @@ static void add_to_both_cells(struct fluid *fl, int f, int k, double force)
     fl->momentum->b[3 * fl->mesh->neighbour[f] + k] -= force;
 }
 
-static void add_explicit_part(struct deferred_terms *d, struct fluid *fl,
+static void add_explicit_part(struct deferred *d, struct fluid *fl,
                               const double *u)
 {
     fill_velocity_gradients(d, fl, u);
@@ -91,7 +89,7 @@ static void add_explicit_part(struct deferred_terms *d, struct fluid *fl,
                                   explicit_part(d, fl, u, f, k));
 }
 
-static void add_non_orthogonal(struct deferred_terms *d, struct fluid *fl,
+static void add_non_orthogonal(struct deferred *d, struct fluid *fl,
                                const double *u)
 {
     fill_velocity_gradients(d, fl, u);
@@ -137,9 +135,8 @@ static const double *extrapolated(const struct fluid *fl)
     return to;
 }
 
-static void add_to_momentum(struct deferred *self, struct fluid *fl)
+void deferred_add_to_momentum(struct deferred *d, struct fluid *fl)
 {
-    struct deferred_terms *const d = (struct deferred_terms *)self;
     const double *const known =
         fl->levels->u_known != NULL ? fl->levels->u_known : fl->u;
 
@@ -150,29 +147,24 @@ static void add_to_momentum(struct deferred *self, struct fluid *fl)
     if (fl->mesh->skewed) skewness_add_convection(d, fl, known);
 }
 
-static void add_to_fluxes(struct deferred *self, struct fluid *fl)
+void deferred_add_to_fluxes(const struct deferred *d, struct fluid *fl)
 {
-    struct deferred_terms *const d = (struct deferred_terms *)self;
-
-    if (fl->mesh->oblique) deferred_terms_add_oblique_fluxes(fl);
+    if (fl->mesh->oblique) deferred_add_oblique_fluxes(fl);
     if (d->off != NULL) skewness_add_fluxes(d, fl);
 }
 
-static void set_gradient(struct deferred *self, struct fluid *fl)
+void deferred_set_gradient(const struct deferred *d, struct fluid *fl)
 {
-    struct deferred_terms *const d = (struct deferred_terms *)self;
-
     if (d->normal_equations == NULL) gradient_of_faces(fl);
     if (d->off == NULL) return;
     skewness_add_pressures(d, fl);
     gradient_of_faces(fl);
 }
 
-static void release(struct deferred *self)
+void deferred_free(struct deferred *d)
 {
-    struct deferred_terms *const d = (struct deferred_terms *)self;
-
-    free(d->hooks.reach);
+    if (d == NULL) return;
+    free(d->reach);
     free(d->slope);
     free(d->u_boundary);
     free(d->off);
@@ -180,23 +172,18 @@ static void release(struct deferred *self)
     free(d);
 }
 
-static struct deferred *create(const struct fluid *fl)
+struct deferred *deferred_create(const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    struct deferred_terms *d;
+    struct deferred *d;
 
     if (fl->options.convection->deferred == NULL && !m->oblique && !m->skewed)
         return NULL;
     d = alloc_zeroed(1, sizeof *d);
-    d->hooks =
-        (struct deferred){add_to_momentum, add_to_fluxes, set_gradient, release,
-                          boundary_reach(m, fl->options.boundaries)};
+    d->reach = boundary_reach(m, fl->options.boundaries);
     d->slope = alloc_doubles(9 * m->n_cells);
     d->u_boundary = alloc_doubles(3 * (m->n_faces - m->n_internal));
     d->off = skewness_of(m);
     d->normal_equations = skewness_normal_equations(m, d->off);
-    return &d->hooks;
+    return d;
 }
-
-const struct deferred_kind deferred_correction = {"deferred correction",
-                                                  create};

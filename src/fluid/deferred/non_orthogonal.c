@@ -3,7 +3,7 @@
  * the pressures of two cells does not give, because their link is not normal to
  * the face.
  */
-#include "fluid/deferred/deferred_terms.h"
+#include "fluid/deferred.h"
 
 #include <math.h>
 
@@ -62,7 +62,7 @@ FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
         (w * vector_dot(a, oblique) + (1.0 - w) * vector_dot(b, oblique));
 }
 
-void deferred_terms_add_oblique_fluxes(struct fluid *fl)
+void deferred_add_oblique_fluxes(struct fluid *fl)
 {
     FOR_EACH_FACE(fl->faces, 16, non_orthogonal_flux, fl);
 }

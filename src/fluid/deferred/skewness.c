@@ -76,7 +76,7 @@ double *skewness_normal_equations(const struct mesh *m, const double *off)
 
 /* Sets the gradient of p by least squares, with the present pressures of the
  * boundary faces. */
-static void pressure_slopes(int first, int last, const struct deferred_terms *d,
+static void pressure_slopes(int first, int last, const struct deferred *d,
                             struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -101,9 +101,9 @@ static void pressure_slopes(int first, int last, const struct deferred_terms *d,
 
 /* off . grad x of an inner face, linear between the cells; `per` is how many
  * numbers `slope` has for each cell. */
-static inline double skew_term(const struct deferred_terms *d,
-                               const struct mesh *m, const double *slope,
-                               int per, int f, int o, int n)
+static inline double skew_term(const struct deferred *d, const struct mesh *m,
+                               const double *slope, int per, int f, int o,
+                               int n)
 {
     const double w = m->w[f], *const off = &d->off[3 * f];
 
@@ -111,14 +111,14 @@ static inline double skew_term(const struct deferred_terms *d,
            (1.0 - w) * vector_dot(&slope[per * n], off);
 }
 
-FACE_KERNEL inner_pressure(int f, int o, int n, const struct deferred_terms *d,
+FACE_KERNEL inner_pressure(int f, int o, int n, const struct deferred *d,
                            const struct fluid *fl)
 {
     fl->p_face[f] += skew_term(d, fl->mesh, fl->grad_p, 3, f, o, n) -
                      vector_dot(fl->mean_gradient, &d->off[3 * f]);
 }
 
-void skewness_add_pressures(const struct deferred_terms *d, struct fluid *fl)
+void skewness_add_pressures(const struct deferred *d, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
@@ -136,7 +136,7 @@ void skewness_add_pressures(const struct deferred_terms *d, struct fluid *fl)
 /* Adds the term to the flux. The time derivative at the face contains the old
  * flux as it is, so that only the part 1 - m_f c_f of the term is added, by the
  * other forces; in a steady flow that makes all of it, for any step. */
-FACE_KERNEL inner_flux(int f, int o, int n, const struct deferred_terms *d,
+FACE_KERNEL inner_flux(int f, int o, int n, const struct deferred *d,
                        const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
@@ -171,7 +171,7 @@ static double resistance_of_neighbours(const struct fluid *fl, int c)
  * m_N. That is right for drag and inertia, which are forces of one cell. For
  * those of the neighbours it replaces this mean by the linear one less the
  * height of a parabola's chord, w (1 - w) (grad u_N - grad u_P) . d / 2. */
-FACE_KERNEL inner_mean(int f, int o, int n, const struct deferred_terms *d,
+FACE_KERNEL inner_mean(int f, int o, int n, const struct deferred *d,
                        const struct fluid *fl)
 {
     const double *const slope = d->slope;
@@ -195,7 +195,7 @@ FACE_KERNEL inner_mean(int f, int o, int n, const struct deferred_terms *d,
         (((1.0 - w) * r_o - w * r_n) * difference - (r_o + r_n) * eps * chord);
 }
 
-void skewness_add_fluxes(const struct deferred_terms *d, struct fluid *fl)
+void skewness_add_fluxes(const struct deferred *d, struct fluid *fl)
 {
     FOR_EACH_FACE(fl->faces, 24, inner_flux, d, fl);
     if (d->normal_equations != NULL)
@@ -213,7 +213,7 @@ static double linear_fraction(const struct fluid *fl, int f, double upwind)
 
 /* The term of component k for a scheme with the gradient of the upstream cell;
  * it is limited by the same factor as the slope along the link. */
-static double skew_term_upstream(const struct deferred_terms *d,
+static double skew_term_upstream(const struct deferred *d,
                                  const struct fluid *fl, const double *u, int f,
                                  int with, int k)
 {
@@ -230,7 +230,7 @@ static double skew_term_upstream(const struct deferred_terms *d,
     return fmax(0.0, fmin(limiter, 1.0)) * vector_dot(slope, &d->off[3 * f]);
 }
 
-void skewness_add_convection(const struct deferred_terms *d, struct fluid *fl,
+void skewness_add_convection(const struct deferred *d, struct fluid *fl,
                              const double *u)
 {
     const struct mesh *const m = fl->mesh;

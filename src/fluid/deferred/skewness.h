@@ -15,7 +15,8 @@
 #ifndef FLUID_DEFERRED_SKEWNESS_H
 #define FLUID_DEFERRED_SKEWNESS_H
 
-#include "fluid/deferred/deferred_terms.h"
+#include "fluid/deferred.h"
+#include "fluid/fluid.h"
 
 /* off of each face [m], 3 each, of a boundary face the part of the link along
  * the face; NULL, which the functions below are not called with, for a mesh
@@ -30,12 +31,12 @@ double *skewness_of(const struct mesh *m);
 double *skewness_normal_equations(const struct mesh *m, const double *off);
 
 /* Adds the term to p_face, from the gradients of the linear values. */
-void skewness_add_pressures(const struct deferred_terms *d, struct fluid *fl);
+void skewness_add_pressures(const struct deferred *d, struct fluid *fl);
 
 /* Adds it to the fluxes without the pressure; to the convection of the momentum
  * equation, as far as the scheme is of second order. */
-void skewness_add_fluxes(const struct deferred_terms *d, struct fluid *fl);
-void skewness_add_convection(const struct deferred_terms *d, struct fluid *fl,
+void skewness_add_fluxes(const struct deferred *d, struct fluid *fl);
+void skewness_add_convection(const struct deferred *d, struct fluid *fl,
                              const double *u);
 
 #endif

@@ -144,8 +144,8 @@ static void free_ranges(struct face_pieces *p)
     free(r);
 }
 
-static struct face_pieces *find_ranges(int n_inner, int n, const int *owner,
-                                       const int *neighbour)
+struct face_pieces *contiguous_faces_find(int n_inner, int n, const int *owner,
+                                          const int *neighbour)
 {
     struct contiguous_faces *const r = alloc_zeroed(1, sizeof *r);
     int n_runs = 0, fits = 1;
@@ -160,5 +160,3 @@ static struct face_pieces *find_ranges(int n_inner, int n, const int *owner,
     free_ranges(&r->pieces);
     return NULL;
 }
-
-const struct faces_order contiguous_faces_order = {"contiguous", find_ranges};

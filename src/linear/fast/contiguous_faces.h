@@ -35,8 +35,8 @@ struct contiguous_faces {
 };
 
 /* Finds the ranges of the n_inner faces that have neighbours and of the
- * boundary faces after them; creates nothing if the ranges are too short on
- * average. */
-extern const struct faces_order contiguous_faces_order;
+ * boundary faces after them; NULL if the ranges are too short on average. */
+struct face_pieces *contiguous_faces_find(int n_inner, int n, const int *owner,
+                                          const int *neighbour);
 
 #endif

@@ -53,7 +53,6 @@ static double multiply(const void *data, const double *x, double *y)
     return symmetric_multiply(data, x, y);
 }
 
-extern const struct level_matrix_kind level_matrix_bands;
 const struct level_matrix_kind level_matrix_bands = {
     "bands", create,  release,  vector, vector_free,
     fill,    inverse, residual, relax,  multiply};

@@ -43,7 +43,7 @@ void level_init(struct level *v, const struct graph *g, int finest)
 {
     v->n = g->n;
     v->n_links = g->n_links;
-    v->kind = level_matrix_best();
+    v->kind = &level_matrix_bands;
     v->A = v->kind->create(g->n, g->n_links, g->owner, g->neighbour, finest);
     v->g = alloc_doubles(g->n_links);
     v->sums = alloc_doubles(g->n);

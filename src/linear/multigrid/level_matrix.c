@@ -122,9 +122,3 @@ static double multiply(const void *data, const double *x, double *y)
 const struct level_matrix_kind level_matrix_rows = {
     "rows", create,  release,  vector, vector_free,
     fill,   inverse, residual, relax,  multiply};
-
-const struct level_matrix_kind *level_matrix_best(void)
-{
-    return level_matrix_kinds[0] != NULL ? level_matrix_kinds[0]
-                                         : &level_matrix_rows;
-}

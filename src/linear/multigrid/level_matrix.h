@@ -3,8 +3,9 @@
  *
  * It is symmetric, with the entry -g[l] for link l and a diagonal such that the
  * row sums are those given. The cycle works in single precision, with the
- * matrix times `unit`, and the outer iteration in double precision. Folders add
- * kinds that store the matrix for speed; without one it is stored by rows.
+ * matrix times `unit`, and the outer iteration in double precision. It is
+ * stored by diagonals for speed (linear/fast); the test compares that with
+ * rows.
  */
 #ifndef LINEAR_MULTIGRID_LEVEL_MATRIX_H
 #define LINEAR_MULTIGRID_LEVEL_MATRIX_H
@@ -32,11 +33,8 @@ struct level_matrix_kind {
     double (*multiply)(const void *data, const double *x, double *y);
 };
 
-/* What folders add, ended by NULL; and the plain kind. */
-extern const struct level_matrix_kind *const level_matrix_kinds[];
+/* By diagonals, which the cycle uses; and the plain kind. */
+extern const struct level_matrix_kind level_matrix_bands;
 extern const struct level_matrix_kind level_matrix_rows;
-
-/* The first of those added, or the plain kind. */
-const struct level_matrix_kind *level_matrix_best(void);
 
 #endif

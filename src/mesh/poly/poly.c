@@ -336,18 +336,3 @@ struct mesh *poly_read(const char *dir)
     poly_raw_release(&r);
     return m;
 }
-
-static const struct key keys[] = {
-    {"mesh.polymesh", KEY_FILE, "", "", "",
-     "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
-     "it begins with /; its patches take the place of the sides under fluid",
-     "", ""},
-    KEY_END};
-
-const struct mesh_form poly_form = {
-    .keys = keys,
-    .is_there = poly_is,
-    .looked_for = "no file boundary in it, in polyMesh or in "
-                  "constant/polyMesh",
-    .patches = poly_patches,
-    .read = poly_read};

@@ -12,7 +12,6 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "mesh/mesh_form.h"
 #include "mesh/poly/sheared.h"
 
 /* The point at a corner of the cells. */
@@ -122,13 +121,3 @@ struct mesh *mesh_create_sheared(const struct box_spec *spec,
     mesh_free(straight);
     return m;
 }
-
-static const struct key keys[] = {
-    {"mesh.shear", KEY_VECTOR, "-", "", "",
-     "shift of the box along x over height y, along x over depth z, along y "
-     "over depth z; left out: none",
-     "", ""},
-    KEY_END};
-
-const struct mesh_form sheared_form = {.keys = keys,
-                                       .of_box = mesh_create_sheared};

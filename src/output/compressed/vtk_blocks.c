@@ -13,7 +13,7 @@
  * velocities do, the following blocks are stored uncompressed (zlib's level 0);
  * until then they are compressed lightly (level 1).
  */
-#include "output/vtk_file.h"
+#include "output/compressed/vtk_blocks.h"
 
 #include "base/alloc.h"
 
@@ -67,7 +67,7 @@ static void make_room(struct vtk_blocks *b, size_t n)
     b->n_size = 2 * n;
 }
 
-static void *create(void)
+struct vtk_blocks *vtk_blocks_create(void)
 {
     struct vtk_blocks *const b = alloc_zeroed(1, sizeof *b);
 
@@ -79,10 +79,8 @@ static void *create(void)
     return b;
 }
 
-static void release(void *state)
+void vtk_blocks_free(struct vtk_blocks *b)
 {
-    struct vtk_blocks *const b = state;
-
     deflateEnd(&b->light);
     deflateEnd(&b->stored);
     free(b->size);
@@ -127,10 +125,9 @@ static void put_blocks(struct vtk_blocks *b, FILE *out,
     }
 }
 
-static void write_array(void *state, FILE *out, const struct vtk_array *a,
-                        int n)
+void vtk_blocks_write(struct vtk_blocks *b, FILE *out,
+                      const struct vtk_array *a, int n)
 {
-    struct vtk_blocks *const b = state;
     const size_t n_values = (size_t)n * (size_t)a->components;
     const size_t bytes = n_values * vtk_array_width(a);
     const size_t n_blocks = (bytes + VTK_BLOCK - 1) / VTK_BLOCK;
@@ -146,11 +143,3 @@ static void write_array(void *state, FILE *out, const struct vtk_array *a,
     put_words(out, b->size, n_blocks);
     fseeko(out, end, SEEK_SET);
 }
-
-const struct vtk_encoding vtk_compressed = {
-    .name = "zlib",
-    .attribute = " compressor=\"vtkZLibDataCompressor\"",
-    .create = create,
-    .free = release,
-    .write = write_array,
-};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* picture_flow.c -- the picture of a flow without particles: speed with
  * streamlines, and pressure, in a plane through the middle of the mesh. */
-#include "output/pictures/picture.h"
+#include "output/flow/picture_flow.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -66,7 +66,7 @@ PICTURE_SCRIPT_SPEED
 NULL};
 /* clang-format on */
 
-static int fits(const struct picture *p)
+int picture_flow_fits(const struct picture *p)
 {
     return p->u != NULL && p->x[0] == NULL;
 }
@@ -173,7 +173,7 @@ static int put_script(struct folder *folder, const struct picture *p,
     return file_commit(f);
 }
 
-static int write_all(struct folder *folder, const struct picture *p)
+int picture_flow_write(struct folder *folder, const struct picture *p)
 {
     struct slice s = slice_of(p->mesh, p->u, p->p, POINTS);
     const int failed = put_points(folder, &s) || put_lines(folder, &s) ||
@@ -182,5 +182,3 @@ static int write_all(struct folder *folder, const struct picture *p)
     slice_release(&s);
     return failed;
 }
-
-const struct picture_form picture_flow = {.fits = fits, .write = write_all};

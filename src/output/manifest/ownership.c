@@ -4,7 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "output/folder.h"
-#include "output/folder_owner.h"
+
 #include "output/manifest/manifest.h"
 #include "output/manifest/written.h"
 
@@ -200,10 +200,8 @@ long ownership_process(const char *dir)
     return found && l.l_type != F_UNLCK ? (long)l.l_pid : 0;
 }
 
-static void release(void *own)
+void ownership_free(struct ownership *f)
 {
-    struct ownership *const f = own;
-
     if (f->file >= 0) close(f->file);
     if (f->here >= 0) close(f->here);
     manifest_release(&f->old);
@@ -212,9 +210,8 @@ static void release(void *own)
     free(f);
 }
 
-static void leave(void *own)
+void ownership_leave(struct ownership *f)
 {
-    struct ownership *const f = own;
     char *const part = strcpy(alloc_zeroed(strlen(f->dir) + 1, 1), f->dir);
     size_t n = strlen(part);
 
@@ -227,7 +224,7 @@ static void leave(void *own)
     free(part);
 }
 
-static void *take_folder(const char *dir)
+struct ownership *ownership_take(const char *dir)
 {
     struct ownership *const f = alloc_zeroed(1, sizeof *f);
 
@@ -239,8 +236,8 @@ static void *take_folder(const char *dir)
     for (int i = 0; written_folders[i] != NULL && !wrong; i++)
         wrong = looked_into(f, written_folders[i]);
     if (!wrong && !lists_foreign(f)) return f;
-    leave(f);
-    release(f);
+    ownership_leave(f);
+    ownership_free(f);
     return NULL;
 }
 
@@ -255,21 +252,18 @@ static int write_head(struct ownership *f)
 }
 
 /* An empty list, where there is none yet. */
-static int prepare(void *own)
+int ownership_prepare(struct ownership *f)
 {
-    struct ownership *const f = own;
     return f->fresh && !f->headed ? write_head(f) : 0;
 }
 
-static int is_used(const void *own)
+int ownership_is_used(const struct ownership *f)
 {
-    const struct ownership *const f = own;
     return f->old.n > 0;
 }
 
-static int begin(void *own)
+int ownership_begin(struct ownership *f)
 {
-    struct ownership *const f = own;
     int removed;
 
     if (manifest_remove(&f->old, f->here, f->dir, &removed) != 0) return 1;
@@ -278,18 +272,16 @@ static int begin(void *own)
     return write_head(f);
 }
 
-static void resume(void *own)
+void ownership_resume(struct ownership *f)
 {
-    struct ownership *const f = own;
 
     f->resumes = 1;
     f->fresh = 0;
     f->length = lseek(f->file, 0, SEEK_END);
 }
 
-static void visit(void *own, struct state *s)
+void ownership_state(struct ownership *f, struct state *s)
 {
-    struct ownership *const f = own;
     long length = (long)f->length;
 
     if (!s->loading && fsync(f->file) != 0)
@@ -301,9 +293,8 @@ static void visit(void *own, struct state *s)
     f->resumes = 0;
 }
 
-static int list(void *own, const char *name)
+int ownership_list(struct ownership *f, const char *name)
 {
-    struct ownership *const f = own;
 
     if (f->resumes && manifest_has(&f->old, name)) return 0;
     const size_t length = strlen(name);
@@ -323,13 +314,3 @@ static int list(void *own, const char *name)
         complaint("take half a line off", f->path);
     return 1;
 }
-
-const struct folder_owner ownership = {.take = take_folder,
-                                       .prepare = prepare,
-                                       .is_used = is_used,
-                                       .begin = begin,
-                                       .resume = resume,
-                                       .list = list,
-                                       .state = visit,
-                                       .leave = leave,
-                                       .free = release};

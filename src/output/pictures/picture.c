@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "base/text.h"
+#include "output/flow/picture_flow.h"
 #include "output/pictures/gnuplot.h"
 #include "output/pictures/picture_script.h"
 
@@ -231,9 +232,7 @@ static int put_script(struct folder *folder, const struct picture *p)
 int picture_write(struct folder *folder, const struct picture *p)
 {
     if (folder_make(folder, "picture") != 0) return 1;
-    for (int i = 0; picture_forms[i] != NULL; i++)
-        if (picture_forms[i]->fits(p))
-            return picture_forms[i]->write(folder, p);
+    if (picture_flow_fits(p)) return picture_flow_write(folder, p);
     return picture_write_particles(folder, "picture/particles.txt", p) ||
            put_void_fraction(folder, p) || put_script(folder, p);
 }

@@ -36,14 +36,6 @@ struct picture {
     int walls;           /* [-] 1: picture/walls.txt has segments x y [m] */
 };
 
-/* Another picture, where it fits better: its files and script, with the names
- * of this one's script and picture. The first that fits is taken. */
-struct picture_form {
-    int (*fits)(const struct picture *p);
-    int (*write)(struct folder *folder, const struct picture *p);
-};
-extern const struct picture_form *const picture_forms[]; /* ended by NULL */
-
 /* Parts of a picture that an animation has as well (animation.h).
  *
  * A file of the folder; NULL after a message. */

@@ -173,7 +173,7 @@ static void add_cell(struct vtk_cells *v, int c)
     v->faces_end[c] = n == 0 ? v->faces.n : -1;
 }
 
-static void *create(const struct mesh *m)
+struct vtk_cells *vtk_cells_create(const struct mesh *m)
 {
     struct vtk_cells *const v = alloc_zeroed(1, sizeof *v);
 
@@ -186,10 +186,9 @@ static void *create(const struct mesh *m)
     return v;
 }
 
-static void release(void *cells)
+void vtk_cells_free(struct vtk_cells *v)
 {
-    struct vtk_cells *const v = cells;
-
+    if (v == NULL) return;
     free(v->points.value);
     free(v->faces.value);
     free(v->end);
@@ -237,22 +236,13 @@ static void put(struct vtk_file *f, const struct vtk_cells *v)
     fprintf(vtk_file_stream(f), "</Cells>\n");
 }
 
-static int write_cells(struct vtk_file *f, const char *path, const void *cells,
-                       double time, int n_arrays,
-                       const struct vtk_array *arrays)
+int vtk_cells_write(struct vtk_file *f, const char *path,
+                    const struct vtk_cells *v, double time, int n_arrays,
+                    const struct vtk_array *arrays)
 {
-    const struct vtk_cells *const v = cells;
-
     if (vtk_file_begin(f, path, "UnstructuredGrid", "", time) != 0) return 1;
     put(f, v);
     vtk_file_section(f, "CellData", v->mesh->n_cells, n_arrays, arrays);
     fprintf(vtk_file_stream(f), "</Piece>\n");
     return vtk_file_end(f);
 }
-
-const struct vtk_grid vtk_cells_grid = {
-    .name = "cells",
-    .create = create,
-    .free = release,
-    .write = write_cells,
-};

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/engine/refusal.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "case/case_file.h"
+#include "case/case_materials.h"
+#include "case/checks/materials_check.h"
+#include "case/schema.h"
+#include "case/engine/words.h"
+
+/* Keys that are known, and by a full stop at the end all that begin so. */
+static const char known[] =
+    " title cites engine ranks layers mesh mesh.size mesh.cells mesh.grading "
+    "mesh.periodic fluid fluid. particles particles.contact particles.step "
+    "particles.skin particles.unsafe_step particles.expected_overlap "
+    "particles.max_overlap particles.integrator particles.list "
+    "particles.grains particles.grains. particles.materials "
+    "particles.materials. particles.pairs particles.pairs. particles.walls "
+    "particles.walls. particles.bed particles.place particles.place. "
+    "particles.overlaps particles.sizes particles.sizes. averaging "
+    "averaging. exchange exchange. effects effects.gravity "
+    "effects.pressure_gradient output output.end output.every "
+    "output.history output.checkpoint output.picture output.animation "
+    "output.profiles output.profiles. output.probes output.probes. "
+    "particles.bed.count particles.bed.diameter particles.bed.seed "
+    "particles.bed.jitter particles.bed.settle particles.bed.sizes ";
+
+/* Keys that are not, by how they begin, and why; the last one is the rest. */
+static const struct {
+    const char *key, *why;
+} reasons[] = {
+    {"particles.surfaces", "LAMMPS of this version has no triangulated and no "
+                           "moving walls"},
+    {"particles.prescribed", "its particles all move freely"},
+    {"particles.bed.file", "all ranks settle the bed together"},
+    {"particles.insert", "new particles are not handed out to the ranks yet"},
+    {"particles.sinks", "particles that leave are not counted over the ranks "
+                        "yet"},
+    {"mesh.polymesh", "only boxes are divided so far"},
+    {"mesh.shear", "only boxes are divided so far"},
+    {"bodies", "bodies are not divided yet"},
+    {"effects.virtual_mass", "it acts within the integrator, which is LAMMPS'"},
+    {"effects.energy_budget", "it is kept in the contact loop, which is "
+                              "LAMMPS'"},
+    {"effects.capillary", "cohesion is not told to LAMMPS"},
+    {"effects.van_der_waals", "cohesion is not told to LAMMPS"},
+    {"effects.electrostatic", "cohesion is not told to LAMMPS"},
+    {"", "it has not been divided among ranks yet"}};
+
+static int begins(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* 1 if the list has the path, or how it begins, up to a full stop. */
+static int is_known(const char *path)
+{
+    char word[160];
+
+    for (size_t n = strlen(path); n > 0; n--) {
+        const int whole = path[n] == '\0' || path[n - 1] == '.';
+        snprintf(word, sizeof word, " %.*s ", (int)n, path);
+        if (whole && strstr(known, word) != NULL) return 1;
+    }
+    return 0;
+}
+
+static int refuse(const struct settings *s, const char *path, const char *why)
+{
+    return settings_wrong(s, path,
+                          "not on the distributed engine (%s); run on one "
+                          "machine, or leave it out",
+                          why);
+}
+
+/* The first key that the case has and the engine has not; `about` is how those
+ * begin that are asked for. */
+static int check_keys(const struct settings *s, const char *about)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+
+    case_file_tables(tables);
+    SCHEMA_EACH (row, tables) {
+        const char *const path = row->path;
+        int i = 0;
+        if (row->type == KEY_PATCH || strchr(path, '<') != NULL ||
+            is_known(path) || !settings_has(s, path))
+            continue;
+        while (!begins(path, reasons[i].key))
+            i++;
+        if (begins(path, about) || strstr(reasons[i].why, "cohesion") != NULL)
+            return refuse(s, path, reasons[i].why);
+    }
+    return 0;
+}
+
+/* Choices of which the engine knows one or two. */
+static const struct {
+    const char *key, *group, *value, *other, *why;
+} choices[] = {
+    {"particles.integrator", "particles", "velocity-verlet", "",
+     "LAMMPS moves the particles by velocity Verlet"},
+    {"averaging.method", "averaging", "pcm", "diffusion",
+     "other averages reach farther than the layers of a rank"},
+    {"averaging.scheme", "averaging", "exponential", "series",
+     "a step of the others waits for all ranks in every iteration"},
+    {"averaging.bandwidth_variation", "averaging", "uniform", "",
+     "the bandwidth must be the same on all ranks"},
+    {"exchange.slip_integration", "exchange", "frozen", "",
+     "the other one acts within the integrator, which is LAMMPS': use "
+     "sub-steps"},
+    {"exchange.coupling", "exchange", "two-way", "", "not divided yet"},
+    {"fluid.time", "fluid", "euler", "", "not divided yet"}};
+
+static int check_choices(const struct settings *s)
+{
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++) {
+        if (!settings_has(s, choices[i].group)) continue;
+        const char *const is = settings_text(s, choices[i].key);
+        if (strcmp(is, choices[i].value) != 0 &&
+            strcmp(is, choices[i].other) != 0)
+            return refuse(s, choices[i].key, choices[i].why);
+    }
+    return 0;
+}
+
+/* Keys of the fluid and of the averaging that must not be there. */
+static int check_absent(const struct settings *s)
+{
+    static const char *const absent[] = {"fluid.mean_flow", "averaging.cap",
+                                         "averaging.regions", NULL};
+
+    for (int i = 0; absent[i] != NULL; i++)
+        if (settings_has(s, absent[i]))
+            return refuse(s, absent[i], "not divided yet");
+    if (settings_has(s, "particles") &&
+        strcmp(settings_text(s, "particles.list"), "none") == 0)
+        return refuse(s, "particles.list", "LAMMPS looks for contacts");
+    if (settings_has(s, "fluid") && settings_int(s, "fluid.outer_correctors"))
+        return refuse(s, "fluid.outer_correctors", "not divided yet");
+    return 0;
+}
+
+static int check_sides(const struct settings *s)
+{
+    static const char *const words[] = {"profile", "rotation"};
+    char path[128];
+    const char *side;
+
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++)
+        for (int k = 0; k < 2 && settings_has(s, side); k++) {
+            snprintf(path, sizeof path, "%s.%s", side, words[k]);
+            if (settings_has(s, path) &&
+                !(k == 0 && strcmp(settings_text(s, path), "uniform") == 0))
+                return refuse(s, path,
+                              "a rank does not see the whole side of the box");
+        }
+    return 0;
+}
+
+static int check_grading(const struct settings *s)
+{
+    double g[3];
+
+    settings_vector(s, "mesh.grading", g);
+    for (int k = 0; k < 3; k++)
+        if (g[k] != 1.0)
+            return refuse(s, "mesh.grading",
+                          "cells of different width are "
+                          "not divided yet");
+    return 0;
+}
+
+/* Contacts that LAMMPS has no number for. */
+int refusal_export(const struct settings *s)
+{
+    static const char grains[] = "particles.grains.restitution";
+    const int n = settings_length(s, "particles.materials") + 1;
+
+    if (!settings_has(s, "particles"))
+        return settings_wrong(s, "particles", "there are none to move");
+    if (n > WORDS_MATERIALS)
+        return settings_wrong(s, "particles.materials", "%d at most",
+                              WORDS_MATERIALS);
+    if (!words_has_law(s))
+        return refuse(s, "particles.contact",
+                      "LAMMPS has Hertz's spring and a linear one");
+    if (materials_check_rolling(s))
+        return refuse(s, "particles.grains.rolling_friction",
+                      "LAMMPS' law of it is another one");
+    const struct words w = words_of(s, 1.0);
+    for (int i = 0; i < n * n; i++)
+        if (words_restitution(w.hertz, w.pair[i].damping_n) < 0.0)
+            return refuse(s, grains,
+                          "LAMMPS' dashpot is not as strong as a restitution "
+                          "so small needs");
+    return check_keys(s, "particles");
+}
+
+int refusal_engine(const struct settings *s)
+{
+    static const char *const groups[] = {"fluid", "particles", "exchange"};
+    int code = 0;
+
+    for (int i = 0; i < 3 && code == 0; i++)
+        if (!settings_has(s, groups[i]))
+            code = settings_wrong(s, groups[i],
+                                  "the distributed engine computes fluid and "
+                                  "particles together; run on one machine%s",
+                                  i == 0 ? ", or winnow export CASE --to "
+                                           "lammps"
+                                         : "");
+    if (code == 0) code = check_keys(s, "");
+    if (code == 0) code = check_choices(s);
+    if (code == 0) code = check_absent(s);
+    if (code == 0) code = check_sides(s);
+    if (code == 0) code = check_grading(s);
+    return code != 0 ? code : refusal_export(s);
+}
