@@ -76,9 +76,10 @@ static struct settings *read_case(const char *text,
                                   const char *const *overrides, int *code,
                                   char said[CAPTURE_TEXT])
 {
-    const struct key *tables[CASE_FILE_TABLES] = {keys_core, effect_keys};
+    const struct key *tables[CASE_FILE_TABLES] = {keys_mesh, fluid_keys,
+                                                  keys_core, effect_keys};
 
-    models_tables(&tables[2], CASE_FILE_TABLES - 3);
+    models_tables(&tables[4], CASE_FILE_TABLES - 5);
     struct settings *s;
     struct capture c;
     int n = 0;

@@ -42,6 +42,8 @@ enum { KEY_TABLES = 4 }; /* room in a descriptor: three tables and a NULL */
     {                                                                          \
         NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL                    \
     }
+struct model;
+
 struct key {
     const char *path; /* "fluid.density"; <patch> stands for any side of
                          the box; keys of a list's groups follow its name */
@@ -57,6 +59,26 @@ struct key {
     const char *source; /* equation or table it stands in, "" if none */
     const char *needs;  /* groups that must be there too, "fluid particles";
                            "" if none */
+
+    /* Where its value goes (KEY_AT), and an int that is 1 where the case itself
+     * names it; 0: nowhere. */
+    size_t at, given;
+    /* Of KEY_NAME: the member is a pointer to one of these descriptors (the
+     * first member of each is its name), or the value of one of these choices.
+     * Both end with NULL. */
+    const void *models;
+    const struct model *const *choices;
+    size_t size; /* of KEY_LIST: of the struct of one of its groups; the member
+                    is a struct key_list, and the rows of the groups have their
+                    places in that struct */
+};
+/* The place of a member, for a row. */
+#define KEY_AT(type, member) (offsetof(struct type, member) + 1)
+
+/* The groups of a list: `item` is an array of n structs. */
+struct key_list {
+    int n;
+    void *item;
 };
 
 /* This stands in the path of a row for the name of any side or patch.

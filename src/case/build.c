@@ -110,7 +110,7 @@ struct simulation *build_for_run(const struct settings *s, int with_bed,
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles"))
         *code = build_particles(s, sim, with_bed, saver);
-    if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
+    if (*code == 0 && s->has.fluid) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
         if (*code == 0) build_coupling(s, sim);

@@ -21,6 +21,8 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 {
     int n = 0;
 
+    tables[n++] = keys_mesh;
+    tables[n++] = fluid_keys;
     tables[n++] = keys_core;
     tables[n++] = case_surfaces_keys;
     tables[n++] = case_engine_keys;

@@ -46,7 +46,7 @@ double case_steps_length(const struct settings *s)
     const char *key;
     const double given = interval(s, &key);
 
-    if (settings_has(s, "fluid")) return given;
+    if (s->has.fluid) return given;
     const double dt = fmin(given, settings_real(s, end_key));
     if (!settings_has(s, "particles")) return dt;
     const double step = settings_real(s, "particles.step");
@@ -58,7 +58,7 @@ static double within(const struct settings *s)
 {
     if (!settings_has(s, "particles")) return 0.0;
     const double n = case_steps_length(s) / settings_real(s, "particles.step");
-    if (!settings_has(s, "fluid")) return fmax(1.0, round(n));
+    if (!s->has.fluid) return fmax(1.0, round(n));
     return fmax(1.0, ceil(n * (1.0 - 1e-12))); /* 5.000000000001 is 5 */
 }
 
@@ -93,7 +93,7 @@ long case_steps_between_rows(const struct settings *s)
 {
     if (settings_has(s, "output.history"))
         return case_steps_between(s, "output.history");
-    return settings_has(s, "fluid") ? 1 : case_steps_between(s, "output.every");
+    return s->has.fluid ? 1 : case_steps_between(s, "output.every");
 }
 
 int case_steps_check(const struct settings *s)

@@ -5,7 +5,7 @@
 
 /* A row: path, type, unit, allowed, default, meaning, source, needs. NULL as
  * the default means that the key must be given. */
-const struct key keys_core[] = {
+const struct key keys_mesh[] = {
     {"title", KEY_TEXT, "", "", "", "what the case shows, in one line", "", ""},
     {"cites", KEY_TEXT, "", "", "", "the paper, table or figure it follows", "",
      ""},
@@ -30,48 +30,9 @@ const struct key keys_core[] = {
      "shift of the box along x over height y, along x over depth z, along y "
      "over depth z; left out: none",
      "", ""},
-    {"fluid", KEY_GROUP, "", "", "", "the fluid; left out: particles alone",
-     "XS11 2.7, 2.8", ""},
-    {"fluid.density", KEY_REAL, "kg/m^3", "> 0", NULL,
-     "density of the fluid, rho_f", "XS11 2.8", ""},
-    {"fluid.viscosity", KEY_REAL, "Pa s", ">= 0", NULL, "dynamic viscosity, mu",
-     "XS11 2.8", ""},
-    {"fluid.step", KEY_REAL, "s", "> 0", NULL,
-     "time step of the fluid and of the coupling", "XS11 Algorithm 3.1", ""},
-    {"fluid.time", KEY_NAME, "", "", "euler",
-     "time scheme: implicit Euler or second-order implicit", "XS11, SX15", ""},
-    {"fluid.convection", KEY_NAME, "", "", "upwind", "convection scheme",
-     "XS11 2.8", ""},
-    {"fluid.continuity", KEY_NAME, "", "", "mixture",
-     "form of the mass balance", "XS11 2.3, 2.7", ""},
-    {"fluid.correctors", KEY_INT, "-", ">= 1, <= 20", "2",
-     "pressure corrections in a step (PISO), at least", "XS11 Algorithm 3.1",
-     ""},
-    {"fluid.piso_tolerance", KEY_REAL, "-", ">= 0", "1e-3",
-     "further corrections until the relative splitting error of the momentum "
-     "is below this, and small beside the inertia; 0: none",
-     "", ""},
-    {"fluid.outer_correctors", KEY_INT, "-", ">= 0, <= 20", "0",
-     "outer iterations: how often a step is repeated with its new velocity", "",
-     ""},
-    {"fluid.u_tolerance", KEY_REAL, "-", ">= 0, < 1", "0.0",
-     "residual of the predicted velocity; 0: fluid.tolerance", "", ""},
-    {"fluid.p_relative_tolerance", KEY_REAL, "-", ">= 0, < 1", "0.0",
-     "relative residual at which all corrections but the last stop", "", ""},
-    {"fluid.cfl", KEY_REAL, "-", "> 0", "",
-     "largest Courant number; where fluid.step has a larger one it is divided",
-     "LS 5.9, 5.10", ""},
-    {"fluid.mean_gradient", KEY_VECTOR, "Pa/m", "", "",
-     "mean gradient of the pressure in periodic directions", "", ""},
-    {"fluid.mean_flow", KEY_VECTOR, "m/s", "", "",
-     "mean superficial velocity that is kept in periodic directions", "", ""},
-    {"fluid.tolerance", KEY_REAL, "-", ">= 1e-15, < 1", "1e-8",
-     "relative residual of the linear solvers", "", ""},
-    {"fluid.<patch>", KEY_PATCH, "", "", "",
-     "a side of the box: left right (x), bottom top (y), back front (z), or "
-     "two at once: sides, bottom_top, front_back; or a patch of the mesh",
-     "XS11 2.8", ""},
+    KEY_END};
 
+const struct key keys_core[] = {
     {"particles", KEY_GROUP, "", "", "", "spheres and the box they are in",
      "LS 4.1-4.3", ""},
     {"particles.contact", KEY_NAME, "", "", NULL, "contact law",

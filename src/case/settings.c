@@ -2,6 +2,7 @@
 #include "case/settings.h"
 
 #include "base/alloc.h"
+#include "case/fill.h"
 #include "case/override.h"
 #include "case/meshes/read_mesh.h"
 #include "case/schema.h"
@@ -14,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct settings {
+struct settings_text {
     config_t tree;
     const struct key **tables; /* a copy of the list, the tables borrowed */
     size_t n_tables;
@@ -28,7 +29,7 @@ struct settings {
 void settings_beside(const struct settings *s, const char *file, char *path,
                      size_t size)
 {
-    const char *const at = s->file, *const end = strrchr(at, '/');
+    const char *const at = s->text->file, *const end = strrchr(at, '/');
     const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
 
     snprintf(path, size, "%.*s%s", folder, at, file);
@@ -40,20 +41,25 @@ struct settings *settings_create(const char *file, int n_overrides,
 {
     struct settings *const s = alloc_zeroed(1, sizeof *s);
 
-    while (tables[s->n_tables] != NULL)
-        s->n_tables++;
-    s->tables = alloc_zeroed(s->n_tables + 1, sizeof *s->tables);
-    memcpy(s->tables, tables, s->n_tables * sizeof *s->tables);
-    s->file = strdup(file);
-    *code = source_read(&s->tree, s->file);
+    s->text = alloc_zeroed(1, sizeof *s->text);
+    while (tables[s->text->n_tables] != NULL)
+        s->text->n_tables++;
+    s->text->tables =
+        alloc_zeroed(s->text->n_tables + 1, sizeof *s->text->tables);
+    memcpy(s->text->tables, tables,
+           s->text->n_tables * sizeof *s->text->tables);
+    s->text->file = strdup(file);
+    *code = source_read(&s->text->tree, s->text->file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
-        *code = override_apply(&s->tree, overrides[i]);
-    if (*code == 0) *code = schema_check_texts(&s->tree);
+        *code = override_apply(&s->text->tree, overrides[i]);
+    if (*code == 0) *code = schema_check_texts(&s->text->tree);
     if (*code == 0)
-        *code = read_mesh_patches(s, &s->tree, s->tables, &s->patches);
-    if (*code == 0) *code = schema_check_check(&s->tree, s->tables);
+        *code = read_mesh_patches(s, &s->text->tree, s->text->tables,
+                                  &s->text->patches);
+    if (*code == 0) *code = schema_check_check(&s->text->tree, s->text->tables);
     if (*code == 0) {
-        schema_check_fill(&s->tree, s->tables);
+        schema_check_fill(&s->text->tree, s->text->tables);
+        fill_settings(s, s->text->tables);
         return s;
     }
     settings_free(s);
@@ -63,34 +69,36 @@ struct settings *settings_create(const char *file, int n_overrides,
 void settings_free(struct settings *s)
 {
     if (s == NULL) return;
-    config_destroy(&s->tree);
-    free(s->tables);
-    for (size_t i = 0; i < s->n_tables && s->patches != NULL; i++)
-        free(s->patches[i]);
-    free(s->patches);
-    free(s->file);
-    mesh_free(s->mesh);
+    fill_release(s, s->text->tables);
+    config_destroy(&s->text->tree);
+    free(s->text->tables);
+    for (size_t i = 0; i < s->text->n_tables && s->text->patches != NULL; i++)
+        free(s->text->patches[i]);
+    free(s->text->patches);
+    free(s->text->file);
+    mesh_free(s->text->mesh);
+    free(s->text);
     free(s);
 }
 
 const char *settings_file(const struct settings *s)
 {
-    return s->file;
+    return s->text->file;
 }
 
 const struct config_setting_t *settings_root(const struct settings *s)
 {
-    return config_root_setting(&s->tree);
+    return config_root_setting(&s->text->tree);
 }
 
 void settings_set_quiet(struct settings *s)
 {
-    s->quiet = 1;
+    s->text->quiet = 1;
 }
 
 int settings_quiet(const struct settings *s)
 {
-    return s->quiet;
+    return s->text->quiet;
 }
 
 /* A text is read of keys for a word, for any text, and for a file. */
@@ -108,10 +116,10 @@ static const struct key *row_of(const struct settings *s, const char *path)
     char row[SCHEMA_TEXT];
     const char *const at = strstr(path, ".[");
 
-    if (at == NULL) return schema_find(s->tables, path);
+    if (at == NULL) return schema_find(s->text->tables, path);
     snprintf(row, sizeof row, "%.*s%s", (int)(at - path), path,
              at + strcspn(at, "]") + 1);
-    return schema_find(s->tables, row);
+    return schema_find(s->text->tables, row);
 }
 
 const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
@@ -126,7 +134,7 @@ const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
 static const config_setting_t *find(const struct settings *s, const char *path,
                                     enum key_type type)
 {
-    const config_setting_t *const found = config_lookup(&s->tree, path);
+    const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
     assert(type_fits(row_of(s, path), type) && found != NULL);
     (void)type;
@@ -135,7 +143,7 @@ static const config_setting_t *find(const struct settings *s, const char *path,
 
 int settings_has(const struct settings *s, const char *path)
 {
-    const config_setting_t *const found = config_lookup(&s->tree, path);
+    const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
     assert(row_of(s, path) != NULL);
     return found != NULL && !source_is_default(found);
@@ -143,7 +151,7 @@ int settings_has(const struct settings *s, const char *path)
 
 int settings_is_set(const struct settings *s, const char *path)
 {
-    return config_lookup(&s->tree, path) != NULL;
+    return config_lookup(&s->text->tree, path) != NULL;
 }
 
 double settings_real(const struct settings *s, const char *path)
@@ -170,7 +178,7 @@ int settings_bool(const struct settings *s, const char *path)
 const char *settings_text(const struct settings *s, const char *path)
 {
     const struct key *const key = row_of(s, path);
-    const config_setting_t *const found = config_lookup(&s->tree, path);
+    const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
     assert(type_fits(key, KEY_NAME) || key->type == KEY_PATCH);
     assert(found != NULL || key->type == KEY_TEXT);
@@ -225,22 +233,22 @@ void settings_point(const struct settings *s, const char *path, int i,
 
 int settings_is_list(const struct settings *s, const char *path)
 {
-    const struct key *const key = schema_find(s->tables, path);
+    const struct key *const key = schema_find(s->text->tables, path);
     return key != NULL && key->type == KEY_LIST;
 }
 
 int settings_length(const struct settings *s, const char *list)
 {
-    const config_setting_t *const found = config_lookup(&s->tree, list);
+    const config_setting_t *const found = config_lookup(&s->text->tree, list);
 
-    assert(schema_find(s->tables, list) != NULL);
+    assert(schema_find(s->text->tables, list) != NULL);
     return found != NULL ? config_setting_length(found) : 0;
 }
 
 int settings_item_named(const struct settings *s, const char *list,
                         const char *name)
 {
-    const config_setting_t *const found = config_lookup(&s->tree, list);
+    const config_setting_t *const found = config_lookup(&s->text->tree, list);
     const int n = settings_length(s, list);
     const char *one;
 
@@ -255,7 +263,7 @@ int settings_item_named(const struct settings *s, const char *list,
 /* The path of the i-th patch of the mesh from files, or NULL. */
 static const char *patch_path(const struct settings *s, int i)
 {
-    SCHEMA_EACH (k, s->tables)
+    SCHEMA_EACH (k, s->text->tables)
         if (k->type == KEY_PATCH && i-- == 0) return k->path;
     return NULL;
 }
@@ -272,16 +280,16 @@ static const char *const sides[][3] = {
 
 const char *settings_any_side(const struct settings *s, int i)
 {
-    if (s->patches != NULL) return patch_path(s, i);
+    if (s->text->patches != NULL) return patch_path(s, i);
     return i < 6 ? sides[i][1] : i < 9 ? sides[i - 6][2] : NULL;
 }
 
 const char *settings_side(const struct settings *s, const char *patch)
 {
-    if (s->patches != NULL) {
+    if (s->text->patches != NULL) {
         char path[SCHEMA_TEXT];
         snprintf(path, sizeof path, "fluid.%s", patch);
-        const struct key *const own = schema_find(s->tables, path);
+        const struct key *const own = schema_find(s->text->tables, path);
         return own != NULL && settings_has(s, path) ? own->path : NULL;
     }
     for (int i = 0; i < 6; i++)
@@ -292,34 +300,36 @@ const char *settings_side(const struct settings *s, const char *patch)
 
 void settings_keep_mesh(struct settings *s, struct mesh *m)
 {
-    s->mesh = m;
+    s->text->mesh = m;
 }
 
 const struct mesh *settings_mesh(const struct settings *s)
 {
-    return s->mesh;
+    return s->text->mesh;
 }
 
 void settings_where(const struct settings *s, const char *path, char *where,
                     size_t size)
 {
-    const config_setting_t *const found = config_lookup(&s->tree, path);
+    const config_setting_t *const found = config_lookup(&s->text->tree, path);
     char place[SOURCE_TEXT];
 
-    source_place(found != NULL ? found : config_root_setting(&s->tree), place);
+    source_place(found != NULL ? found : config_root_setting(&s->text->tree),
+                 place);
     snprintf(where, size, "%s: %s: ", place, path);
 }
 
 int settings_wrong(const struct settings *s, const char *path,
                    const char *format, ...)
 {
-    const config_setting_t *const found = config_lookup(&s->tree, path);
+    const config_setting_t *const found = config_lookup(&s->text->tree, path);
     char message[SOURCE_TEXT];
     va_list values;
 
     va_start(values, format);
     vsnprintf(message, sizeof message, format, values);
     va_end(values);
-    return source_wrong(found != NULL ? found : config_root_setting(&s->tree),
+    return source_wrong(found != NULL ? found
+                                      : config_root_setting(&s->text->tree),
                         "%s: %s", path, message);
 }

@@ -14,11 +14,21 @@
 #define CASE_SETTINGS_H
 
 #include "base/key.h"
+#include "fluid/fluid.h"
 #include "mesh/mesh.h"
 
 #include <stddef.h>
 
-struct settings;
+/* What a case says, each group in the options of its room, where the rows of
+ * its keys put it (KEY_AT). What the case leaves out has its default or is 0.
+ */
+struct settings {
+    struct {
+        int fluid; /* [-] 1: the case names the group */
+    } has;
+    struct fluid_options fluid; /* fluid/fluid_keys.c */
+    struct settings_text *text; /* the case as it is written */
+};
 
 /* Reads and checks. tables: a list of tables, ended by NULL
  * (the tables are borrowed, and so are the overrides). NULL

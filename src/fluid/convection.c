@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/convection.h"
 
+#include "fluid/fluid.h"
+
 #include "base/model.h"
 #include "fluid/velocity_gradient.h"
 
@@ -46,7 +48,8 @@ static void weights_blended(const struct convection_faces *faces,
 
 static const struct key blend_keys[] = {
     {"fluid.blend", KEY_REAL, "-", ">= 0, <= 1", "0.5",
-     "share of linear in the scheme blended", "XS11", ""},
+     "share of linear in the scheme blended", "XS11", "",
+     .at = KEY_AT(fluid_options, blend)},
     KEY_END};
 
 const struct convection_scheme convection_blended = {

@@ -38,6 +38,8 @@ enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
 extern const struct model fluid_continuity_mixture, fluid_continuity_void_rate;
 extern const struct model *const fluid_continuity_forms[]; /* ended by NULL */
 
+extern const struct key fluid_keys[];
+
 struct fluid_options {
     double rho;                     /* [kg/m^3] */
     double mu;                      /* [Pa s] */
@@ -66,6 +68,7 @@ struct fluid_options {
      * that the mean superficial velocity remains mean_flow [m/s]. */
     int keeps_flow[3];
     double mean_flow[3];
+    int has_mean_gradient, has_mean_flow; /* [-] 1: the case gives it */
     const struct shared_solution *shared; /* of one part of a mesh; NULL */
 };
 

@@ -110,7 +110,7 @@ static const struct history_column *in_history(const char *name)
 /* 1 if a case has what a column of the history needs, as far as it says. */
 static int has_needed(const struct settings *s, int needs)
 {
-    return (!(needs & HISTORY_FLUID) || settings_has(s, "fluid")) &&
+    return (!(needs & HISTORY_FLUID) || s->has.fluid) &&
            (!(needs & HISTORY_PARTICLES) || settings_has(s, "particles")) &&
            (!(needs & HISTORY_COUPLING) || settings_has(s, "exchange"));
 }

@@ -24,7 +24,7 @@ enum { MOST_RUNS = 10000 };
  * how often pictures are written: those of the start and the end will do. */
 static int needs_few_pictures(const struct settings *s)
 {
-    return settings_has(s, "fluid") || settings_has(s, "output.history");
+    return s->has.fluid || settings_has(s, "output.history");
 }
 
 static void add_output(struct plan *p, const struct settings *s)

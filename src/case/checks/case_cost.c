@@ -19,5 +19,5 @@ double case_cost_seconds(const struct settings *s)
 {
     const struct case_scales k = case_scales_of(s);
 
-    return case_cost_of(&k, settings_has(s, "fluid"));
+    return case_cost_of(&k, s->has.fluid);
 }

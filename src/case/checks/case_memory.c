@@ -56,7 +56,7 @@ static double of_cells(const struct settings *s)
     const int corners =
         settings_has(s, "mesh.polymesh") || settings_has(s, "mesh.shear");
 
-    return case_extent_cells(s) * per_cell[corners][settings_has(s, "fluid")];
+    return case_extent_cells(s) * per_cell[corners][s->has.fluid];
 }
 
 static const char sample[] = "effects.mixing.sample";

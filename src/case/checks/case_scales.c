@@ -98,9 +98,9 @@ static double fall_speed(const struct settings *s, double v, double d,
     const double G = vector_length(g);
     double dv = fmin(sqrt(v * v + 2.0 * gained) - v,
                      G * settings_real(s, "output.end"));
-    if (settings_has(s, "fluid")) {
-        const double ratio = settings_real(s, "particles.grains.density") /
-                             settings_real(s, "fluid.density");
+    if (s->has.fluid) {
+        const double ratio =
+            settings_real(s, "particles.grains.density") / s->fluid.rho;
         dv = fmin(dv, sqrt(4.0 / 3.0 * G * d * fabs(ratio - 1.0) / 0.44));
     }
     return v + dv;
@@ -170,7 +170,7 @@ struct case_scales case_scales_of(const struct settings *s)
     k.end = settings_real(s, "output.end");
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);
-    if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
+    if (s->has.fluid) k.inlet = largest_inlet(s, m);
     if (settings_has(s, "particles")) {
         particle_scales(s, &k);
         add_inserted(s, &k);

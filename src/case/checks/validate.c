@@ -134,7 +134,7 @@ static int check_drive(const struct settings *s)
  * step with coupling is not divided. */
 static int check_parts(const struct settings *s)
 {
-    if (settings_has(s, "fluid.cfl") && settings_has(s, "exchange"))
+    if ((s->fluid.cfl > 0.0) && settings_has(s, "exchange"))
         return settings_wrong(s, "fluid.cfl",
                               "with exchange all of fluid.step is one step; "
                               "give a shorter fluid.step instead");
@@ -303,12 +303,12 @@ int validate_case(const struct settings *s)
 {
     int code = 0;
 
-    if (!settings_has(s, "fluid") && !settings_has(s, "particles"))
+    if (!s->has.fluid && !settings_has(s, "particles"))
         return settings_wrong(s, "mesh",
                               "there is neither fluid nor particles: nothing "
                               "to compute");
     code = case_steps_check(s);
-    if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
+    if (code == 0 && s->has.fluid) code = check_fluid(s);
     if (code == 0) code = model_choice_check(s);
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))

@@ -31,8 +31,7 @@ static struct attraction_scene scene_of(const struct settings *s,
         charge[k] = case_materials_one(s, k).charge;
         scene.charged |= charge[k] != 0.0;
     }
-    if (settings_has(s, "fluid"))
-        scene.viscosity = settings_real(s, "fluid.viscosity");
+    if (s->has.fluid) scene.viscosity = s->fluid.mu;
     return scene;
 }
 

@@ -138,7 +138,7 @@ static int check_absent(const struct settings *s)
     if (settings_has(s, "particles") &&
         strcmp(settings_text(s, "particles.list"), "none") == 0)
         return refuse(s, "particles.list", "LAMMPS looks for contacts");
-    if (settings_has(s, "fluid") && settings_int(s, "fluid.outer_correctors"))
+    if (s->has.fluid && s->fluid.outer_correctors)
         return refuse(s, "fluid.outer_correctors", "not divided yet");
     return 0;
 }

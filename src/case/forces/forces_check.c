@@ -127,7 +127,7 @@ int forces_check(const struct settings *s)
         const int surfaces = settings_item_has(s, forces_list, i, "surfaces");
         const int patches = settings_item_has(s, forces_list, i, "patches");
         if (surfaces && check_surfaces(s, i) != 0) return 2;
-        if ((patches || !surfaces) && !settings_has(s, "fluid"))
+        if ((patches || !surfaces) && !s->has.fluid)
             return settings_wrong(
                 s, forces_list,
                 "the forces on patches need fluid, which the case does not "

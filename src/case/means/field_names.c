@@ -33,7 +33,7 @@ static int check_field(const struct settings *s, const char *list,
     const int of_solids =
         strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
 
-    if (!settings_has(s, "fluid"))
+    if (!s->has.fluid)
         return settings_wrong(s, list,
                               "the case has no field %s: fields are those of "
                               "a fluid",

@@ -27,9 +27,8 @@ static double relaxation_time(const struct settings *s,
     const struct drag_law law = build_drag_law(s);
 
     return drag_relaxation_time(
-        &law, settings_real(s, "particles.grains.density"), eps_s,
-        settings_real(s, "fluid.density"), settings_real(s, "fluid.viscosity"),
-        d, k->inlet / (1.0 - eps_s));
+        &law, settings_real(s, "particles.grains.density"), eps_s, s->fluid.rho,
+        s->fluid.mu, d, k->inlet / (1.0 - eps_s));
 }
 
 /* The diameter [m] of a sphere of the mean volume of the bed: all sizes of a
@@ -49,9 +48,8 @@ static void print_range(const struct settings *s, const struct drag_scales *k,
                         double eps_f)
 {
     const struct drag_law law = build_drag_law(s);
-    const double Re = coefficient_reynolds(
-        eps_f, settings_real(s, "fluid.density"),
-        settings_real(s, "fluid.viscosity"), k->d, k->inlet / eps_f);
+    const double Re = coefficient_reynolds(eps_f, s->fluid.rho, s->fluid.mu,
+                                           k->d, k->inlet / eps_f);
     char remark[128];
 
     if (eps_f < law.eps_min || eps_f > law.eps_max) {
@@ -75,11 +73,9 @@ static void print_fluidization(const struct settings *s,
     char remark[96];
 
     particle_options_gravity(s, g);
-    const double u =
-        fluidization_velocity(eps_mf, settings_real(s, "fluid.density"),
-                              settings_real(s, "particles.grains.density"),
-                              settings_real(s, "fluid.viscosity"),
-                              mean_diameter(s), vector_length(g));
+    const double u = fluidization_velocity(
+        eps_mf, s->fluid.rho, settings_real(s, "particles.grains.density"),
+        s->fluid.mu, mean_diameter(s), vector_length(g));
     if (u <= 0.0) return;
     snprintf(remark, sizeof remark,
              "minimum fluidization, Ergun at eps_s = %g; the inlet has %.3g "
@@ -91,8 +87,8 @@ static void print_fluidization(const struct settings *s,
 /* What the effects of the case add to the mass of a sphere of mean size. */
 static struct added_mass added_mass(const struct settings *s, double dt)
 {
-    struct effect_scales k = {.rho_f = settings_real(s, "fluid.density"),
-                              .mu = settings_real(s, "fluid.viscosity"),
+    struct effect_scales k = {.rho_f = s->fluid.rho,
+                              .mu = s->fluid.mu,
                               .dt = dt,
                               .d = mean_diameter(s)};
     struct added_mass sum = {0};
@@ -116,7 +112,7 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
     const int implicit =
         strcmp(settings_text(s, "exchange.treatment"), "semi-implicit") == 0;
     const double rho_s = settings_real(s, "particles.grains.density");
-    const double rho_f = settings_real(s, "fluid.density");
+    const double rho_f = s->fluid.rho;
     const double longest = stability_longest_step(
         1.0 - k->eps_s, relaxation_time(s, k, mean_diameter(s), k->eps_s));
     const double densest =

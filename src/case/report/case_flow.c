@@ -173,15 +173,14 @@ static struct rates rates_of(const struct settings *s)
 
     for (int i = 0; i < m->n_patches; i++)
         add_patch(s, m, &m->patches[i], &r);
-    if (settings_has(s, "fluid.mean_flow")) {
-        settings_vector(s, "fluid.mean_flow", u);
+    if (s->fluid.has_mean_flow) {
+        memcpy(u, s->fluid.mean_flow, sizeof u);
         r.mean = vector_length(u);
         r.courant = fmax(r.courant, fill_rate(m, u));
     }
     const int directions = directions_of(&m->box); /* 0 of polyhedra */
     if (directions != 1)                           /* nothing is split in one */
-        r.viscous = settings_real(s, "fluid.viscosity") /
-                    settings_real(s, "fluid.density") * mesh_diffusion_rate(m) /
+        r.viscous = s->fluid.mu / s->fluid.rho * mesh_diffusion_rate(m) /
                     (directions > 0 ? 2.0 * directions : 6.0);
     mesh_free(m);
     return r;
@@ -199,7 +198,7 @@ static void line(const char *name, double value, const char *unit,
  * Bodies have a line for it of their own. */
 static void print_viscous(const struct settings *s, double number)
 {
-    const double part = settings_real(s, "fluid.piso_tolerance") * number;
+    const double part = s->fluid.piso_tolerance * number;
     char remark[96];
 
     if (part < 2e-3 || settings_has(s, "bodies")) return;

@@ -198,12 +198,12 @@ struct effect_scales case_effects_scales(const struct settings *s,
 
     k.weight = k.rho_s * volume(&k) * k.gravity;
     if (settings_has(s, "exchange")) {
-        if (settings_has(s, "fluid.mean_gradient")) {
-            settings_vector(s, "fluid.mean_gradient", g);
+        if (s->fluid.has_mean_gradient) {
+            memcpy(g, s->fluid.mean_gradient, sizeof g);
             k.mean_gradient = vector_length(g);
         }
-        k.rho_f = settings_real(s, "fluid.density");
-        k.mu = settings_real(s, "fluid.viscosity");
+        k.rho_f = s->fluid.rho;
+        k.mu = s->fluid.mu;
         k.dt = in->dt;
         if (in->volume > 0.0 || is_crowd(s, &k, in))
             bed_scales(s, &k, in);

@@ -98,7 +98,7 @@ static void print_quality(const struct settings *s)
 
     mesh_volumes(m, &least, &most, &mean);
     if (crooked) print_bad_cells(m, &q);
-    if (settings_has(s, "fluid")) print_longest(m);
+    if (s->has.fluid) print_longest(m);
     if (most > least * (1.0 + 1e-9))
         check_line(
             "largest over smallest cell", most / least, "-",
@@ -218,8 +218,7 @@ int report_case(const struct settings *s)
     case_engine_print(s, &k);
     case_bodies_report(s, &k);
     case_statistics_print(s);
-    if (settings_has(s, "fluid"))
-        case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
+    if (s->has.fluid) case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
     if (settings_has(s, "averaging"))
         case_averaging_print(
             s, &(struct averaging_scales){k.S_c, k.d_most, k.volume, packed});

@@ -47,8 +47,7 @@ static double time_with(const struct case_scales *k, int flow, double steps,
 
 static void print_fluid(const struct settings *s, const struct case_scales *k)
 {
-    const double order =
-        time_scheme_named(settings_text(s, "fluid.time"))->time_levels;
+    const double order = s->fluid.time->time_levels;
 
     if (order == 1.0)
         check_line("fluid.time = bdf2", 1.0, "-",
@@ -62,7 +61,7 @@ static void print_fluid(const struct settings *s, const struct case_scales *k)
 /* Two of the convection schemes are of first order. */
 static double order_of_cells(const struct settings *s)
 {
-    const char *const name = settings_text(s, "fluid.convection");
+    const char *const name = s->fluid.convection->name;
 
     return strcmp(name, "upwind") == 0 || strcmp(name, "blended") == 0 ? 1.0
                                                                        : 2.0;
@@ -152,8 +151,7 @@ static struct carried carried_in(const struct settings *s,
 
     if (only < 0 || !has_end(s, only, "inlet") || k->inlet == 0.0)
         return (struct carried){0, pow(cells, 1.0 / directions) / 4.0};
-    const double nu =
-        settings_real(s, "fluid.viscosity") / settings_real(s, "fluid.density");
+    const double nu = s->fluid.mu / s->fluid.rho;
     settings_vector(s, "mesh.size", L);
     return (struct carried){1,
                             6.0 * cells * fmin(nu / k->inlet / L[only], 0.2)};
@@ -192,7 +190,7 @@ static void print_convection(const struct settings *s,
                              const struct case_scales *k)
 {
     const struct scheme_cost *from = scheme_costs;
-    const char *const name = settings_text(s, "fluid.convection");
+    const char *const name = s->fluid.convection->name;
     const int only = only_direction(s);
     double cells;
 
@@ -213,7 +211,7 @@ static void print_convection(const struct settings *s,
 static void print_tolerance(const struct settings *s,
                             const struct case_scales *k)
 {
-    const double digits = -log10(settings_real(s, "fluid.tolerance"));
+    const double digits = -log10(s->fluid.tolerance);
 
     line_by("fluid.tolerance over 10",
             time_of_flow(s, k, (digits + 5.0) / (digits + 4.0)),
@@ -230,7 +228,7 @@ static void print_tolerance(const struct settings *s,
 static void print_correctors(const struct settings *s,
                              const struct case_scales *k)
 {
-    const int n = settings_int(s, "fluid.correctors");
+    const int n = s->fluid.correctors;
     const double rest = 4.4;
 
     line_by("fluid.correctors one more",
@@ -305,7 +303,7 @@ static void print_particles(const struct settings *s,
 
 void report_accuracy(const struct settings *s, const struct case_scales *k)
 {
-    const int flow = settings_has(s, "fluid");
+    const int flow = s->has.fluid;
 
     puts("What accuracy costs");
     if (flow) print_fluid(s, k);

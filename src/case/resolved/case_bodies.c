@@ -45,7 +45,7 @@ static struct dem_options contacts(const struct settings *s,
                      .restitution = settings_real(s, "bodies.restitution"),
                      .friction = settings_real(s, "bodies.friction")},
         .method = &reference_link_cells,
-        .step = settings_real(s, "fluid.step") / c->dem_steps};
+        .step = s->fluid.dt / c->dem_steps};
 
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
@@ -125,7 +125,7 @@ static struct squeeze_film gaps(const struct settings *s)
         R = fmin(R, of_clump[0]);
     }
     return (struct squeeze_film){
-        .mu = settings_real(s, "fluid.viscosity"),
+        .mu = s->fluid.mu,
         .z_min = settings_real(s, "bodies.roughness") * R,
         .reach = settings_bool(s, "bodies.lubrication")
                      ? squeeze_film_cells * fmax(h[0], fmax(h[1], h[2]))
@@ -149,9 +149,8 @@ static struct solid_bodies *create(const struct settings *s)
 
     settings_counts(s, "mesh.cells", cells);
     particle_options_gravity(s, o.gravity);
-    struct solid_bodies *const b =
-        solid_bodies_create(n, cells[0] * cells[1] * cells[2],
-                            settings_real(s, "fluid.density"), &o);
+    struct solid_bodies *const b = solid_bodies_create(
+        n, cells[0] * cells[1] * cells[2], s->fluid.rho, &o);
     if (add_all(s, b) == 0) return b;
     solid_bodies_free(b);
     return NULL;
@@ -219,9 +218,9 @@ int case_bodies_start(const struct settings *s, struct case_bodies_first *first)
     struct boundary *const boundaries = build_boundaries(s, m);
     struct fluid fl = {.mesh = m,
                        .u = alloc_doubles(3 * m->n_cells),
-                       .options = {.rho = settings_real(s, "fluid.density"),
-                                   .mu = settings_real(s, "fluid.viscosity"),
-                                   .dt = settings_real(s, "fluid.step"),
+                       .options = {.rho = s->fluid.rho,
+                                   .mu = s->fluid.mu,
+                                   .dt = s->fluid.dt,
                                    .boundaries = boundaries}};
     int code = boundaries == NULL || solid_bodies_begin(b, &fl) != 0 ? 2 : 0;
 

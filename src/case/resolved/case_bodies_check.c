@@ -195,7 +195,7 @@ static int check_particles(const struct settings *s)
                               "clumps do not touch particles; give the body as "
                               "a closed surface, in bodies.surfaces");
     if (settings_has(s, "exchange") && any_moves(s) &&
-        strcmp(settings_text(s, "fluid.continuity"), "mixture") != 0)
+        s->fluid.continuity != CONTINUITY_MIXTURE)
         return settings_wrong(s, "fluid.continuity",
                               "among particles a body that moves asks for "
                               "\"mixture\": where it comes, the fluid fraction "

@@ -18,7 +18,7 @@ static const char *const list = case_bodies_spheres;
  * its own diameter without drag, V = sqrt(|rho_r - 1| g d). */
 static void report_numbers(const struct settings *s)
 {
-    const double rho = settings_real(s, "fluid.density");
+    const double rho = s->fluid.rho;
     double g[3];
     int i = 0;
 
@@ -30,8 +30,7 @@ static void report_numbers(const struct settings *s)
                  ratio = body_numbers_density_ratio(
                      settings_item_real(s, list, i, "density"), rho),
                  V = sqrt(fabs(ratio - 1.0) * vector_length(g) * d),
-                 Re = body_numbers_reynolds(
-                     rho, V, d, settings_real(s, "fluid.viscosity"));
+                 Re = body_numbers_reynolds(rho, V, d, s->fluid.mu);
 
     check_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
     check_line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
@@ -86,8 +85,7 @@ static double cell_width(const struct settings *s, const char *of, int i)
 static void look_at_free(const struct settings *s, const char *of, int i,
                          struct extremes *e)
 {
-    const double rho = settings_real(s, "fluid.density"),
-                 C_v = case_bodies_virtual_mass(s, of, i);
+    const double rho = s->fluid.rho, C_v = case_bodies_virtual_mass(s, of, i);
 
     e->free++;
     e->ratio = fmin(e->ratio, settings_item_real(s, of, i, "density") / rho);
@@ -184,7 +182,7 @@ static void report_gaps(const struct settings *s, double d, int free)
  * more than a cell in a step, a free body answers it with its acceleration. */
 static void report_viscous(const struct settings *s, double number, int free)
 {
-    const double tolerance = settings_real(s, "fluid.piso_tolerance");
+    const double tolerance = s->fluid.piso_tolerance;
 
     check_line("nu dt / h^2", number, "-",
                free && number > 1.0 && !(tolerance > 0.0 && tolerance < 1.1e-4)
@@ -204,9 +202,7 @@ void case_bodies_report(const struct settings *s,
     (void)scales;
     if (!settings_has(s, "bodies")) return;
     case_bodies_cell_widths(s, h);
-    const double dt = settings_real(s, "fluid.step"),
-                 nu = settings_real(s, "fluid.viscosity") /
-                      settings_real(s, "fluid.density"),
+    const double dt = s->fluid.dt, nu = s->fluid.mu / s->fluid.rho,
                  narrowest = fmin(h[0], fmin(h[1], h[2]));
     for (int l = 0; case_bodies_lists[l] != NULL; l++)
         look_at(s, case_bodies_lists[l], &e);

@@ -55,13 +55,11 @@ static int size_of(const struct settings *s, const char *of, int i, double *V,
 double case_bodies_virtual_mass(const struct settings *s, const char *of, int i)
 {
     const double least = settings_real(s, "bodies.virtual_mass"),
-                 rho = settings_real(s, "fluid.density");
+                 rho = s->fluid.rho;
     double V, width;
 
     if (size_of(s, of, i, &V, &width) != 0) return least;
-    const double R = 0.5 * width, x = settings_real(s, "fluid.viscosity") *
-                                      settings_real(s, "fluid.step") /
-                                      (rho * R * R);
+    const double R = 0.5 * width, x = s->fluid.mu * s->fluid.dt / (rho * R * R);
     return body_numbers_virtual_mass(
         least, x, settings_item_real(s, of, i, "density") / rho,
         body_numbers_added_mass(V, width), case_bodies_count(s));
@@ -77,8 +75,7 @@ static double contact_volume(const struct settings *s, const char *of, int i)
 static double contact_mass(const struct settings *s, const char *of, int i)
 {
     const double rho_p = settings_item_real(s, of, i, "density"),
-                 rho = settings_real(s, "fluid.density"),
-                 C_v = case_bodies_virtual_mass(s, of, i);
+                 rho = s->fluid.rho, C_v = case_bodies_virtual_mass(s, of, i);
 
     return (rho_p + body_numbers_contact_mass(C_v) * rho) *
            contact_volume(s, of, i);
@@ -115,7 +112,7 @@ static double stiffness_of(const struct settings *s, double m)
         return settings_real(s, "bodies.stiffness");
     const double e = settings_real(s, "bodies.restitution"),
                  zeta = contact_damping_ratio(e);
-    const double t = steps_an_impact * settings_real(s, "fluid.step");
+    const double t = steps_an_impact * s->fluid.dt;
 
     return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
 }
@@ -128,8 +125,7 @@ static int dem_steps(const struct settings *s, double k, double m)
     if (settings_has(s, "particles")) return case_steps_within(s);
     if (m == 0.0) return 1;
     const double t = contact_linear_time(k, e, 0.5 * m);
-    return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
-                          1000000);
+    return number_clamped(ceil(25.0 * s->fluid.dt / t), 1, 1000000);
 }
 
 struct case_bodies_contact case_bodies_contact(const struct settings *s)
@@ -159,7 +155,7 @@ static double largest_speed(const struct settings *s)
 static double overlap_of(const struct settings *s, const char *of, int i,
                          double k, double speed)
 {
-    const double rho = settings_real(s, "fluid.density"),
+    const double rho = s->fluid.rho,
                  rho_p = settings_item_real(s, of, i, "density");
     double V, width, g[3];
 
@@ -190,7 +186,7 @@ int case_bodies_check_stiffness(const struct settings *s)
     const double e = settings_real(s, "bodies.restitution"), m = lightest(s),
                  k = stiffness_of(s, m);
     const double t = contact_linear_time(k, e, 0.5 * m),
-                 step = settings_real(s, "fluid.step") / dem_steps(s, k, m);
+                 step = s->fluid.dt / dem_steps(s, k, m);
 
     if (m == 0.0 || t >= 5.0 * step) return 0;
     return settings_wrong(s, "bodies.stiffness",

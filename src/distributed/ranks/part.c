@@ -42,7 +42,7 @@ static int direction_down(const struct settings *s)
 static int layers_of(const struct settings *s)
 {
     if (settings_has(s, "layers")) return settings_int(s, "layers");
-    return strcmp(settings_text(s, "fluid.convection"), "upwind") == 0 ? 2 : 3;
+    return strcmp(s->fluid.convection->name, "upwind") == 0 ? 2 : 3;
 }
 
 int part_divide(const struct settings *s, MPI_Comm comm, struct partition *p)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/velocity_gradient.h"
+#include "fluid/fluid.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -128,7 +129,9 @@ static void by_mesh(const struct mesh *m, const double *reach, const double *u,
 
 const struct key velocity_gradient_keys[] = {
     {"fluid.gradient", KEY_NAME, "", "", "by-mesh",
-     "slope of the velocity, where a scheme asks for it", "", ""},
+     "slope of the velocity, where a scheme asks for it", "", "",
+     .at = KEY_AT(fluid_options, velocity_gradient),
+     .models = velocity_gradient_schemes},
     KEY_END};
 
 const struct velocity_gradient_scheme velocity_gradient_by_mesh = {

@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/fill.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "case/models.h"
+#include "case/schema.h"
+
+/* The struct that the keys of a group fill, and the int that says that the case
+ * names it. A group within another one, with a struct of its own, stands before
+ * it. */
+static const struct {
+    const char *name;
+    size_t at, has;
+} groups[] = {
+    {"fluid", offsetof(struct settings, fluid),
+     offsetof(struct settings, has.fluid)},
+};
+enum { GROUPS = sizeof groups / sizeof groups[0] };
+
+/* What stands behind the name of a group in a path that begins with it: "" for
+ * the group itself; NULL for another path. */
+static const char *within(const char *path, const char *group)
+{
+    const size_t n = strlen(group);
+
+    if (strncmp(path, group, n) != 0) return NULL;
+    return path[n] == '.' ? &path[n + 1] : path[n] == '\0' ? &path[n] : NULL;
+}
+
+/* --- one value ------------------------------------------------------------ */
+
+static const void *model_named(const void *models, const char *name)
+{
+    const char *const *const *m = models; /* a name is the first member */
+
+    while (*m != NULL && strcmp(**m, name) != 0)
+        m++;
+    return *m;
+}
+
+static void store_text(const struct key *key, const char *text, void *member)
+{
+    if (key->models != NULL)
+        *(const void **)member = model_named(key->models, text);
+    else if (key->choices != NULL)
+        *(int *)member = models_value(key->choices, text);
+    else
+        *(const char **)member = text;
+}
+
+static void store(const struct settings *s, const struct key *key,
+                  const char *path, void *member)
+{
+    switch (key->type) {
+    case KEY_REAL:
+        *(double *)member = settings_real(s, path);
+        break;
+    case KEY_INT:
+        *(int *)member = settings_int(s, path);
+        break;
+    case KEY_BOOL:
+        *(int *)member = settings_bool(s, path);
+        break;
+    case KEY_VECTOR:
+        settings_vector(s, path, member);
+        break;
+    case KEY_COUNTS:
+        settings_counts(s, path, member);
+        break;
+    case KEY_FLAGS:
+        settings_flags(s, path, member);
+        break;
+    default:
+        store_text(key, settings_text(s, path), member);
+    }
+}
+
+static void store_at(const struct settings *s, const struct key *key,
+                     const char *path, void *base)
+{
+    char *const of = base;
+
+    if (key->at > 0 && settings_is_set(s, path))
+        store(s, key, path, of + key->at - 1);
+    if (key->given > 0) *(int *)(of + key->given - 1) = settings_has(s, path);
+}
+
+/* --- lists ---------------------------------------------------------------- */
+
+/* The row of the list to whose groups the key belongs, or NULL. */
+static const struct key *list_of(const struct key *const *tables,
+                                 const struct key *key)
+{
+    SCHEMA_EACH (k, tables)
+        if (k->size > 0 && k != key && within(key->path, k->path) != NULL)
+            return k;
+    return NULL;
+}
+
+static void create_list(const struct settings *s, const struct key *key,
+                        struct key_list *list)
+{
+    list->n = settings_length(s, key->path);
+    list->item = list->n > 0 ? alloc_zeroed((size_t)list->n, key->size) : NULL;
+}
+
+static void store_in_list(const struct settings *s, const struct key *key,
+                          const struct key *of, const struct key_list *list)
+{
+    const char *const name = within(key->path, of->path);
+    char path[SETTINGS_ITEM_SIZE];
+
+    for (int i = 0; i < list->n; i++)
+        store_at(s, key, settings_item(path, of->path, i, name),
+                 (char *)list->item + (size_t)i * of->size);
+}
+
+/* --- all ------------------------------------------------------------------ */
+
+/* The struct that the key, or the list that it belongs to, has its place in. */
+static char *base_of(struct settings *s, const struct key *key)
+{
+    for (int g = 0; g < GROUPS; g++)
+        if (within(key->path, groups[g].name) != NULL)
+            return (char *)s + groups[g].at;
+    return (char *)s;
+}
+
+void fill_settings(struct settings *s, const struct key *const *tables)
+{
+    for (int g = 0; g < GROUPS; g++)
+        *(int *)((char *)s + groups[g].has) = settings_has(s, groups[g].name);
+    SCHEMA_EACH (k, tables)
+        if (k->size > 0)
+            create_list(s, k, (struct key_list *)(base_of(s, k) + k->at - 1));
+    SCHEMA_EACH (k, tables) {
+        const struct key *const list =
+            k->at == 0 && k->given == 0 ? NULL : list_of(tables, k);
+
+        if (k->size > 0 || (k->at == 0 && k->given == 0)) continue;
+        if (list == NULL)
+            store_at(s, k, k->path, base_of(s, k));
+        else
+            store_in_list(s, k, list,
+                          (struct key_list *)(base_of(s, list) + list->at - 1));
+    }
+}
+
+void fill_release(struct settings *s, const struct key *const *tables)
+{
+    SCHEMA_EACH (k, tables)
+        if (k->size > 0)
+            free(((struct key_list *)(base_of(s, k) + k->at - 1))->item);
+}
