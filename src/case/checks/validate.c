@@ -278,7 +278,8 @@ static int check_particles(const struct settings *s)
     if (bed == place && (bed || !settings_has(s, "particles.insert")))
         return settings_wrong(s, "particles", "give either bed or place%s",
                               bed ? ", not both" : ", or insert");
-    return bed ? check_bed(s) : check_place(s);
+    code = bed ? check_bed(s) : check_place(s);
+    return code != 0 ? code : case_cohesion_check_pairs(s);
 }
 
 static int check_time_average(const struct settings *s)

@@ -61,7 +61,7 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     return all;
 }
 
-static int check(const struct settings *s)
+int case_cohesion_check(const struct settings *s)
 {
     double *const charge = alloc_doubles(count_materials(s));
     const struct attraction_scene scene = scene_of(s, charge);
@@ -95,7 +95,7 @@ void case_cohesion_free(struct simulation *sim)
 /* The pairs of a list grow with the cube of its gap: a skin or a range as wide
  * as the box would list each particle with all others. As many as fit around
  * one in a bed at rest are counted, at most all. */
-static int check_list(const struct settings *s)
+int case_cohesion_check_pairs(const struct settings *s)
 {
     static const double packed = 0.64;
     const struct case_scales k = case_scales_of(s);
@@ -115,10 +115,4 @@ static int check_list(const struct settings *s)
     const double apart = (k.d_most + skin + range) / k.d;
     const double around = fmin(k.particles, 8.0 * packed * gsl_pow_3(apart));
     return case_memory_check_pairs(s, key, 0.5 * k.particles * around);
-}
-
-int case_cohesion_check(const struct settings *s)
-{
-    const int code = check(s);
-    return code != 0 ? code : check_list(s);
 }

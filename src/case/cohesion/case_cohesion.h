@@ -11,6 +11,9 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n);
 
 /* 0, or 2 after a message. */
 int case_cohesion_check(const struct settings *s);
+/* The same for the memory of the list of pairs, after all else of the particles
+ * is checked. */
+int case_cohesion_check_pairs(const struct settings *s);
 
 /* Gives a simulation its attractions, before there are particles; free releases
  * them. */
