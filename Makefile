@@ -166,10 +166,11 @@ bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour
 	$(MAKE) $(CORES) $(BENCH) WERROR=
 	for subject in tests/bench/*.sh; do sh $$subject $B/tests/bench || exit; done
 
-book: ## the chapters as pages: build/book/index.html
+book: $(STEPS) ## the chapters as pages: build/book/index.html
 	sh .ci/install book
 	sh chapters/tools/book.sh $B/book
 	sh chapters/tools/browser.sh $B/book
+	sh tests/live.sh $B
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /make \1: /p' Makefile

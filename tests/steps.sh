@@ -248,13 +248,15 @@ done
 # What is to be tried, and every number at its lowest and at its highest, under
 # sanitizers: a program ends with 0, or with 3 and a word of what broke down.
 tried() { # STEP NAME=VALUE ...
-    san/"$@" >tried.out 2>&1
+    step=$1
+    shift
+    "san/$step" "$@" >tried.out 2>&1
     code=$?
     case $code in
     0) ! grep -q nan tried.out && return ;;
     3) grep -q '^t = ' tried.out && return ;;
     esac
-    echo "FAILED $* ends with $code: $(tail -3 tried.out)"
+    echo "FAILED $step $* ends with $code: $(tail -3 tried.out)"
     failed=$((failed + 1))
 }
 ends() { # STEP: end of a run, a twentieth of its own unless long

@@ -191,7 +191,7 @@ static double in_cell(int k, int c)
 static double resistance(double slip)
 {
     const double Re = rho_f * d * slip / mu;
-    return 3.0 * pi * mu * d * (1.0 + 0.15 * pow(Re, 0.687));
+    return 3.0 * pi * mu * d * (1.0 + 0.15 * power(Re, 0.687));
 }
 
 /* (8.6): each grain to the cell of its centre. Then its drag, and the reaction

@@ -8,9 +8,10 @@
  *
  *     eps rho_f du/dt + rho_f div(q u) = -eps grad p - K u              (5.12)
  *
- * K is large: in a step of step 9, with the old u, the drag would turn the air
- * round. Here it acts on the u at the end of the step. This makes each step
- * stable for any K, and is one change: in the mobility, by which q follows p.
+ * Where K dt is larger than eps rho_f, the drag of step 9, with the old u,
+ * would turn the air round. Here it acts on the u at the end of the step. This
+ * is stable for any K, and is one change: in the mobility, by which q follows
+ * p.
  *
  *     build/steps/11-packed [U=0.4] [cells=16] */
 #include "steps.h"
@@ -188,8 +189,9 @@ static double in_cell(int k, int c)
 static double resistance(double eps_f, double slip)
 {
     const double Re = rho_f * d * slip / mu, a = 0.06 * Re; /* (9.2) */
-    const double A1 = pow(eps_f, 4.14);                     /* (9.11) */
-    const double A2 = eps_f <= 0.85 ? 0.8 * pow(eps_f, 1.28) : pow(eps_f, 2.65);
+    const double A1 = power(eps_f, 4.14);                   /* (9.11) */
+    const double A2 =
+        eps_f <= 0.85 ? 0.8 * power(eps_f, 1.28) : power(eps_f, 2.65);
     const double V_r = /* (9.13) [XS11 2.13] */
         0.5 * (A1 - a + sqrt(a * a + 2.0 * a * (2.0 * A2 - A1) + A1 * A1));
     const double root = 0.63 * sqrt(slip) + 4.8 * sqrt(V_r * mu / (rho_f * d));

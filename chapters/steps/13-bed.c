@@ -306,8 +306,9 @@ static void gather(int k, field u_f)
 static double resistance(double eps_f, double slip)
 {
     const double Re = rho_f * d * slip / mu, a = 0.06 * Re; /* (9.2) */
-    const double A1 = pow(eps_f, 4.14);                     /* (9.11) */
-    const double A2 = eps_f <= 0.85 ? 0.8 * pow(eps_f, 1.28) : pow(eps_f, 2.65);
+    const double A1 = power(eps_f, 4.14);                   /* (9.11) */
+    const double A2 =
+        eps_f <= 0.85 ? 0.8 * power(eps_f, 1.28) : power(eps_f, 2.65);
     const double V_r = /* (9.13) [XS11 2.13] */
         0.5 * (A1 - a + sqrt(a * a + 2.0 * a * (2.0 * A2 - A1) + A1 * A1));
     const double root = 0.63 * sqrt(slip) + 4.8 * sqrt(V_r * mu / (rho_f * d));

@@ -72,6 +72,24 @@ static inline double random_number(void)
     return (double)state / 2147483647.0;
 }
 
+/* x^y for x > 0. pow() of one machine differs from that of another in the last
+ * digit, after which two beds are different ones; sums and products do not. */
+static inline double power(double x, double y)
+{
+    const double ln_2 = 0.69314718055994530942;
+    int n;
+    if (!(x > 0.0 && x < 1e300)) return x;
+    const double a = frexp(x, &n), z = (a - 1.0) / (a + 1.0); /* x = a 2^n */
+    double ln_x = n * ln_2, exp_r = 1.0, term = 2.0 * z;
+    for (int k = 1; k < 37; k += 2, term *= z * z)
+        ln_x += term / k;
+    const double j = floor(y * ln_x / ln_2 + 0.5), r = y * ln_x - j * ln_2;
+    term = 1.0;
+    for (int k = 1; k < 16; k++)
+        exp_r += term *= r / k;
+    return ldexp(exp_r, (int)j);
+}
+
 enum colour { INK, BLUE, RED, PALE };
 
 #ifdef __wasm__

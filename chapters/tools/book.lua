@@ -27,8 +27,8 @@ end
 
 local function is_caption(block)
   local first = block and block.t == "Para" and block.content[1]
-  return first and first.t == "Strong"
-    and pandoc.utils.stringify(first):match("^Figure %d+%.%d+%.$")
+  local mark = first and first.t == "Strong" and pandoc.utils.stringify(first)
+  return mark and (mark == "Sketch." or mark:match("^Figure %d+%.%d+%.$"))
 end
 
 local function figure(image, caption)
@@ -143,7 +143,7 @@ local function link(item)
   if target:match("^%a+:") then return end
   if target:match("steps/README%.md$") then
     item.target = "steps.html"
-  elseif target:match("^%d%d%-[%w-]+%.c$") then -- beside steps/README.md
+  elseif target:match("^[%w-]+%.[ch]$") then -- beside steps/README.md
     item.target = "chapters/steps/" .. target .. ".html"
   elseif target:match("%.md") then
     item.target = target:gsub("^.*/", ""):gsub("README%.md", "index.md")

@@ -13,14 +13,15 @@ tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
 pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
 steps=
-[ ! -d chapters/steps ] || steps=chapters/steps pages="$pages chapters/steps/README.md"
+[ ! -d chapters/steps ] || steps=chapters/steps \
+    pages="$pages chapters/steps/README.md $(find chapters/steps -name "step-*.md" | LC_ALL=C sort)"
 [ ! -f chapters/course.md ] || pages="$pages chapters/course.md"
 pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
 
 command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
 rm -rf "$out"
 mkdir -p "$out/figures"
-cp "$tools/book.css" "$tools/math.woff2" "$tools/math-licence.txt" "$out"
+cp "$tools/book.css" "$tools/live.js" "$tools/math.woff2" "$tools/math-licence.txt" "$out"
 find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
     cp "$figure" "$out/figures"
 done
@@ -55,6 +56,7 @@ render() { # page, page before, page after
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
         awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"
+    case $1 in */step-*) sh "$tools/live.sh" "$out/$(name "$1").html" "$anchors" "${colours:+plain}" ;; esac
 }
 
 # The contents: README.md up to what is for authors, each row of a table as a link to a
@@ -73,6 +75,7 @@ contents() {
     done <"$out/contents"
     echo
     for page in $pages; do
+        case $page in */step-*) continue ;; esac # steps.html names them
         grep -q -E "^[|] [[]?$(name "$page")[] ]" "$out/contents" || entry "$page" ""
     done
     rm "$out/contents"

@@ -95,7 +95,7 @@ function directive(line,    words, n, text, mark) {
 function caption(line,    mark, n, words, i, out) {
     mark = FILENAME
     sub(/.*\//, "", mark)
-    mark = "**Figure " (mark + 0) "." ++figures ".**"
+    mark = mark ~ /^step-/ ? "**Sketch.**" : "**Figure " (mark + 0) "." ++figures ".**"
     if (line ~ /^\*\*Figure/) {
         sub(/^\*\*Figure[^*]*\*\*/, mark, line)
         return line
