@@ -166,8 +166,9 @@ bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour
 	$(MAKE) $(CORES) $(BENCH) WERROR=
 	for subject in tests/bench/*.sh; do sh $$subject $B/tests/bench || exit; done
 
-book: $(STEPS) ## the chapters as pages: build/book/index.html
+book: $B/winnow $(STEPS) ## the chapters as pages: build/book/index.html
 	sh .ci/install book
+	sh tests/steps.sh $B beside >$B/steps-beside.txt
 	sh chapters/tools/book.sh $B/book
 	sh chapters/tools/browser.sh $B/book
 	sh tests/live.sh $B

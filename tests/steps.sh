@@ -4,6 +4,7 @@
 # under sanitizers with all that a reader is told to try.
 #
 #   sh tests/steps.sh build [long]
+#   sh tests/steps.sh build beside     the numbers, STEP|FACT|FOUND|WANTED, for the book
 set -u
 build=$(cd "${1:-build}" && pwd)
 winnow=$build/winnow
@@ -14,8 +15,8 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/san"
 for program in chapters/steps/*.c; do
     name=$(basename "$program" .c)
-    [ "${2:-}" ] || cp "$build/steps/$name" "$work"
-    cp "$build/san/steps/$name" "$work/san"
+    [ "${2:-}" = long ] || cp "$build/steps/$name" "$work"
+    [ "${2:-}" = beside ] || cp "$build/san/steps/$name" "$work/san"
 done
 cd "$work" || exit 1
 failed=0
@@ -25,15 +26,18 @@ export OMP_NUM_THREADS=1
 
 # close NAME FOUND WANTED TOLERANCE: the tolerance is relative.
 close() {
+    [ "$long" != beside ] || echo "$step|$1|$2|$3" | tr _ ' '
     if awk -v f="$2" -v w="$3" -v t="$4" 'BEGIN {
             d = f - w; if (d < 0) d = -d; if (w < 0) w = -w
             exit !(f != "" && w != "" && d <= t * w) }'; then
-        facts=$((facts + 1)) && echo "    $1"
+        facts=$((facts + 1)) && said "    $1"
     else
         echo "FAILED $1: $2, not $3 to within $4"
         failed=$((failed + 1))
     fi
 }
+
+said() { [ "$long" = beside ] || echo "$1"; }
 
 # number FILE KEY: the first number after "KEY = ".
 number() {
@@ -65,12 +69,14 @@ END
 
 physics() {
 # The step is 1e-5 s: a speed is right to a few times g of it, of 0.15 m/s.
+step=01-bounce
 ./01-bounce >1.out
 close an_impact_leaves_e_of_the_speed \
     "$(awk '/^impact 4/ { print $9 }' 1.out)" \
     "$(awk 'BEGIN { print 0.7 ^ 4 * sqrt(2 * 9.81 * 0.02) }')" 0.003
 
 # Law and integrator are winnow's: what differs is how many digits are printed.
+step=02-spring
 ./02-spring end=0.1 >2.out
 m=$(number 2.out m)
 close the_dashpot_of_a_spring_is_that_of_ls_4_4 "$(number 2.out eta)" \
@@ -78,6 +84,7 @@ close the_dashpot_of_a_spring_is_that_of_ls_4_4 "$(number 2.out eta)" \
 one_grain spring 0.1 0.0 0.0206
 close a_grain_bounces_as_in_winnow "$(number 2.out y)" \
     "$(column spring mean_height)" 1e-5
+step=03-friction
 ./03-friction >3.out
 one_grain spin 0.14 0.6 0.0066
 close a_thrown_grain_flies_as_in_winnow "$(number 3.out vx)" \
@@ -88,6 +95,7 @@ close and_spins_as_in_winnow "$(number 3.out w)" \
 
 # Rounding grows by about ten with each contact, and until 0.04 s few grains have
 # had more than ten. A pair that the grid misses moves the mean by per cents.
+step=04-grid
 ./04-grid end=0 >/dev/null
 awk 'BEGIN {
     print "title = \"grains in a box\";"
@@ -109,6 +117,7 @@ close two_hundred_grains_fall_as_in_winnow "$(number 4.out 'mean height')" \
 
 # After 0.3 s the heap has its shape and settles: its middle moves up and down
 # with less than a twentieth of g.
+step=05-heap
 ./05-heap end=0.3 >5.out
 close the_floor_bears_the_weight_of_the_heap \
     "$(awk '/bears/ { print $4 }' 5.out)" "$(number 5.out weight)" 0.05
@@ -120,6 +129,7 @@ close without_friction_a_heap_is_flatter_by_a_third 1 \
 
 # The sum over the cells and the mean square are exact for these schemes. The
 # Gaussian is that of a point, and the smoke began in a cell: (dx / b)^2 / 4.
+step=06-diffusion
 ./06-diffusion >6.out
 close diffusion_keeps_the_sum "$(number 6.out sum)" 1 1e-11
 close the_mean_square_grows_by_4_d_t \
@@ -128,6 +138,7 @@ b=$(number 6.out b)
 close a_cell_becomes_the_kernel_of_sx15_6 "$(number 6.out 'highest value')" \
     "$(evaluate SX15:6 r=0 b="$b" |
         awk -v b="$b" '{ print $1 * sqrt(3.14159265358979) * b * 4e-6 }')" 0.01
+step=07-advection
 ./07-advection >7.out
 close advection_keeps_the_sum "$(number 7.out sum)" 1 1e-11
 close the_middle_moves_with_the_wind \
@@ -136,10 +147,12 @@ close upwind_smears_as_its_truncation_error_says \
     "$(number 7.out 'mean square along x')" 7.2e-5 1e-3
 
 # Central differences on 32 cells: (1/32)^2 times some. Upwind is off by a fifth.
+step=08-projection
 ./08-projection end=8 >8.out
 close the_cavity_is_that_of_ghia_1982 "$(awk '{ print $NF }' 8.out)" -0.2109 0.03
 
 # The grain feels its own wake, which lags as it goes from cell to cell.
+step=09-drag
 ./09-drag end=0.4 >9.out
 close the_slip_of_a_sinking_grain_is_steady "$(number 9.out slip)" \
     "$(number 9.out 'steady slip')" 0.03
@@ -176,6 +189,7 @@ END
 bed pcm pcm 1e8 0.2 0.02 0.0
 sed 's/syamlal-obrien/schiller-naumann/' pcm.cfg >lone.cfg
 run lone
+step=10-void
 ./10-void >10.out
 close pcm_counts_as_in_winnow "$(number 10.out 'lowest eps')" \
     "$(column pcm eps_f_lowest)" 2e-6
@@ -185,6 +199,7 @@ close the_drag_of_lone_grains_gives_the_pressure_drop_of_winnow \
     "$(number 10.out 'pressure drop')" "$(column lone pressure_drop)" 0.015
 close the_air_loses_what_lone_grains_gain "$(number 10.out 'on the air')" \
     "-$(number 10.out 'drag on the grains')" 1e-8
+step=11-packed
 ./11-packed >11.out
 close air_through_fixed_grains_has_the_pressure_drop_of_winnow \
     "$(number 11.out 'pressure drop')" "$(column pcm pressure_drop)" 0.005
@@ -194,6 +209,7 @@ close the_law_of_syamlal_and_obrien_is_xs11_2_11 \
 # The same arithmetic in another program: a line that is wrong in one of the two
 # differs in the last digits that are printed, as does a slip without its part
 # across the bed, in the sixth.
+step=12-smooth
 ./12-smooth bw=0 >12-none.out
 close without_bandwidth_step_12_is_step_11 "$(number 12-none.out 'pressure drop')" \
     "$(number 11.out 'pressure drop')" 1e-7
@@ -216,6 +232,7 @@ close and_has_the_pressure_drop_of_winnow "$(number 12.out 'pressure drop')" \
 # The bed swings with a period of a quarter of a second, so that a mean over one
 # is right to some per cent; 2 % are what air wins back as it leaves the bed and
 # is slower (Bernoulli).
+step=13-bed
 ./13-bed >13.out
 close the_air_carries_the_weight_of_the_bed \
     "$(number 13.out 'mean pressure drop')" "$(number 13.out 'weight over ground')" 0.06
@@ -224,8 +241,11 @@ bed moving diffusion 1000 "((0.0, 0.0), (0.05, 1.0))" 0.2 -9.81
 close and_it_does_so_in_winnow "$(number 13-short.out 'mean pressure drop')" \
     "$(sed -n 's/.*"mean_pressure_drop": \([^,]*\),.*/\1/p' moving/summary.json)" 0.05
 
+}
+
 # What a reader is promised: short programs of which a part is new, and pictures
 # with a scale. New is code that no step before has, comments aside.
+promised() {
 : >earlier
 for program in "$top"/chapters/steps/[0-9]*.c; do
     name=$(basename "$program" .c)
@@ -284,8 +304,9 @@ bounds() {
     san/04-grid dt=2e-4 end=0.5 >tried.out 2>&1
     close a_grain_that_leaves_is_caught $? 3 0
 }
-[ "$long" ] || physics
-bounds
+[ "$long" = long ] || physics
+[ "$long" ] || promised
+[ "$long" = beside ] || bounds
 
-echo "thirteen steps: $facts passed, $failed failed"
+[ "$long" = beside ] || echo "thirteen steps: $facts passed, $failed failed"
 [ $failed -eq 0 ]

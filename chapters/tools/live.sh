@@ -56,6 +56,16 @@ $picture
 PAGE
     fi
 fi
+# What tests/steps.sh compares the program with, if `make book` has asked it.
+beside=$(dirname "$page")/../steps-beside.txt
+if [ -z "$plain" ] && [ -f "$beside" ]; then
+    awk -F'|' -v step="$name" '
+        BEGIN { print "<p>In the tests it stands beside winnow, or beside what is exact:</p><table><thead><tr><th>what is compared</th><th>the program</th>" \
+            "<th>winnow, or exact</th></tr></thead><tbody>" }
+        $1 == step { sub(/^--/, "", $4)
+            printf "<tr><td>%s</td><td>%.6g</td><td>%.6g</td></tr>\n", $2, $3, $4 }
+        END { print "</tbody></table>" }' "$beside" >>"$work/live"
+fi
 awk -v live="$work/live" -v listing="$work/listing" '
     function put(file,    line) { while ((getline line < file) > 0) print line }
     { print }
