@@ -24,7 +24,7 @@ static void usage(FILE *out)
           out);
 }
 
-static const struct command *command_named(const char *name)
+static const struct command *main_command_named(const char *name)
 {
     struct nearest n;
 
@@ -43,7 +43,8 @@ static const struct command *command_named(const char *name)
 }
 
 /* One message, and how the command is called. */
-static int wrong(const struct command *c, const char *what, const char *why)
+static int main_wrong(const struct command *c, const char *what,
+                      const char *why)
 {
     fprintf(stderr, "winnow: %s%s\nwinnow %s %s\n", what, why, c->name,
             c->arguments);
@@ -112,15 +113,17 @@ static int read_option(const struct command *c, int argc, char **argv, int *i,
         strchr(c->options, option[1]) == NULL)
         return wrong_option(c, option);
     if (value == NULL && *i + 1 < argc) value = argv[++*i];
-    if (value == NULL) return wrong(c, option, " needs a value");
+    if (value == NULL) return main_wrong(c, option, " needs a value");
     if (option[1] == 'o' && value[0] == '\0')
-        return wrong(c, "-o needs the name of a folder, not an empty one", "");
+        return main_wrong(c, "-o needs the name of a folder, not an empty one",
+                          "");
     if (option[1] == 'o')
         l->dir = value;
     else if (option[1] == 's')
         l->overrides[l->n_overrides++] = value;
     else if ((l->threads = threads_of(value)) == 0)
-        return wrong(c, "-j needs a number of threads, 1 to 1024, not ", value);
+        return main_wrong(c, "-j needs a number of threads, 1 to 1024, not ",
+                          value);
     return 0;
 }
 
@@ -134,15 +137,15 @@ static int run_command(const struct command *c, int argc, char **argv,
             return 2;
     }
     if (l->n_words < c->min_words)
-        return wrong(c, c->name, " needs more than its name");
+        return main_wrong(c, c->name, " needs more than its name");
     if (c->max_words >= 0 && l->n_words > c->max_words)
-        return wrong(c, l->words[c->max_words], ": one argument too many");
+        return main_wrong(c, l->words[c->max_words], ": one argument too many");
     return c->act(l);
 }
 
 /* What is said of the words, and what is written of them, has lines. To a case
  * a line break in a value is a blank. */
-static int wrong_word(int argc, char **argv)
+static int main_wrong_word(int argc, char **argv)
 {
     for (int i = 1; i < argc; i++) {
         const int sets =
@@ -179,7 +182,7 @@ int main(int argc, char **argv)
     if (open_streams() != 0) return 4;
 
     const char *const first = argc > 1 ? argv[1] : "";
-    if (wrong_word(argc, argv) != 0) return 2;
+    if (main_wrong_word(argc, argv) != 0) return 2;
 
     const char **const texts = alloc_zeroed(2 * (size_t)argc, sizeof *texts);
     struct command_line l = {.words = texts, .overrides = texts + argc};
@@ -190,7 +193,7 @@ int main(int argc, char **argv)
         usage(stdout);
     else if (strcmp(first, "--version") == 0)
         puts("winnow " VERSION_TEXT);
-    else if (argc < 2 || (c = command_named(first)) == NULL)
+    else if (argc < 2 || (c = main_command_named(first)) == NULL)
         code = 2;
     else
         code = run_command(c, argc, argv, &l);

@@ -103,6 +103,17 @@ names() {
     }' | wrong 'exported name without its module'
 }
 
+# A function has a name of its own in all of src, also one that its file alone can
+# call, so that a search finds it. Words in capitals are macros.
+unique() {
+    command -v ctags >/dev/null || return $left_out
+    ctags -R --languages=C --kinds-C=f -x src | awk '
+    $1 !~ /^[A-Z_0-9]+$/ && $1 != "main" && $1 in place {
+        print $1 ": " place[$1] " and " $4
+    }
+    { place[$1] = $4 }' | wrong 'two functions of one name'
+}
+
 # Constant tables of pointers are relocated (.data.rel.ro); what changes while
 # the program runs is in .data or .bss.
 variables() {
@@ -210,7 +221,7 @@ guards() {
 
 facts=0
 failed=0
-for rule in layout alone guards rooms names variables lengths casts text \
+for rule in layout alone guards rooms names unique variables lengths casts text \
     $(long "clang_too tidy unused"); do
     : >"$found"
     $rule

@@ -39,7 +39,8 @@ void cell_of_particle_free(struct cell_of_particle *h)
 
 /* 1 if the point is in cell c of the box, by the same edges as in mesh_cell_at,
  * which decides for points on the upper end. */
-static inline int is_in(const struct box *b, int c, const double x[3])
+static inline int cell_of_particle_is_in(const struct box *b, int c,
+                                         const double x[3])
 {
     if (c < 0 || b->n[0] == 0) return 0;
     const int row = c / b->n[0];
@@ -54,7 +55,7 @@ static inline int is_in(const struct box *b, int c, const double x[3])
 /* Cell and offset of particle i. In most cases the cell is that of the particle
  * with this index at the last call. In a periodic direction the nearest image
  * of the cell is used. */
-static void find_one(struct cell_of_particle *h, int i)
+static void cell_of_particle_find_one(struct cell_of_particle *h, int i)
 {
     const struct box *const b = &h->mesh->box;
     const double x[3] = {h->ps->x[i], h->ps->y[i], h->ps->z[i]};
@@ -63,7 +64,7 @@ static void find_one(struct cell_of_particle *h, int i)
         h->cell[i] = mesh_cell_and_offset(h->mesh, x, &h->offset[3 * i]);
         return;
     }
-    const int c = is_in(b, h->cell[i], x)
+    const int c = cell_of_particle_is_in(b, h->cell[i], x)
                       ? h->cell[i]
                       : mesh_cell_at(h->mesh, x[0], x[1], x[2]);
 
@@ -122,7 +123,7 @@ int cell_of_particle_find(struct cell_of_particle *h)
 
 #pragma omp parallel for schedule(static) if (n > MIN_PARALLEL_NUMBERS / 8)
     for (int i = 0; i < n; i++)
-        find_one(h, i);
+        cell_of_particle_find_one(h, i);
     const int lost = count_lost(h);
     if (lost > 0) return lost;
     h->n = n;

@@ -50,8 +50,8 @@ double diffusion_bandwidth(double T)
 }
 
 /* exp(-T L): directly where that is possible, else by the series. */
-static void apply_exponential(struct diffusion *d, int m, double *u,
-                              struct averaging_report *r)
+static void diffusion_apply_exponential(struct diffusion *d, int m, double *u,
+                                        struct averaging_report *r)
 {
     if (d->separable != NULL)
         separable_apply(d->separable, m, u);
@@ -61,13 +61,13 @@ static void apply_exponential(struct diffusion *d, int m, double *u,
     r->worst = (struct solve_report){.converged = 1};
 }
 
-static void smooth(struct diffusion *d, int m, double *u,
-                   struct averaging_report *r)
+static void diffusion_smooth(struct diffusion *d, int m, double *u,
+                             struct averaging_report *r)
 {
     if (d->steps != NULL)
         d->scheme->stepping->apply(d->steps, m, u, r);
     else
-        apply_exponential(d, m, u, r);
+        diffusion_apply_exponential(d, m, u, r);
 }
 
 int diffusion_needed_steps(const struct mesh *mesh,
@@ -94,8 +94,8 @@ static int is_uniform(const struct averaging_options *o)
     return strcmp(o->vary, bandwidth_uniform.name) == 0 && o->n_regions == 0;
 }
 
-static int report_unknown(const char *what, const char *name,
-                          const char *expected)
+static int diffusion_report_unknown(const char *what, const char *name,
+                                    const char *expected)
 {
     return fprintf(stderr,
                    "winnow: the diffusion has no %s \"%s\"; expected %s\n",
@@ -106,14 +106,14 @@ static int report_unknown(const char *what, const char *name,
 static int wrong_options(const struct averaging_options *o)
 {
     if (diffusion_scheme_named(o->scheme) == NULL)
-        return report_unknown(
+        return diffusion_report_unknown(
             "scheme", o->scheme,
             "exponential, series, crank-nicolson, implicit-euler or "
             "sdirk2");
     if (!bandwidth_has_rule(o->vary))
-        return report_unknown("variation of its bandwidth",
-                              o->n_regions > 0 ? "regions" : o->vary,
-                              "uniform, cells or grains");
+        return diffusion_report_unknown("variation of its bandwidth",
+                                        o->n_regions > 0 ? "regions" : o->vary,
+                                        "uniform, cells or grains");
     if (o->steps < 1)
         return fprintf(stderr,
                        "winnow: the diffusion has %d steps; "
@@ -228,7 +228,7 @@ static void diffusion_spread(void *state, int m, const double *q, double *field,
     struct diffusion *const d = state;
 
     cell_of_particle_sum(d->h, m, q, field); /* [SX15 5b] */
-    smooth(d, m, field, r);
+    diffusion_smooth(d, m, field, r);
 }
 
 /* exp(-T V^-1 K) is its own adjoint in the inner product weighted by V, so to
@@ -240,7 +240,7 @@ static void diffusion_gather(void *state, int m, const double *field, double *q,
     const int n = m * d->h->mesh->n_cells;
 
     memcpy(d->smooth, field, (size_t)n * sizeof *field);
-    smooth(d, m, d->smooth, r);
+    diffusion_smooth(d, m, d->smooth, r);
     cell_of_particle_value(d->h, m, d->smooth, q);
 }
 

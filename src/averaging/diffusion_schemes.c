@@ -30,7 +30,7 @@ const struct diffusion_scheme diffusion_exponential = {
     .name = "exponential",
     .what = "the matrix exponential; no steps",
     .equations = "",
-    .function = "apply_exponential",
+    .function = "diffusion_apply_exponential",
     .directly = 1,
 };
 

@@ -14,8 +14,9 @@ static void nearest(struct averaging *a, int m, const double *field,
 }
 
 /* Value on face f of number k of the m. */
-static double face_value(const struct mesh *mesh, int f, int k, int m,
-                         const double *field, const double *boundary)
+static double interpolation_face_value(const struct mesh *mesh, int f, int k,
+                                       int m, const double *field,
+                                       const double *boundary)
 {
     if (f < mesh->n_internal) {
         const double w = mesh->w[f];
@@ -70,7 +71,8 @@ static void gradient(const struct mesh *mesh, int c, int k, int m,
         const int f = mesh->cell_face[a];
         const double out = mesh->owner[f] == c ? 1.0 : -1.0;
         const double difference =
-            face_value(mesh, f, k, m, field, boundary) - field[m * c + k];
+            interpolation_face_value(mesh, f, k, m, field, boundary) -
+            field[m * c + k];
         for (int j = 0; j < 3; j++)
             g[j] += out * difference * mesh->S[3 * f + j];
     }
@@ -100,8 +102,9 @@ static void linear(struct averaging *a, int m, const double *values,
     }
 }
 
-static void same(struct averaging *a, int m, const double *field,
-                 const double *boundary, double *q)
+static void interpolation_same_values(struct averaging *a, int m,
+                                      const double *field,
+                                      const double *boundary, double *q)
 {
     (void)boundary;
     averaging_gather(a, m, field, q);
@@ -127,8 +130,8 @@ const struct interpolation interpolation_same = {
     .name = "same",
     .what = "with the weights of the averaging",
     .equations = "XS11 3.9",
-    .function = "same",
-    .apply = same,
+    .function = "interpolation_same_values",
+    .apply = interpolation_same_values,
 };
 
 const struct interpolation *const interpolations[] = {

@@ -27,14 +27,14 @@ static char *joined(const char *a, const char *b, const char *c)
     return s;
 }
 
-static int report_failure(const char *what, const char *path, int reason)
+static int file_report_failure(const char *what, const char *path, int reason)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path,
             reason ? strerror(reason) : "a write failed");
     return 1;
 }
 
-static void release(struct file *f)
+static void file_release(struct file *f)
 {
     free(f->path);
     free(f->partial);
@@ -90,8 +90,8 @@ struct file *file_create(const char *path)
     f->partial = joined(path, ".partial", "");
     f->stream = open_new(f->partial);
     if (f->stream == NULL) {
-        report_failure("write", f->partial, errno);
-        release(f);
+        file_report_failure("write", f->partial, errno);
+        file_release(f);
         return NULL;
     }
     return f;
@@ -114,10 +114,10 @@ int file_commit(struct file *f)
     if (reason == 0 && owner == OURS && rename(f->partial, f->path) != 0)
         reason = errno;
     if (reason != 0) {
-        report_failure("write", f->path, reason);
+        file_report_failure("write", f->path, reason);
         if (owner == OURS) remove(f->partial);
     }
-    release(f);
+    file_release(f);
     return reason != 0;
 }
 
@@ -126,7 +126,7 @@ void file_discard(struct file *f)
     if (f == NULL) return;
     if (owner_of(f) == OURS) remove(f->partial);
     fclose(f->stream);
-    release(f);
+    file_release(f);
 }
 
 void file_remove_part(const char *path)
@@ -158,7 +158,7 @@ int file_make_dirs(const char *path)
         if (failed && !is_folder(part)) reason = failed;
         *end = kept;
     }
-    if (reason != 0) report_failure("make the folder", path, reason);
+    if (reason != 0) file_report_failure("make the folder", path, reason);
     free(part);
     return reason != 0;
 }

@@ -13,7 +13,7 @@ enum { N_ENDING = sizeof ending / sizeof ending[0] };
 /* A blocked signal waits even where it is ignored. A shell makes its background
  * jobs ignore SIGINT, but a SIGINT that is sent to a process by its number is
  * meant for it; SIGHUP is ignored only on request. */
-static int is_wanted(int number)
+static int interrupt_is_wanted(int number)
 {
     struct sigaction now;
 
@@ -25,7 +25,7 @@ static void set_of(sigset_t *set)
 {
     sigemptyset(set);
     for (int i = 0; i < N_ENDING; i++)
-        if (is_wanted(ending[i])) sigaddset(set, ending[i]);
+        if (interrupt_is_wanted(ending[i])) sigaddset(set, ending[i]);
 }
 
 void interrupt_hold(void)

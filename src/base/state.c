@@ -34,7 +34,7 @@ void state_end(struct state *s)
     *last = '\0';
 }
 
-static void visit(struct state *s, const char *name, struct state_array a)
+static void state_visit(struct state *s, const char *name, struct state_array a)
 {
     if (s->failed || a.values == NULL || a.rows == 0) return;
     state_begin(s, name);
@@ -46,13 +46,15 @@ static void visit(struct state *s, const char *name, struct state_array a)
 void state_reals(struct state *s, const char *name, const char *unit, double *x,
                  long n, int width)
 {
-    visit(s, name, (struct state_array){NULL, unit, STATE_REAL, x, n, width});
+    state_visit(s, name,
+                (struct state_array){NULL, unit, STATE_REAL, x, n, width});
 }
 
 void state_wholes(struct state *s, const char *name, const char *unit, int *x,
                   long n, int width)
 {
-    visit(s, name, (struct state_array){NULL, unit, STATE_WHOLE, x, n, width});
+    state_visit(s, name,
+                (struct state_array){NULL, unit, STATE_WHOLE, x, n, width});
 }
 
 /* Visits a copy in which the members lie side by side. */
@@ -65,7 +67,7 @@ static void visit_members(struct state *s, const char *name,
     a.values = copy;
     for (long i = 0; i < a.rows && !s->loading; i++)
         memcpy(copy + (size_t)i * row, x + (size_t)i * stride, row);
-    visit(s, name, a);
+    state_visit(s, name, a);
     for (long i = 0; i < a.rows && s->loading && !s->failed; i++)
         memcpy(x + (size_t)i * stride, copy + (size_t)i * row, row);
     free(copy);
@@ -99,7 +101,7 @@ void state_whole(struct state *s, const char *name, const char *unit, int *x)
 
 void state_long(struct state *s, const char *name, const char *unit, long *x)
 {
-    visit(s, name, (struct state_array){NULL, unit, STATE_LONG, x, 1, 1});
+    state_visit(s, name, (struct state_array){NULL, unit, STATE_LONG, x, 1, 1});
 }
 
 void state_several(struct state *s, const char *name, const char *unit,
@@ -116,8 +118,8 @@ void state_several(struct state *s, const char *name, const char *unit,
 }
 
 /* One message, and nothing more is visited. */
-static void refuse(struct state *s, const char *name, long value, long least,
-                   long most)
+static void state_refuse(struct state *s, const char *name, long value,
+                         long least, long most)
 {
     fprintf(stderr, "winnow: the state has %s/%s = %ld; expected %ld to %ld\n",
             s->path, name, value, least, most);
@@ -130,7 +132,8 @@ void state_count(struct state *s, const char *name, int *n, int max)
 
     state_whole(s, name, "-", &now);
     if (s->loading && s->most > 0 && max > s->most) max = (int)s->most;
-    if (!s->failed && (now < 0 || now > max)) refuse(s, name, now, 0, max);
+    if (!s->failed && (now < 0 || now > max))
+        state_refuse(s, name, now, 0, max);
     if (!s->failed) *n = now;
 }
 
@@ -146,7 +149,8 @@ void state_indices_of(struct state *s, const char *name, int *x, size_t stride,
     state_wholes_of(s, name, "-", x, stride, n, 1);
     for (long i = 0; i < n && x != NULL && s->loading && !s->failed; i++) {
         const int value = *(int *)((char *)x + (size_t)i * stride);
-        if (value < least || value > most) refuse(s, name, value, least, most);
+        if (value < least || value > most)
+            state_refuse(s, name, value, least, most);
     }
 }
 

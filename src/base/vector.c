@@ -2,7 +2,7 @@
 #include "base/vector.h"
 
 /* The index of A_jk in the order xx, xy, xz, yy, yz, zz. */
-static int place(int j, int k)
+static int vector_place(int j, int k)
 {
     static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     return at[j][k];
@@ -17,7 +17,7 @@ void vector_solve(const double A[6], const double b[3], double x[3])
 
     for (int j = 0; j < 3; j++) {
         for (int k = 0; k < 3; k++)
-            a[j][k] = A[place(j, k)];
+            a[j][k] = A[vector_place(j, k)];
         a[j][3] = b[j];
     }
     for (int j = 0; j < 3; j++)

@@ -39,8 +39,9 @@ static int allocate_bed(const struct settings *s, struct simulation *sim,
     return sim->dem == NULL ? 2 : 0;
 }
 
-static void print_settled(const struct settings *s, const struct bed_report *r,
-                          int in_box, const char *cached)
+static void build_particles_print_settled(const struct settings *s,
+                                          const struct bed_report *r,
+                                          int in_box, const char *cached)
 {
     const char *const warning =
         r->settled ? "" : ": NOT AT REST, raise particles.bed.settle";
@@ -119,12 +120,14 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (found == BED_STOPPED) return r.stopped;
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
     if (cached && !r.settled) unlink(path);
-    print_settled(s, &r, sim->region.has_room == NULL, cached ? path : NULL);
+    build_particles_print_settled(s, &r, sim->region.has_room == NULL,
+                                  cached ? path : NULL);
     return 0;
 }
 
 /* The material of the i-th group of a list: number 0 where it names none. */
-static int material_of(const struct settings *s, const char *list, int i)
+static int build_particles_material_of(const struct settings *s,
+                                       const char *list, int i)
 {
     return settings_item_has(s, list, i, "material")
                ? case_materials_number(
@@ -133,8 +136,9 @@ static int material_of(const struct settings *s, const char *list, int i)
 }
 
 /* The spheres at the positions of the case; there is no dem yet. */
-static int put_spheres(const struct settings *s, struct simulation *sim,
-                       const struct dem_options *o)
+static int build_particles_put_spheres(const struct settings *s,
+                                       struct simulation *sim,
+                                       const struct dem_options *o)
 {
     static const char *const list = "particles.place";
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
@@ -143,7 +147,7 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
     sim->particles = particles_create(n + case_population_count(s));
     if (sim->materials != NULL) particles_add_material(sim->particles);
     for (int k = 0; k < n; k++) {
-        const int material = material_of(s, list, k);
+        const int material = build_particles_material_of(s, list, k);
         double x[3], v[3], w[3];
         settings_item_vector(s, list, k, "position", x);
         for (int a = 0; a < 3; a++)
@@ -169,7 +173,7 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
 static int place_spheres(const struct settings *s, struct simulation *sim,
                          const struct dem_options *o)
 {
-    if (put_spheres(s, sim, o) != 0) return 2;
+    if (build_particles_put_spheres(s, sim, o) != 0) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
 }
@@ -190,8 +194,9 @@ static int place_bed(const struct settings *s, struct simulation *sim,
 }
 
 /* The options of dem, with materials, surfaces, attractions and bodies. */
-static int complete(const struct settings *s, struct simulation *sim,
-                    struct dem_options *o)
+static int build_particles_complete(const struct settings *s,
+                                    struct simulation *sim,
+                                    struct dem_options *o)
 {
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
@@ -201,7 +206,8 @@ static int complete(const struct settings *s, struct simulation *sim,
 }
 
 /* What is added to the particles that there are. */
-static int add_rest(const struct settings *s, struct simulation *sim)
+static int build_particles_add_rest(const struct settings *s,
+                                    struct simulation *sim)
 {
     const int code = surfaces_part_add(s, sim);
     return code != 0 ? code : case_population_add(s, sim);
@@ -214,11 +220,11 @@ int build_particles_check(const struct settings *s)
 
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    int code = complete(s, sim, &o);
+    int code = build_particles_complete(s, sim, &o);
     if (code == 0)
         code = settings_has(s, "particles.bed") ? place_bed(s, sim, &o)
                                                 : place_spheres(s, sim, &o);
-    if (code == 0) code = add_rest(s, sim);
+    if (code == 0) code = build_particles_add_rest(s, sim);
     build_free(sim);
     return code;
 }
@@ -235,7 +241,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
                     int with_bed, const struct bed_saver *saver)
 {
     struct dem_options o;
-    int code = complete(s, sim, &o);
+    int code = build_particles_complete(s, sim, &o);
 
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
@@ -246,7 +252,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
     build_particles_limit(s, sim);
-    code = add_rest(s, sim);
+    code = build_particles_add_rest(s, sim);
     if (code != 0) return code;
     sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;

@@ -14,7 +14,8 @@ static const char first[] = "grains", list[] = "particles.materials",
                   of_grains[] = "particles.grains.";
 
 /* A number of a material, 0 if not given; number 0 is a group of its own. */
-static double value(const struct settings *s, int number, const char *key)
+static double case_materials_value(const struct settings *s, int number,
+                                   const char *key)
 {
     char path[64];
 
@@ -50,14 +51,15 @@ static void read_own(const struct settings *s, int number, double *own)
 
 struct material case_materials_one(const struct settings *s, int number)
 {
-    struct material m = {.young = value(s, number, "young"),
-                         .poisson = value(s, number, "poisson"),
-                         .stiffness = value(s, number, "stiffness"),
-                         .tangential = value(s, number, "tangential_ratio"),
-                         .restitution = value(s, number, "restitution"),
-                         .friction = value(s, number, "friction"),
-                         .rolling = value(s, number, "rolling_friction"),
-                         .charge = value(s, number, "charge")};
+    struct material m = {
+        .young = case_materials_value(s, number, "young"),
+        .poisson = case_materials_value(s, number, "poisson"),
+        .stiffness = case_materials_value(s, number, "stiffness"),
+        .tangential = case_materials_value(s, number, "tangential_ratio"),
+        .restitution = case_materials_value(s, number, "restitution"),
+        .friction = case_materials_value(s, number, "friction"),
+        .rolling = case_materials_value(s, number, "rolling_friction"),
+        .charge = case_materials_value(s, number, "charge")};
 
     read_own(s, number, m.own);
     return m;
@@ -65,7 +67,7 @@ struct material case_materials_one(const struct settings *s, int number)
 
 double case_materials_density(const struct settings *s, int number)
 {
-    return value(s, number, "density");
+    return case_materials_value(s, number, "density");
 }
 
 static int number_in_pair(const struct settings *s, int k, const char *key)

@@ -17,8 +17,9 @@ struct box_spec case_mesh_box(const struct settings *s)
     return spec;
 }
 
-static struct mesh *create(const struct settings *s,
-                           struct mesh *(*make)(const struct box_spec *))
+static struct mesh *
+case_mesh_make(const struct settings *s,
+               struct mesh *(*make)(const struct box_spec *))
 {
     struct mesh *own;
     const struct mesh *const kept = settings_mesh(s);
@@ -34,12 +35,12 @@ static struct mesh *create(const struct settings *s,
 
 struct mesh *case_mesh_create(const struct settings *s)
 {
-    return create(s, mesh_create_box);
+    return case_mesh_make(s, mesh_create_box);
 }
 
 struct mesh *case_mesh_outline(const struct settings *s)
 {
-    return create(s, mesh_outline_box);
+    return case_mesh_make(s, mesh_outline_box);
 }
 
 /* --- where it is ---------------------------------------------------------- */

@@ -54,7 +54,7 @@ double case_steps_length(const struct settings *s)
     return fabs(whole - dt) > 1e-9 * dt ? whole : dt; /* but for rounding */
 }
 
-static double within(const struct settings *s)
+static double case_steps_particle_steps(const struct settings *s)
 {
     if (!settings_has(s, "particles")) return 0.0;
     const double n = case_steps_length(s) / settings_real(s, "particles.step");
@@ -64,7 +64,7 @@ static double within(const struct settings *s)
 
 int case_steps_within(const struct settings *s)
 {
-    return number_clamped(within(s), 0, INT_MAX);
+    return number_clamped(case_steps_particle_steps(s), 0, INT_MAX);
 }
 
 static double until_end(const struct settings *s)
@@ -114,11 +114,11 @@ int case_steps_check(const struct settings *s)
                               "%g s is less than half of one step of %g s, by "
                               "%s: nothing would be computed",
                               settings_real(s, end_key), dt, key);
-    if (number_int(within(s), &particle_steps) != 0)
+    if (number_int(case_steps_particle_steps(s), &particle_steps) != 0)
         return settings_wrong(s, "particles.step",
                               "%g s would be %.3g particle steps in one step "
                               "of %g s, by %s; expected at most %d",
-                              settings_real(s, "particles.step"), within(s), dt,
-                              key, INT_MAX);
+                              settings_real(s, "particles.step"),
+                              case_steps_particle_steps(s), dt, key, INT_MAX);
     return 0;
 }

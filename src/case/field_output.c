@@ -119,7 +119,8 @@ int field_output_of_fluid(const struct simulation *sim,
     return add_effects(sim, n, arrays);
 }
 
-static int add_fluid(struct field_output *p, const struct snapshot *s)
+static int field_output_add_fluid(struct field_output *p,
+                                  const struct snapshot *s)
 {
     struct processes *const others = p->sim->processes;
     struct vtk_array arrays[FIELD_OUTPUT_ARRAYS];
@@ -161,7 +162,8 @@ int field_output_of_particles(const struct snapshot *s,
     return n;
 }
 
-static int add_particles(struct field_output *p, const struct snapshot *s)
+static int field_output_add_particles(struct field_output *p,
+                                      const struct snapshot *s)
 {
     struct processes *const others = p->sim->processes;
     const double *const x[3] = {s->x[0], s->x[1], s->x[2]};
@@ -179,8 +181,8 @@ static int add_particles(struct field_output *p, const struct snapshot *s)
 
 int field_output_add(struct field_output *p, const struct snapshot *s)
 {
-    if (p->fluid != NULL && add_fluid(p, s) != 0) return 1;
-    if (p->particles != NULL && add_particles(p, s) != 0) return 1;
+    if (p->fluid != NULL && field_output_add_fluid(p, s) != 0) return 1;
+    if (p->particles != NULL && field_output_add_particles(p, s) != 0) return 1;
     p->last = s->t;
     return 0;
 }

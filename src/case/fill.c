@@ -22,7 +22,7 @@ enum { GROUPS = sizeof groups / sizeof groups[0] };
 
 /* What stands behind the name of a group in a path that begins with it: "" for
  * the group itself; NULL for another path. */
-static const char *within(const char *path, const char *group)
+static const char *fill_within(const char *path, const char *group)
 {
     const size_t n = strlen(group);
 
@@ -51,8 +51,8 @@ static void store_text(const struct key *key, const char *text, void *member)
         *(const char **)member = text;
 }
 
-static void store(const struct settings *s, const struct key *key,
-                  const char *path, void *member)
+static void fill_store(const struct settings *s, const struct key *key,
+                       const char *path, void *member)
 {
     switch (key->type) {
     case KEY_REAL:
@@ -84,18 +84,18 @@ static void store_at(const struct settings *s, const struct key *key,
     char *const of = base;
 
     if (key->at > 0 && settings_is_set(s, path))
-        store(s, key, path, of + key->at - 1);
+        fill_store(s, key, path, of + key->at - 1);
     if (key->given > 0) *(int *)(of + key->given - 1) = settings_has(s, path);
 }
 
 /* --- lists ---------------------------------------------------------------- */
 
 /* The row of the list to whose groups the key belongs, or NULL. */
-static const struct key *list_of(const struct key *const *tables,
-                                 const struct key *key)
+static const struct key *fill_list_of(const struct key *const *tables,
+                                      const struct key *key)
 {
     SCHEMA_EACH (k, tables)
-        if (k->size > 0 && k != key && within(key->path, k->path) != NULL)
+        if (k->size > 0 && k != key && fill_within(key->path, k->path) != NULL)
             return k;
     return NULL;
 }
@@ -110,7 +110,7 @@ static void create_list(const struct settings *s, const struct key *key,
 static void store_in_list(const struct settings *s, const struct key *key,
                           const struct key *of, const struct key_list *list)
 {
-    const char *const name = within(key->path, of->path);
+    const char *const name = fill_within(key->path, of->path);
     char path[SETTINGS_ITEM_SIZE];
 
     for (int i = 0; i < list->n; i++)
@@ -121,10 +121,10 @@ static void store_in_list(const struct settings *s, const struct key *key,
 /* --- all ------------------------------------------------------------------ */
 
 /* The struct that the key, or the list that it belongs to, has its place in. */
-static char *base_of(struct settings *s, const struct key *key)
+static char *fill_base_of(struct settings *s, const struct key *key)
 {
     for (int g = 0; g < GROUPS; g++)
-        if (within(key->path, groups[g].name) != NULL)
+        if (fill_within(key->path, groups[g].name) != NULL)
             return (char *)s + groups[g].at;
     return (char *)s;
 }
@@ -135,17 +135,19 @@ void fill_settings(struct settings *s, const struct key *const *tables)
         *(int *)((char *)s + groups[g].has) = settings_has(s, groups[g].name);
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
-            create_list(s, k, (struct key_list *)(base_of(s, k) + k->at - 1));
+            create_list(s, k,
+                        (struct key_list *)(fill_base_of(s, k) + k->at - 1));
     SCHEMA_EACH (k, tables) {
         const struct key *const list =
-            k->at == 0 && k->given == 0 ? NULL : list_of(tables, k);
+            k->at == 0 && k->given == 0 ? NULL : fill_list_of(tables, k);
 
         if (k->size > 0 || (k->at == 0 && k->given == 0)) continue;
         if (list == NULL)
-            store_at(s, k, k->path, base_of(s, k));
+            store_at(s, k, k->path, fill_base_of(s, k));
         else
-            store_in_list(s, k, list,
-                          (struct key_list *)(base_of(s, list) + list->at - 1));
+            store_in_list(
+                s, k, list,
+                (struct key_list *)(fill_base_of(s, list) + list->at - 1));
     }
 }
 
@@ -153,5 +155,5 @@ void fill_release(struct settings *s, const struct key *const *tables)
 {
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
-            free(((struct key_list *)(base_of(s, k) + k->at - 1))->item);
+            free(((struct key_list *)(fill_base_of(s, k) + k->at - 1))->item);
 }

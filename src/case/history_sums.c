@@ -109,7 +109,7 @@ double history_spin_energy(const struct simulation *sim)
 }
 
 /* The number of particles of all processes. */
-static double count(const struct simulation *sim)
+static double history_sums_count(const struct simulation *sim)
 {
     return processes_total(sim, sim->particles->n);
 }
@@ -119,7 +119,7 @@ double history_granular_temperature(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const double *const v[3] = {ps->vx, ps->vy, ps->vz};
-    const double n = count(sim);
+    const double n = history_sums_count(sim);
     double sum = 0.0;
 
     if (n == 0.0) return 0.0;
@@ -152,7 +152,7 @@ static void find_up(const struct simulation *sim, double up[3])
 double history_mean_height(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
-    const double n = count(sim);
+    const double n = history_sums_count(sim);
     double sum = 0.0, up[3];
 
     find_up(sim, up);
@@ -166,7 +166,7 @@ double history_mean_fall(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const double *const g = sim->gravity;
-    const double size = vector_length(g), n = count(sim);
+    const double size = vector_length(g), n = history_sums_count(sim);
     double sum = 0.0;
 
     for (int i = 0; i < ps->n; i++)

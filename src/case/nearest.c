@@ -10,7 +10,7 @@ static int min(int a, int b)
 }
 
 /* Upper and lower case count as equal. */
-static int is_same(char a, char b)
+static int nearest_is_same(char a, char b)
 {
     return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
@@ -32,10 +32,10 @@ int nearest_edits(const char *a, const char *b)
 
         now[0] = i;
         for (int j = 1; j <= m; j++) {
-            const int same = is_same(a[i - 1], b[j - 1]);
+            const int same = nearest_is_same(a[i - 1], b[j - 1]);
             now[j] = min(last[j - 1] + !same, 1 + min(last[j], now[j - 1]));
-            if (i > 1 && j > 1 && is_same(a[i - 1], b[j - 2]) &&
-                is_same(a[i - 2], b[j - 1]))
+            if (i > 1 && j > 1 && nearest_is_same(a[i - 1], b[j - 2]) &&
+                nearest_is_same(a[i - 2], b[j - 1]))
                 now[j] = min(now[j], before[j - 2] + 1);
         }
     }

@@ -13,8 +13,9 @@
 #include <string.h>
 
 /* Copies a value and all below it under a parent. */
-static config_setting_t *copy(config_setting_t *parent, const char *name,
-                              const config_setting_t *from)
+static config_setting_t *override_copy(config_setting_t *parent,
+                                       const char *name,
+                                       const config_setting_t *from)
 {
     const int type = config_setting_type(from);
     config_setting_t *const to = config_setting_add(parent, name, type);
@@ -34,7 +35,7 @@ static config_setting_t *copy(config_setting_t *parent, const char *name,
         for (int i = 0; i < config_setting_length(from); i++) {
             const config_setting_t *const one =
                 config_setting_get_elem(from, (unsigned)i);
-            copy(to, config_setting_name(one), one);
+            override_copy(to, config_setting_name(one), one);
         }
     return to;
 }
@@ -82,7 +83,7 @@ void override_default(config_setting_t *group, const char *name,
     config_t tree;
     const int good = read_value(&tree, value);
     config_setting_t *const s =
-        good ? copy(group, name, config_lookup(&tree, "value")) : NULL;
+        good ? override_copy(group, name, config_lookup(&tree, "value")) : NULL;
 
     assert(s != NULL); /* a table of keys holds a default that is none */
     config_setting_set_hook(s, (void *)source_default);
@@ -97,7 +98,7 @@ static int report_wrong(const char *text, const char *why)
 
 /* The member of that name, or the element of that number: digits alone, and no
  * more of them than any list has elements. */
-static config_setting_t *below(config_setting_t *s, const char *name)
+static config_setting_t *override_below(config_setting_t *s, const char *name)
 {
     const size_t digits = strspn(name, "0123456789");
 
@@ -109,15 +110,15 @@ static config_setting_t *below(config_setting_t *s, const char *name)
 }
 
 /* Puts the value in the place of an old one. */
-static int put(config_setting_t *group, const char *name, const char *text,
-               const config_setting_t *value)
+static int override_put(config_setting_t *group, const char *name,
+                        const char *text, const config_setting_t *value)
 {
     config_setting_t *s;
 
     if (!config_setting_is_group(group))
         return report_wrong(text, "only a key of a group can be set");
     config_setting_remove(group, name);
-    s = copy(group, name, value);
+    s = override_copy(group, name, value);
     if (s == NULL) return report_wrong(text, "not a name that a key can have");
     config_setting_set_hook(s, (void *)text);
     return 0;
@@ -135,7 +136,7 @@ static config_setting_t *group_of(config_t *tree, const char *text, char *path,
         config_setting_t *next;
 
         *dot = '\0';
-        next = below(at, *last);
+        next = override_below(at, *last);
         if (next == NULL && config_setting_is_group(at)) {
             next = config_setting_add(at, *last, CONFIG_TYPE_GROUP);
             if (next != NULL) config_setting_set_hook(next, (void *)text);
@@ -147,8 +148,8 @@ static config_setting_t *group_of(config_t *tree, const char *text, char *path,
 }
 
 /* Sets the last name of the path to what stands after the equal sign. */
-static int set(config_setting_t *group, const char *name, const char *text,
-               const char *value)
+static int override_set(config_setting_t *group, const char *name,
+                        const char *text, const char *value)
 {
     const char *const wrong = include_check_value(value);
     config_t tree;
@@ -156,7 +157,7 @@ static int set(config_setting_t *group, const char *name, const char *text,
 
     if (wrong != NULL) return report_wrong(text, wrong);
     if (read_value(&tree, value))
-        code = put(group, name, text, config_lookup(&tree, "value"));
+        code = override_put(group, name, text, config_lookup(&tree, "value"));
     else
         code = report_wrong(
             text, "the text after = is not one value of a case file; quote "
@@ -178,7 +179,7 @@ int override_apply(config_t *tree, const char *text)
     group = group_of(tree, text, path, &last);
     code =
         group != NULL
-            ? set(group, last, text, equal + 1)
+            ? override_set(group, last, text, equal + 1)
             : report_wrong(
                   text, "a part of the path does not exist or is not a group");
     free(path);

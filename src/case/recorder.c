@@ -55,7 +55,7 @@ static void update_extremes(struct recorder *r)
 
 /* --- rows and fields ----------------------------------------------------- */
 
-static int add_row(struct recorder *r)
+static int recorder_add_row(struct recorder *r)
 {
     const struct effect_state *const effects = r->sim->effects;
     double row[MAX_COLUMNS];
@@ -70,7 +70,7 @@ static int add_row(struct recorder *r)
     return table_add(r->history, row) != 0;
 }
 
-static int add_fields(struct recorder *r)
+static int recorder_add_fields(struct recorder *r)
 {
     int failed = field_output_add(r->pictures, r->snapshot);
 
@@ -97,7 +97,7 @@ int recorder_sample(struct recorder *r)
         processes_join(r->sim, PROCESSES_ROW);
         /* The means of the parts are sums over all processes, so they are
          * computed even if the row could not be written. */
-        const int unwritten = add_row(r);
+        const int unwritten = recorder_add_row(r);
         int failed = 0;
         MODELS_UNTIL(failed, r->parts.part, row, r->parts.state[i_model]);
         processes_join(r->sim, PROCESSES_ROW_DONE);
@@ -105,7 +105,7 @@ int recorder_sample(struct recorder *r)
     }
     if (step % r->picture_every != 0) return 0;
     recorder_take_snapshots(r);
-    return add_fields(r);
+    return recorder_add_fields(r);
 }
 
 int recorder_last_row(struct recorder *r)
@@ -113,7 +113,7 @@ int recorder_last_row(struct recorder *r)
     if (r->sim->steps % r->row_every == 0 || r->sim->processes != NULL)
         return 0;
     recorder_take_snapshots(r);
-    int failed = add_row(r);
+    int failed = recorder_add_row(r);
     MODELS_UNTIL(failed, r->parts.part, last_row, r->parts.state[i_model]);
     return failed;
 }
@@ -121,7 +121,7 @@ int recorder_last_row(struct recorder *r)
 int recorder_last_state(struct recorder *r)
 {
     if (r->snapshot->t <= field_output_last(r->pictures)) return 0;
-    return add_fields(r);
+    return recorder_add_fields(r);
 }
 
 /* --- the summary ---------------------------------------------------------- */
@@ -142,7 +142,7 @@ static void write_seconds(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
-static double rate(double amount, double seconds)
+static double recorder_rate(double amount, double seconds)
 {
     return seconds > 0.0 ? amount / seconds : 0.0;
 }
@@ -152,14 +152,14 @@ static void write_speed(struct summary *f, const struct recorder *r)
     const struct simulation *const sim = r->sim;
 
     if (sim->particles != NULL)
-        summary_number(
-            f, "particle_steps_per_second",
-            rate((double)sim->steps * sim->dem_steps * processes_particles(sim),
-                 sim->seconds.dem));
+        summary_number(f, "particle_steps_per_second",
+                       recorder_rate((double)sim->steps * sim->dem_steps *
+                                         processes_particles(sim),
+                                     sim->seconds.dem));
     if (sim->fluid != NULL)
-        summary_number(
-            f, "cell_steps_per_second",
-            rate((double)sim->steps * processes_cells(sim), sim->seconds.cfd));
+        summary_number(f, "cell_steps_per_second",
+                       recorder_rate((double)sim->steps * processes_cells(sim),
+                                     sim->seconds.cfd));
 }
 
 static void write_residuals(struct summary *f, const struct recorder *r)
@@ -272,7 +272,7 @@ int recorder_begin(const struct recorder *r)
 
 /* A summary from the start; that of a run that goes on stays as it is until the
  * state is loaded. Non-zero after a message. */
-static int begin(struct recorder *r, int resume)
+static int recorder_begin_summary(struct recorder *r, int resume)
 {
     if (resume)
         folder_resume(r->folder);
@@ -319,7 +319,7 @@ struct recorder *recorder_create(const struct settings *s,
         r->drawn = sim->processes->whole;
         r->whole = snapshot_create(r->drawn);
     }
-    if (begin(r, resume) == 0) {
+    if (recorder_begin_summary(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
         if (!resume)
             write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);

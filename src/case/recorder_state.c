@@ -5,7 +5,7 @@
 #include "base/clock.h"
 #include "coupling/processes.h"
 
-static void sums_state(struct recorder *r, struct state *s)
+static void recorder_state_sums(struct recorder *r, struct state *s)
 {
     double elapsed = clock_now() - r->began;
 
@@ -25,7 +25,7 @@ static void sums_state(struct recorder *r, struct state *s)
 void recorder_state(struct recorder *r, struct state *s)
 {
     state_begin(s, "recorder");
-    sums_state(r, s);
+    recorder_state_sums(r, s);
     if (r->sim->processes == NULL)
         snapshot_state(r->snapshot, r->sim->mesh, s);
     else if (s->loading)

@@ -34,7 +34,7 @@ enum {
 };
 
 /* Samples the simulation and adds the wall time that this takes. */
-static int sample(struct recorder *r, struct simulation *sim)
+static int run_sample(struct recorder *r, struct simulation *sim)
 {
     double clock = clock_now();
     const int failed = recorder_sample(r);
@@ -43,7 +43,7 @@ static int sample(struct recorder *r, struct simulation *sim)
     return failed;
 }
 
-static int step(struct simulation *sim, struct thread_tuner *threads)
+static int run_step(struct simulation *sim, struct thread_tuner *threads)
 {
     const double began = clock_processor();
 
@@ -75,10 +75,10 @@ static int broke_down(struct run *run)
 }
 
 /* The state before the first step: as the case has it, or as it was saved. */
-static int start(struct run *run)
+static int run_start(struct run *run)
 {
     if (!run->resumes && coupling_start(run->sim) != 0) return broke_down(run);
-    if (!run->resumes && sample(run->recorder, run->sim) != 0)
+    if (!run->resumes && run_sample(run->recorder, run->sim) != 0)
         return NOT_WRITTEN;
     return resume_begin(run->resume, run->sim, run->recorder) != 0 ? NOT_WRITTEN
                                                                    : 0;
@@ -89,7 +89,7 @@ static int advance_one(struct run *run, struct thread_tuner *threads,
                        struct progress *progress)
 {
     struct simulation *const sim = run->sim;
-    const int failed = step(sim, threads);
+    const int failed = run_step(sim, threads);
 
     if (case_population_run_is_cut_short(sim)) return INTERRUPTED;
     run->cut = failed && interrupt_arrived();
@@ -97,13 +97,13 @@ static int advance_one(struct run *run, struct thread_tuner *threads,
     if (failed) return broke_down(run);
     progress_show(progress, sim->t);
     overlap_warn(&run->told, sim);
-    if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
+    if (run_sample(run->recorder, sim) != 0) return NOT_WRITTEN;
     if (resume_after_step(run->resume) != 0) return NOT_WRITTEN;
     return interrupt_arrived() ? INTERRUPTED : 0;
 }
 
 /* The loop. Returns the exit code. */
-static int advance(struct run *run)
+static int run_advance(struct run *run)
 {
     struct simulation *const sim = run->sim;
     const long steps = case_steps_until_end(run->settings);
@@ -123,7 +123,7 @@ static int advance(struct run *run)
     return code;
 }
 
-static const char *reason_of(int code, const char *why)
+static const char *run_reason_of(int code, const char *why)
 {
     return code == 0             ? "done"
            : code == INTERRUPTED ? "interrupted"
@@ -148,7 +148,7 @@ static void print_last_line(const struct run *run, int code)
 }
 
 /* The state is saved before the last picture and the other files of the end. */
-static int finish(struct run *run, int code)
+static int run_finish(struct run *run, int code)
 {
     struct recorder *const r = run->recorder;
 
@@ -158,7 +158,7 @@ static int finish(struct run *run, int code)
     if (code == 0 && recorder_last_row(r) != 0) code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
-    if (recorder_finish(r, reason_of(code, run->why), code) != 0)
+    if (recorder_finish(r, run_reason_of(code, run->why), code) != 0)
         code = NOT_WRITTEN;
     print_last_line(run, code);
     return code;
@@ -176,10 +176,10 @@ static int run_simulation(struct run *run)
             folder_abandon(run->folder); /* if it was not begun */
         return NOT_WRITTEN;
     }
-    int code = start(run);
-    if (code == 0) code = advance(run);
+    int code = run_start(run);
+    if (code == 0) code = run_advance(run);
     if (code == 0 || !run->resumes || run->sim->steps > 0)
-        code = finish(run, code);
+        code = run_finish(run, code);
     recorder_free(run->recorder);
     return code;
 }
@@ -212,7 +212,7 @@ static int settle(void *data, struct bed_settling *bed, enum bed_stage stage)
 }
 
 /* Builds the simulation; a signal during this time ends the program. */
-static struct simulation *build(const struct run *run, int *code)
+static struct simulation *run_build(const struct run *run, int *code)
 {
     const struct settings *const s = run->settings;
 
@@ -249,7 +249,7 @@ int run_case(const struct settings *s, const struct run_options *o)
                     "%s: the files of an earlier run are replaced; -o names "
                     "another folder\n",
                     o->dir);
-        run.sim = build(&run, &code);
+        run.sim = run_build(&run, &code);
     }
     const int built = run.sim != NULL;
     if (built) code = run_simulation(&run);
@@ -262,7 +262,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 
 /* out/NAME for a case some/where/NAME.cfg, as a new string. Of a name that
  * begins with a dot nothing is cut off, because ".cfg" would become "". */
-static char *default_dir(const char *file)
+static char *run_default_dir(const char *file)
 {
     const char *const slash = strrchr(file, '/');
     const char *const name = slash != NULL ? slash + 1 : file;
@@ -273,7 +273,7 @@ static char *default_dir(const char *file)
     return dir;
 }
 
-static int act(const struct command_line *l)
+static int run_act(const struct command_line *l)
 {
     int code;
     struct interrupt_watch watch;
@@ -281,7 +281,7 @@ static int act(const struct command_line *l)
     /* With --quiet there are only files, and errors on stderr. */
     if (l->quiet && freopen("/dev/null", "w", stdout) == NULL)
         return NOT_WRITTEN;
-    char *const dir = default_dir(l->words[0]);
+    char *const dir = run_default_dir(l->words[0]);
     const struct run_options o = {.dir = l->dir != NULL ? l->dir : dir,
                                   .resume = l->resume,
                                   .fresh = l->fresh,
@@ -310,4 +310,4 @@ const struct command command_run = {
     "osj-rf",
     1,
     1,
-    act};
+    run_act};

@@ -14,7 +14,7 @@ const char *const schema_patches[] = {
 
 enum { SCHEMA_WORDS = 1024 }; /* bytes of all names of a kind, at most */
 
-static int is_patch(const char *name, size_t length)
+static int schema_is_patch(const char *name, size_t length)
 {
     for (int i = 0; schema_patches[i] != NULL; i++)
         if (strlen(schema_patches[i]) == length &&
@@ -31,7 +31,8 @@ static int matches(const char *row, const char *path)
     while (row[n] != '\0' && row[n] == path[n] && row[n] != KEY_ANY_PATCH[0])
         n++;
     if (row[n] != KEY_ANY_PATCH[0]) return row[n] == path[n];
-    return key_matches(row, path) && is_patch(path + n, strcspn(path + n, "."));
+    return key_matches(row, path) &&
+           schema_is_patch(path + n, strcspn(path + n, "."));
 }
 
 const struct key *schema_find(const struct key *const *tables, const char *path)
@@ -112,7 +113,7 @@ static int is_condition(const char *one)
     return one[0] == '<' || one[0] == '>';
 }
 
-static int holds(const char *condition, double value)
+static int schema_holds(const char *condition, double value)
 {
     const int with_equal = condition[1] == '=';
     const double bound = strtod(condition + 1 + with_equal, NULL);
@@ -127,7 +128,7 @@ int schema_allow_number(const struct key *key, double value)
     const char *rest = allowed(key, all);
 
     while ((rest = next_allowed(rest, one)) != NULL)
-        if (is_condition(one) && !holds(one, value)) return 0;
+        if (is_condition(one) && !schema_holds(one, value)) return 0;
     return 1;
 }
 
@@ -156,14 +157,14 @@ int schema_nearest_word(const struct key *key, const char *word,
     return 1;
 }
 
-static void append(char text[SCHEMA_TEXT], const char *more)
+static void schema_append(char text[SCHEMA_TEXT], const char *more)
 {
     strncat(text, more, SCHEMA_TEXT - 1 - strlen(text));
 }
 
 /* The words or the conditions of a row, one after the other. */
-static void gather(const struct key *key, int conditions, const char *between,
-                   char text[SCHEMA_TEXT])
+static void schema_gather(const struct key *key, int conditions,
+                          const char *between, char text[SCHEMA_TEXT])
 {
     char one[SCHEMA_TEXT], all[SCHEMA_WORDS];
     const char *rest = allowed(key, all);
@@ -171,8 +172,8 @@ static void gather(const struct key *key, int conditions, const char *between,
     text[0] = '\0';
     while ((rest = next_allowed(rest, one)) != NULL)
         if (is_condition(one) == conditions) {
-            if (text[0] != '\0') append(text, between);
-            append(text, one);
+            if (text[0] != '\0') schema_append(text, between);
+            schema_append(text, one);
         }
 }
 
@@ -196,20 +197,21 @@ void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
                        "rotation, pressure")};
     char conditions[SCHEMA_TEXT], words[SCHEMA_TEXT];
 
-    gather(key, 1, ", ", conditions);
-    gather(key, 0, " or ", words);
+    schema_gather(key, 1, ", ", conditions);
+    schema_gather(key, 0, " or ", words);
     snprintf(text, SCHEMA_TEXT, "%s", phrases[key->type]);
-    if (conditions[0] != '\0') append(text, " ");
-    append(text, conditions);
-    if (key->unit[0] != '\0') append(text, " [");
-    append(text, key->unit);
-    if (key->unit[0] != '\0') append(text, "]");
-    if (text[0] != '\0' && words[0] != '\0') append(text, " or ");
-    append(text, words);
+    if (conditions[0] != '\0') schema_append(text, " ");
+    schema_append(text, conditions);
+    if (key->unit[0] != '\0') schema_append(text, " [");
+    schema_append(text, key->unit);
+    if (key->unit[0] != '\0') schema_append(text, "]");
+    if (text[0] != '\0' && words[0] != '\0') schema_append(text, " or ");
+    schema_append(text, words);
 }
 
 /* Replaces the last name of a path. */
-static void beside(const char *path, const char *name, char text[SCHEMA_TEXT])
+static void schema_beside(const char *path, const char *name,
+                          char text[SCHEMA_TEXT])
 {
     const char *const dot = strrchr(path, '.');
     const int length = dot == NULL ? 0 : (int)(dot + 1 - path);
@@ -266,7 +268,7 @@ const struct key *schema_nearest(const struct key *const *tables,
         if (schema_member(k, group) != NULL)
             offer_row(&n, schema_member(k, group));
     if (nearest_best(&n) != NULL) {
-        beside(path, nearest_best(&n), nearest);
+        schema_beside(path, nearest_best(&n), nearest);
         return schema_find(tables, nearest);
     }
     const struct key *const row = row_named(tables, name);

@@ -15,7 +15,8 @@
 
 enum { MAX_PATCH_KEYS = 8 };
 
-static int is_real(const struct key *key, const config_setting_t *s)
+static int schema_check_is_real(const struct key *key,
+                                const config_setting_t *s)
 {
     return config_setting_is_number(s) && isfinite(source_number(s)) &&
            schema_allow_number(key, source_number(s));
@@ -39,7 +40,7 @@ static int is_word(const struct key *key, const config_setting_t *s)
            schema_allow_word(key, config_setting_get_string(s));
 }
 
-static int is_file_name(const config_setting_t *s)
+static int schema_check_is_file_name(const config_setting_t *s)
 {
     return config_setting_type(s) == CONFIG_TYPE_STRING &&
            config_setting_get_string(s)[0] != '\0';
@@ -62,7 +63,7 @@ static int is_series(const struct key *key, const config_setting_t *s)
     double last = -INFINITY;
 
     if (!config_setting_is_list(s) || config_setting_length(s) == 0)
-        return is_real(key, s);
+        return schema_check_is_real(key, s);
     for (int i = 0; i < config_setting_length(s); i++) {
         const config_setting_t *const point =
             config_setting_get_elem(s, (unsigned)i);
@@ -74,7 +75,7 @@ static int is_series(const struct key *key, const config_setting_t *s)
         time = config_setting_get_elem(point, 0);
         if (!config_setting_is_number(time) || !isfinite(source_number(time)) ||
             source_number(time) <= last ||
-            !is_real(key, config_setting_get_elem(point, 1)))
+            !schema_check_is_real(key, config_setting_get_elem(point, 1)))
             return 0;
         last = source_number(time);
     }
@@ -83,7 +84,8 @@ static int is_series(const struct key *key, const config_setting_t *s)
 
 /* A word, or a group with the first key of one model of a patch and with other
  * keys of that model. */
-static int is_patch(const struct key *key, const config_setting_t *s)
+static int schema_check_is_patch(const struct key *key,
+                                 const config_setting_t *s)
 {
     const char *name[MAX_PATCH_KEYS];
     const int n = config_setting_is_group(s) ? config_setting_length(s) : 0;
@@ -102,7 +104,7 @@ static int fits(const struct key *key, const config_setting_t *s)
     case KEY_LIST:
         return config_setting_is_list(s);
     case KEY_REAL:
-        return is_real(key, s) || is_word(key, s);
+        return schema_check_is_real(key, s) || is_word(key, s);
     case KEY_INT:
         return is_count(key, s) || is_word(key, s);
     case KEY_BOOL:
@@ -112,9 +114,9 @@ static int fits(const struct key *key, const config_setting_t *s)
     case KEY_TEXT:
         return config_setting_type(s) == CONFIG_TYPE_STRING;
     case KEY_FILE:
-        return is_file_name(s);
+        return schema_check_is_file_name(s);
     case KEY_VECTOR:
-        return is_triple(key, s, is_real);
+        return is_triple(key, s, schema_check_is_real);
     case KEY_COUNTS:
         return is_triple(key, s, is_count);
     case KEY_FLAGS:
@@ -124,7 +126,7 @@ static int fits(const struct key *key, const config_setting_t *s)
     case KEY_CURVE:
         return config_setting_is_list(s) && is_series(key, s);
     case KEY_PATCH:
-        return is_patch(key, s);
+        return schema_check_is_patch(key, s);
     }
     return 0;
 }
@@ -160,8 +162,9 @@ static int report_misfit(const struct key *key, const char *path,
     return source_wrong(s, "%s: expected %s, found %s", path, expected, found);
 }
 
-static int report_unknown(const struct key *const *tables, const char *path,
-                          const config_setting_t *s)
+static int schema_check_report_unknown(const struct key *const *tables,
+                                       const char *path,
+                                       const config_setting_t *s)
 {
     char nearest[SCHEMA_TEXT], expected[SCHEMA_TEXT];
     const struct key *const key = schema_nearest(tables, path, nearest);
@@ -237,7 +240,7 @@ static int check_setting(const struct key *const *tables, const char *path,
     const struct key *const key = schema_find(tables, path);
     int code = 0;
 
-    if (key == NULL) return report_unknown(tables, path, s);
+    if (key == NULL) return schema_check_report_unknown(tables, path, s);
     /* The keys of the group of a patch are checked before the group. */
     const int is_patch_group =
         key->type == KEY_PATCH && config_setting_is_group(s);
@@ -323,8 +326,8 @@ static void fill_group(const struct key *const *tables, const char *path,
 }
 
 /* Fills the groups of a list, the members of a group, and the group. */
-static void fill(const struct key *const *tables, const char *path,
-                 config_setting_t *s)
+static void schema_check_fill_group(const struct key *const *tables,
+                                    const char *path, config_setting_t *s)
 {
     char child[SCHEMA_TEXT];
 
@@ -336,12 +339,12 @@ static void fill(const struct key *const *tables, const char *path,
                  path[0] != '\0' && name != NULL ? "." : "",
                  name != NULL ? name : "");
         if (config_setting_is_group(one) || config_setting_is_list(one))
-            fill(tables, child, one);
+            schema_check_fill_group(tables, child, one);
     }
     if (config_setting_is_group(s)) fill_group(tables, path, s);
 }
 
 void schema_check_fill(config_t *tree, const struct key *const *tables)
 {
-    fill(tables, "", config_root_setting(tree));
+    schema_check_fill_group(tables, "", config_root_setting(tree));
 }

@@ -111,7 +111,8 @@ static int type_fits(const struct key *key, enum key_type type)
 }
 
 /* The row of a path; the groups of a list have the rows of its name. */
-static const struct key *row_of(const struct settings *s, const char *path)
+static const struct key *settings_row_of(const struct settings *s,
+                                         const char *path)
 {
     char row[SCHEMA_TEXT];
     const char *const at = strstr(path, ".[");
@@ -131,12 +132,12 @@ const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
 
 /* The setting of a path whose row must have the type. A setting that is not
  * there is an error of the caller, which has to call settings_has first. */
-static const config_setting_t *find(const struct settings *s, const char *path,
-                                    enum key_type type)
+static const config_setting_t *
+settings_find(const struct settings *s, const char *path, enum key_type type)
 {
     const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
-    assert(type_fits(row_of(s, path), type) && found != NULL);
+    assert(type_fits(settings_row_of(s, path), type) && found != NULL);
     (void)type;
     return found;
 }
@@ -145,7 +146,7 @@ int settings_has(const struct settings *s, const char *path)
 {
     const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
-    assert(row_of(s, path) != NULL);
+    assert(settings_row_of(s, path) != NULL);
     return found != NULL && !source_is_default(found);
 }
 
@@ -156,12 +157,13 @@ int settings_is_set(const struct settings *s, const char *path)
 
 double settings_real(const struct settings *s, const char *path)
 {
-    return source_number(find(s, path, KEY_REAL));
+    return source_number(settings_find(s, path, KEY_REAL));
 }
 
 int settings_int(const struct settings *s, const char *path)
 {
-    return config_setting_get_int(find(s, path, KEY_INT)); /* of a word: 0 */
+    return config_setting_get_int(
+        settings_find(s, path, KEY_INT)); /* of a word: 0 */
 }
 
 double settings_real_or(const struct settings *s, const char *path,
@@ -172,12 +174,12 @@ double settings_real_or(const struct settings *s, const char *path,
 
 int settings_bool(const struct settings *s, const char *path)
 {
-    return config_setting_get_bool(find(s, path, KEY_BOOL));
+    return config_setting_get_bool(settings_find(s, path, KEY_BOOL));
 }
 
 const char *settings_text(const struct settings *s, const char *path)
 {
-    const struct key *const key = row_of(s, path);
+    const struct key *const key = settings_row_of(s, path);
     const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
     assert(type_fits(key, KEY_NAME) || key->type == KEY_PATCH);
@@ -187,7 +189,7 @@ const char *settings_text(const struct settings *s, const char *path)
 
 void settings_vector(const struct settings *s, const char *path, double v[3])
 {
-    const config_setting_t *const found = find(s, path, KEY_VECTOR);
+    const config_setting_t *const found = settings_find(s, path, KEY_VECTOR);
 
     for (unsigned i = 0; i < 3; i++)
         v[i] = source_number(config_setting_get_elem(found, i));
@@ -195,7 +197,7 @@ void settings_vector(const struct settings *s, const char *path, double v[3])
 
 void settings_counts(const struct settings *s, const char *path, int v[3])
 {
-    const config_setting_t *const found = find(s, path, KEY_COUNTS);
+    const config_setting_t *const found = settings_find(s, path, KEY_COUNTS);
 
     for (int i = 0; i < 3; i++)
         v[i] = config_setting_get_int_elem(found, i);
@@ -203,7 +205,7 @@ void settings_counts(const struct settings *s, const char *path, int v[3])
 
 void settings_flags(const struct settings *s, const char *path, int v[3])
 {
-    const config_setting_t *const found = find(s, path, KEY_FLAGS);
+    const config_setting_t *const found = settings_find(s, path, KEY_FLAGS);
 
     for (int i = 0; i < 3; i++)
         v[i] = config_setting_get_bool_elem(found, i);
@@ -211,14 +213,14 @@ void settings_flags(const struct settings *s, const char *path, int v[3])
 
 int settings_points(const struct settings *s, const char *path)
 {
-    const config_setting_t *const found = find(s, path, KEY_SERIES);
+    const config_setting_t *const found = settings_find(s, path, KEY_SERIES);
     return config_setting_is_list(found) ? config_setting_length(found) : 1;
 }
 
 void settings_point(const struct settings *s, const char *path, int i,
                     double *time, double *value)
 {
-    const config_setting_t *const found = find(s, path, KEY_SERIES);
+    const config_setting_t *const found = settings_find(s, path, KEY_SERIES);
     const config_setting_t *const point =
         config_setting_is_list(found)
             ? config_setting_get_elem(found, (unsigned)i)

@@ -19,7 +19,7 @@ struct array {
     int width; /* [-] numbers a cell or particle */
 };
 
-static void list_arrays(struct snapshot *s, struct array list[ARRAYS])
+static void snapshot_list_arrays(struct snapshot *s, struct array list[ARRAYS])
 {
     const struct array all[ARRAYS] = {
         {&s->eps, "eps", "-", 1},     {&s->u, "u", "m/s", 3},
@@ -34,11 +34,11 @@ static void list_arrays(struct snapshot *s, struct array list[ARRAYS])
     memcpy(list, all, sizeof all);
 }
 
-static void create(struct snapshot *s, int first, int last, int n)
+static void snapshot_allocate(struct snapshot *s, int first, int last, int n)
 {
     struct array list[ARRAYS];
 
-    list_arrays(s, list);
+    snapshot_list_arrays(s, list);
     for (int a = first; a < last; a++)
         *list[a].at = alloc_doubles(list[a].width * n);
 }
@@ -51,12 +51,13 @@ struct snapshot *snapshot_create(const struct simulation *sim)
     if (ps != NULL) {
         s->capacity = ps->capacity;
         s->id = alloc_ints(s->capacity);
-        create(s, OF_CELLS, ARRAYS, s->capacity);
+        snapshot_allocate(s, OF_CELLS, ARRAYS, s->capacity);
         if (ps->material != NULL) s->material = alloc_ints(s->capacity);
     }
     if (sim->fluid != NULL)
-        create(s, 0, sim->fluid->options.coupled ? OF_CELLS : OF_FLUID,
-               sim->mesh->n_cells);
+        snapshot_allocate(s, 0,
+                          sim->fluid->options.coupled ? OF_CELLS : OF_FLUID,
+                          sim->mesh->n_cells);
     return s;
 }
 
@@ -64,7 +65,7 @@ void snapshot_free(struct snapshot *s)
 {
     if (s == NULL) return;
     struct array list[ARRAYS];
-    list_arrays(s, list);
+    snapshot_list_arrays(s, list);
     for (int a = 0; a < ARRAYS; a++)
         free(*list[a].at);
     for (int i = 0; i < s->n_more; i++)
@@ -124,7 +125,7 @@ void snapshot_state(struct snapshot *s, const struct mesh *mesh,
 {
     struct array list[ARRAYS];
 
-    list_arrays(s, list);
+    snapshot_list_arrays(s, list);
     state_begin(state, "snapshot");
     state_real(state, "t", "s", &s->t);
     state_count(state, "count", &s->n, s->capacity);

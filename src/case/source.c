@@ -15,8 +15,8 @@ const char source_default[] = "default";
 
 /* The path of a file as libconfig names it: the case by its path, an included
  * file perhaps only by its name. The file itself if there is none. */
-static void locate(const config_t *tree, const char *name, const char *file,
-                   char path[SOURCE_TEXT])
+static void source_locate(const config_t *tree, const char *name,
+                          const char *file, char path[SOURCE_TEXT])
 {
     const char *const folder = config_get_include_dir(tree);
     const size_t n = folder != NULL ? strlen(folder) : 0;
@@ -60,7 +60,7 @@ static int wrong_syntax(const config_t *tree, const char *file)
     const char *const complaint = config_error_text(tree);
     char in[SOURCE_TEXT];
 
-    locate(tree, config_error_file(tree), file, in);
+    source_locate(tree, config_error_file(tree), file, in);
     fprintf(stderr, "winnow: %s:%d: %s%s\n", in, config_error_line(tree),
             complaint, advice(complaint));
     print_source_line(in, config_error_line(tree));
@@ -128,7 +128,7 @@ void source_place(const config_setting_t *at, char text[SOURCE_TEXT])
         }
         if (name == NULL) name = config_setting_source_file(s);
     }
-    locate(tree, name, file != NULL ? file : "the case", text);
+    source_locate(tree, name, file != NULL ? file : "the case", text);
     if (!config_setting_is_root(at) && strlen(text) < longest)
         sprintf(text + strlen(text), ":%u",
                 (unsigned)config_setting_source_line(at));
@@ -150,7 +150,7 @@ int source_wrong(const config_setting_t *at, const char *format, ...)
 }
 
 /* Appends to a text of at most SOURCE_TEXT bytes. */
-static void append(char text[SOURCE_TEXT], const char *format, ...)
+static void source_append(char text[SOURCE_TEXT], const char *format, ...)
 {
     const size_t used = strlen(text);
     va_list values;
@@ -164,23 +164,24 @@ static void append_scalar(char text[SOURCE_TEXT], const config_setting_t *s)
 {
     switch (config_setting_type(s)) {
     case CONFIG_TYPE_FLOAT:
-        append(text, "%g", config_setting_get_float(s));
+        source_append(text, "%g", config_setting_get_float(s));
         break;
     case CONFIG_TYPE_STRING:
-        append(text, "the text \"%.200s\"", config_setting_get_string(s));
+        source_append(text, "the text \"%.200s\"",
+                      config_setting_get_string(s));
         break;
     case CONFIG_TYPE_BOOL:
-        append(text, config_setting_get_bool(s) ? "true" : "false");
+        source_append(text, config_setting_get_bool(s) ? "true" : "false");
         break;
     case CONFIG_TYPE_GROUP:
-        append(text, "a group");
+        source_append(text, "a group");
         break;
     case CONFIG_TYPE_ARRAY:
     case CONFIG_TYPE_LIST:
-        append(text, "a list");
+        source_append(text, "a list");
         break;
     default:
-        append(text, "%lld", config_setting_get_int64(s));
+        source_append(text, "%lld", config_setting_get_int64(s));
     }
 }
 
@@ -192,8 +193,8 @@ void source_value(const config_setting_t *s, char text[SOURCE_TEXT])
         return;
     }
     for (int i = 0; i < config_setting_length(s) && i < 4; i++) {
-        append(text, i == 0 ? "[" : ", ");
+        source_append(text, i == 0 ? "[" : ", ");
         append_scalar(text, config_setting_get_elem(s, (unsigned)i));
     }
-    append(text, config_setting_length(s) > 4 ? ", ...]" : "]");
+    source_append(text, config_setting_length(s) > 4 ? ", ...]" : "]");
 }

@@ -120,7 +120,7 @@ static int count_substeps(const struct simulation *sim)
 }
 
 /* k of n equal parts of so many steps, rounded down. */
-static int part_of(int steps, int k, int n)
+static int coupling_part_of(int steps, int k, int n)
 {
     return (int)((long)steps * k / n);
 }
@@ -157,8 +157,8 @@ static int move_with_drag(struct simulation *sim, double *clock)
 
     transfer_begin_substeps(sim);
     for (int k = 0; k < n && !failed; k++) {
-        const int steps =
-            part_of(sim->dem_steps, k + 1, n) - part_of(sim->dem_steps, k, n);
+        const int steps = coupling_part_of(sim->dem_steps, k + 1, n) -
+                          coupling_part_of(sim->dem_steps, k, n);
         apply_held_forces(sim);
         sim->substep = sim->dt * steps / sim->dem_steps;
         effects_call(sim, EFFECTS_BEFORE_SUBSTEP);

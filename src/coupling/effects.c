@@ -41,7 +41,7 @@ void effects_call(struct simulation *sim, enum effects_stage stage)
     }
 }
 
-static void add(struct effect_tally *t, double size, double share)
+static void effects_tally_add(struct effect_tally *t, double size, double share)
 {
     t->sum += share * size;
     t->weight += share;
@@ -51,7 +51,7 @@ static void add(struct effect_tally *t, double size, double share)
 void effects_report(struct simulation *sim, const double f[3], double share)
 {
     if (sim->running_effect != NULL)
-        add(&sim->running_effect->tally, vector_length(f), share);
+        effects_tally_add(&sim->running_effect->tally, vector_length(f), share);
 }
 
 void effects_measure_scale(struct simulation *sim)
@@ -61,7 +61,8 @@ void effects_measure_scale(struct simulation *sim)
 
     for (int i = 0; i < sim->particles->n && sim->n_effects > 0; i++) {
         const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;
-        add(&sim->force_scale, fmax(drag, sim->particles->m[i] * size), 1.0);
+        effects_tally_add(&sim->force_scale,
+                          fmax(drag, sim->particles->m[i] * size), 1.0);
     }
 }
 

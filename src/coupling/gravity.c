@@ -34,7 +34,7 @@ static void gravity_before_particles(void *memory, struct simulation *sim)
     }
 }
 
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate gravity_estimate(const struct effect_scales *k)
 {
     return (struct effect_estimate){k->weight / k->force, "", 0};
 }
@@ -53,6 +53,6 @@ const struct effect gravity_effect = {
     .keys = {keys},
     .create = gravity_create,
     .before_particles = gravity_before_particles,
-    .estimate = estimate,
+    .estimate = gravity_estimate,
     .cost = {7.0, 0.0, 0.0},
 };

@@ -56,8 +56,8 @@ static void add_reaction(struct simulation *sim, int i, double V,
 
 /* Model A in the first step of BDF2: the fluid receives more than the reaction,
  * and gives the rest back. */
-static void add_rest(struct simulation *sim, int i, double V,
-                     const double gradient[3])
+static void pressure_gradient_add_rest(struct simulation *sim, int i, double V,
+                                       const double gradient[3])
 {
     double impulse[3];
 
@@ -91,14 +91,16 @@ static void pressure_gradient_before_particles(void *memory,
         if (!shared)
             add_reaction(sim, i, V, impulse);
         else if (weight != 1.0)
-            add_rest(sim, i, (weight - 1.0) * V, &self->gradient[3 * i]);
+            pressure_gradient_add_rest(sim, i, (weight - 1.0) * V,
+                                       &self->gradient[3 * i]);
     }
 }
 
 /* In a fluidized bed this force is eps_s + eps_f rho_f/rho_s of the weight, on
  * a lone particle the buoyancy. In a bed that is not fluidized the gradient is
  * that of the drag, eps_s beta w. */
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate
+pressure_gradient_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
     const double gradient = k->eps_s * k->drag / V / (1.0 - k->eps_s);
@@ -123,6 +125,6 @@ const struct effect pressure_gradient_effect = {
     .create = pressure_gradient_create,
     .before_particles = pressure_gradient_before_particles,
     .free = pressure_gradient_free,
-    .estimate = estimate,
+    .estimate = pressure_gradient_estimate,
     .cost = {16.0, 17.0, 0.0},
 };

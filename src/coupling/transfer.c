@@ -162,7 +162,7 @@ static void apply_frozen(struct simulation *sim, int i, double share)
 }
 
 /* k u_f is constant; -k v is integrated with the motion. */
-static void apply_exponential(struct simulation *sim, int i)
+static void transfer_apply_exponential(struct simulation *sim, int i)
 {
     struct particles *const ps = sim->particles;
     const double k = sim->coupling->amount[i];
@@ -189,7 +189,7 @@ void transfer_begin_substep(struct simulation *sim, int steps)
         if (frozen)
             apply_frozen(sim, i, share);
         else
-            apply_exponential(sim, i);
+            transfer_apply_exponential(sim, i);
 }
 
 /* Mean drag f = k (u - v) over the sub-step, and the corresponding mean v. */

@@ -71,7 +71,7 @@ static void set_weight(struct particles *ps, const double *m, const double g[3])
     }
 }
 
-static void slow_down(struct particles *ps, double factor)
+static void bed_settling_slow_down(struct particles *ps, double factor)
 {
     double *const all[] = {ps->vx, ps->vy, ps->vz, ps->wx, ps->wy, ps->wz};
 
@@ -138,7 +138,7 @@ static int run_to_rest(struct bed_settling *b, double least, double factor)
         r->kinetic = (r->dem.translation + r->dem.rotation) /
                      (b->weight * b->bed->diameter);
         r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= least;
-        if (factor < 1.0) slow_down(b->ps, factor);
+        if (factor < 1.0) bed_settling_slow_down(b->ps, factor);
     } while (!lost && !r->settled && r->time < b->bed->settle);
     thread_tuner_free(threads);
     return lost;

@@ -37,7 +37,8 @@ double contact_hertz_time(double E_star, double R_star, double m_star, double v)
     return 2.94327518 * delta / v;
 }
 
-static struct contact_constants constants(const struct material_pair *p)
+static struct contact_constants
+contact_hertz_constants(const struct material_pair *p)
 {
     const struct material *const i = p->of[0], *const j = p->of[1];
     const double E_star =
@@ -54,15 +55,16 @@ static struct contact_constants constants(const struct material_pair *p)
     };
 }
 
-static double duration(const struct material *m, double R_star, double m_star,
-                       double v)
+static double contact_hertz_duration(const struct material *m, double R_star,
+                                     double m_star, double v)
 {
     const double E_star =
         contact_hertz_modulus(m->young, m->poisson, m->young, m->poisson);
     return contact_hertz_time(E_star, R_star, m_star, v);
 }
 
-static double wave_time(const struct material *m, double r, double rho)
+static double contact_hertz_wave_time(const struct material *m, double r,
+                                      double rho)
 {
     const double G = m->young / (2.0 * (1.0 + m->poisson));
     return limits_rayleigh(r, rho, G, m->poisson);
@@ -86,8 +88,8 @@ const struct contact_law contact_hertz = {
     .equations = "LS 4.7-4.10",
     .function = "contact_hertz_force",
     .keys = {contact_hertz_keys},
-    .constants = constants,
-    .duration = duration,
-    .wave_time = wave_time,
+    .constants = contact_hertz_constants,
+    .duration = contact_hertz_duration,
+    .wave_time = contact_hertz_wave_time,
     .respond = contact_hertz_respond,
 };

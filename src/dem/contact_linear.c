@@ -20,7 +20,8 @@ double contact_linear_time(double k, double e, double m_star)
     return w2 > 0.0 ? M_PI / sqrt(w2) : HUGE_VAL; /* [LS 4.4] */
 }
 
-static struct contact_constants constants(const struct material_pair *p)
+static struct contact_constants
+contact_linear_constants(const struct material_pair *p)
 {
     const double ratio = p->tangential > 0.0 ? p->tangential : sticking_mass;
     return (struct contact_constants){
@@ -33,15 +34,16 @@ static struct contact_constants constants(const struct material_pair *p)
     };
 }
 
-static double duration(const struct material *m, double R_star, double m_star,
-                       double v)
+static double contact_linear_duration(const struct material *m, double R_star,
+                                      double m_star, double v)
 {
     (void)R_star, (void)v; /* the same at any speed */
     return contact_linear_time(m->stiffness, m->restitution, m_star);
 }
 
 /* A spring has no elastic solid behind it: the contact time is its only one. */
-static double wave_time(const struct material *m, double r, double rho)
+static double contact_linear_wave_time(const struct material *m, double r,
+                                       double rho)
 {
     (void)m, (void)r, (void)rho;
     return HUGE_VAL;
@@ -70,8 +72,8 @@ const struct contact_law contact_linear = {
     .equations = "LS 4.4, 4.8",
     .function = "contact_linear_force",
     .keys = {contact_linear_keys},
-    .constants = constants,
-    .duration = duration,
-    .wave_time = wave_time,
+    .constants = contact_linear_constants,
+    .duration = contact_linear_duration,
+    .wave_time = contact_linear_wave_time,
     .respond = contact_linear_respond,
 };

@@ -51,22 +51,23 @@ void link_cells_clear(struct link_cells *l, double reach)
 }
 
 /* A particle outside of a wall belongs to the cell at the wall. */
-static int coordinate(const struct link_cells *l, int k, double x)
+static int link_cells_coordinate(const struct link_cells *l, int k, double x)
 {
     const double in = box_domain_inside(&l->box, k, x) - l->box.lo[k];
     return number_clamped(in / l->width[k], 0, l->cells[k] - 1);
 }
 
-static int cell_of(const struct link_cells *l, const int c[3])
+static int link_cells_cell_of(const struct link_cells *l, const int c[3])
 {
     return (c[2] * l->cells[1] + c[1]) * l->cells[0] + c[0];
 }
 
 void link_cells_add(struct link_cells *l, int i, const double x[3])
 {
-    const int c[3] = {coordinate(l, 0, x[0]), coordinate(l, 1, x[1]),
-                      coordinate(l, 2, x[2])};
-    int *const head = &l->head[cell_of(l, c)];
+    const int c[3] = {link_cells_coordinate(l, 0, x[0]),
+                      link_cells_coordinate(l, 1, x[1]),
+                      link_cells_coordinate(l, 2, x[2])};
+    int *const head = &l->head[link_cells_cell_of(l, c)];
 
     l->next[i] = *head;
     *head = i;
@@ -74,9 +75,10 @@ void link_cells_add(struct link_cells *l, int i, const double x[3])
 
 /* The cells before, at and after that of x along one direction, each once: with
  * two cells round a period, the one before is the one after. */
-static int beside(const struct link_cells *l, int k, double x, int found[3])
+static int link_cells_beside(const struct link_cells *l, int k, double x,
+                             int found[3])
 {
-    const int m = l->cells[k], at = coordinate(l, k, x);
+    const int m = l->cells[k], at = link_cells_coordinate(l, k, x);
     int n = 0;
 
     for (int c = at - 1; c <= at + 1; c++)
@@ -93,11 +95,11 @@ int link_cells_around(const struct link_cells *l, const double x[3],
     int at[3][3], count[3], n = 0;
 
     for (int k = 0; k < 3; k++)
-        count[k] = beside(l, k, x[k], at[k]);
+        count[k] = link_cells_beside(l, k, x[k], at[k]);
     for (int a = 0; a < count[0]; a++)
         for (int b = 0; b < count[1]; b++)
             for (int c = 0; c < count[2]; c++)
-                found[n++] =
-                    cell_of(l, (const int[3]){at[0][a], at[1][b], at[2][c]});
+                found[n++] = link_cells_cell_of(
+                    l, (const int[3]){at[0][a], at[1][b], at[2][c]});
     return n;
 }

@@ -192,9 +192,9 @@ static void add_contact(struct reference *r, int i, int partner,
 }
 
 /* The damping [N] of one attraction, as attraction_damp. */
-static double damping(const struct attraction *one, const struct sphere *a,
-                      const struct sphere *b, const double x[3], double gap,
-                      double dt)
+static double reference_damping(const struct attraction *one,
+                                const struct sphere *a, const struct sphere *b,
+                                const double x[3], double gap, double dt)
 {
     double v[3], R_star = a->R, per_mass = 1.0 / a->m;
 
@@ -210,9 +210,9 @@ static double damping(const struct attraction *one, const struct sphere *a,
 
 /* The attractions of two spheres, or of a sphere and a wall (b = NULL), along
  * the line of centres; gap [m]. */
-static void add_attractions(struct reference *r, struct sphere *a,
-                            struct sphere *b, const double x[3], double gap,
-                            double dt)
+static void reference_add_attractions(struct reference *r, struct sphere *a,
+                                      struct sphere *b, const double x[3],
+                                      double gap, double dt)
 {
     const struct dem_options *const o = r->options;
     double F = 0.0;
@@ -224,7 +224,8 @@ static void add_attractions(struct reference *r, struct sphere *a,
             F += one->law->pair(one, a->material, b->material, a->R, b->R, gap);
         if (b == NULL && one->law->wall != NULL)
             F += one->law->wall(one, a->R, gap);
-        if (one->law->damping != NULL) F += damping(one, a, b, x, gap, dt);
+        if (one->law->damping != NULL)
+            F += reference_damping(one, a, b, x, gap, dt);
     }
     if (F == 0.0) return;
     for (int k = 0; k < 3; k++) {
@@ -236,7 +237,7 @@ static void add_attractions(struct reference *r, struct sphere *a,
     }
 }
 
-static void add_pair(struct reference *r, int i, int j, double dt)
+static void reference_add_pair(struct reference *r, int i, int j, double dt)
 {
     struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
     double x[3];
@@ -245,12 +246,12 @@ static void add_pair(struct reference *r, int i, int j, double dt)
         x[k] = box_domain_nearest(&r->box, k, a->x[k] - b->x[k]);
     const double gap = vector_length(x) - a->R - b->R;
     if (gap < 0.0) add_contact(r, i, j, x, dt);
-    add_attractions(r, a, b, x, gap, dt);
+    reference_add_attractions(r, a, b, x, gap, dt);
 }
 
 /* x points from the sphere behind the wall, which touches the wall, so that
  * even a particle whose centre has passed the wall is pushed back. */
-static void add_wall(struct reference *r, int i, int w, double dt)
+static void reference_add_wall(struct reference *r, int i, int w, double dt)
 {
     struct sphere *const a = &r->sphere[i];
     const double gap = box_domain_gap(&r->box, w, a->x) - a->R;
@@ -258,23 +259,23 @@ static void add_wall(struct reference *r, int i, int w, double dt)
 
     x[w / 2] = (w % 2 ? -1.0 : 1.0) * (gap + 2.0 * a->R);
     if (gap < 0.0) add_contact(r, i, -1 - w, x, dt);
-    add_attractions(r, a, NULL, x, gap, dt);
+    reference_add_attractions(r, a, NULL, x, gap, dt);
 }
 
 /* The partners of sphere i with a larger index. */
-static void add_partners(struct reference *r, int i, double dt)
+static void reference_add_partners(struct reference *r, int i, double dt)
 {
     int cell[LINK_CELLS_AROUND];
 
     if (r->cells == NULL) {
         for (int j = i + 1; j < r->n; j++)
-            add_pair(r, i, j, dt);
+            reference_add_pair(r, i, j, dt);
         return;
     }
     const int n = link_cells_around(r->cells, r->sphere[i].x, cell);
     for (int c = 0; c < n; c++)
         for (int j = r->cells->head[cell[c]]; j >= 0; j = r->cells->next[j])
-            if (j > i) add_pair(r, i, j, dt);
+            if (j > i) reference_add_pair(r, i, j, dt);
 }
 
 static void sort_into_cells(struct reference *r)
@@ -305,8 +306,8 @@ void reference_forces(struct reference *r, double dt)
     for (int i = 0; i < r->n; i++) {
         r->now.start[i] = r->now.n;
         for (int w = 0; w < 6; w++)
-            if (!r->box.periodic[w / 2]) add_wall(r, i, w, dt);
-        add_partners(r, i, dt);
+            if (!r->box.periodic[w / 2]) reference_add_wall(r, i, w, dt);
+        reference_add_partners(r, i, dt);
     }
     for (int i = r->n; i <= r->capacity; i++)
         r->now.start[i] = r->now.n;

@@ -19,7 +19,7 @@ struct run {
     int stale;            /* [-] 1: particles were changed from outside */
 };
 
-static const char *unsupported(const struct dem_options *o)
+static const char *reference_run_unsupported(const struct dem_options *o)
 {
     if (o->n_surfaces > 0) return "surfaces";
     if (o->n_prescribed > 0) return "prescribed particles";
@@ -28,7 +28,7 @@ static const char *unsupported(const struct dem_options *o)
     return NULL;
 }
 
-static int create(struct dem *dem)
+static int reference_run_create(struct dem *dem)
 {
     const struct dem_options *const o = &dem->options;
     const int capacity = dem->ps->capacity;
@@ -49,7 +49,7 @@ static int create(struct dem *dem)
     return 0;
 }
 
-static void release(struct dem *dem)
+static void reference_run_release(struct dem *dem)
 {
     struct run *const run = dem->state;
 
@@ -63,20 +63,20 @@ static void release(struct dem *dem)
     free(run);
 }
 
-static void changed(struct dem *dem)
+static void reference_run_changed(struct dem *dem)
 {
     struct run *const run = dem->state;
     run->stale = 1;
 }
 
-static void limit_overlap(struct dem *dem)
+static void reference_run_limit_overlap(struct dem *dem)
 {
     (void)dem; /* the loop reads dem->deepest */
 }
 
 /* --- particles to spheres, and back --------------------------------------- */
 
-static void load(struct reference *r, const struct particles *ps)
+static void reference_run_load(struct reference *r, const struct particles *ps)
 {
     r->n = ps->n;
     r->id = ps->id;
@@ -96,7 +96,7 @@ static void load(struct reference *r, const struct particles *ps)
     }
 }
 
-static void store(const struct reference *r, struct particles *ps)
+static void reference_run_store(const struct reference *r, struct particles *ps)
 {
     for (int i = 0; i < r->n; i++) {
         const struct sphere *const s = &r->sphere[i];
@@ -113,7 +113,8 @@ static void store(const struct reference *r, struct particles *ps)
 
 /* v += F/m dt and omega += T/I dt [LS 4.1-4.3], or with a drag -k v and an
  * added mass as in implicit_drag.h. */
-static void kick(struct reference *r, const struct particles *ps, double dt)
+static void reference_run_kick(struct reference *r, const struct particles *ps,
+                               double dt)
 {
     const int drag = ps->drag_coefficient != NULL;
 
@@ -134,7 +135,8 @@ static void kick(struct reference *r, const struct particles *ps, double dt)
 }
 
 /* x += v dt; the work of the external forces, less that of an implicit drag. */
-static void drift(struct reference *r, const struct particles *ps, double dt)
+static void reference_run_drift(struct reference *r, const struct particles *ps,
+                                double dt)
 {
     for (int i = 0; i < r->n; i++) {
         struct sphere *const s = &r->sphere[i];
@@ -148,7 +150,8 @@ static void drift(struct reference *r, const struct particles *ps, double dt)
 
 /* A particle is lost when it is wholly outside or not finite; a comparison with
  * NaN is false. */
-static int is_lost(const struct reference *r, const struct sphere *s)
+static int reference_run_is_lost(const struct reference *r,
+                                 const struct sphere *s)
 {
     for (int w = 0; w < 6; w++) {
         const double gap = box_domain_gap(&r->box, w, s->x);
@@ -164,14 +167,16 @@ static int check_lost(const struct reference *r, struct dem_report *report)
     report->lost = 0;
     report->lost_id = report->lost_through = -1;
     for (int i = 0; i < r->n; i++) {
-        if (!is_lost(r, &r->sphere[i]) || report->lost++ > 0) continue;
+        if (!reference_run_is_lost(r, &r->sphere[i]) || report->lost++ > 0)
+            continue;
         report->lost_id = r->id[i];
         memcpy(report->lost_at, r->sphere[i].x, sizeof report->lost_at);
     }
     return report->lost;
 }
 
-static int cross(const struct reference *r, int i, int j, double dt)
+static int reference_run_cross(const struct reference *r, int i, int j,
+                               double dt)
 {
     const struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
     double x[3], way[3];
@@ -194,7 +199,7 @@ static struct dem_crossing find_crossing(const struct reference *r, double dt)
     for (int i = 0; i < r->n; i++) {
         if (vector_length(r->sphere[i].v) * dt <= least) continue;
         for (int j = 0; j < r->n; j++)
-            if (j != i && cross(r, i, j, dt))
+            if (j != i && reference_run_cross(r, i, j, dt))
                 return (struct dem_crossing){1, {r->id[i], r->id[j]}};
     }
     return (struct dem_crossing){0};
@@ -211,8 +216,8 @@ static void take_steps(const struct dem *dem, struct reference *r, int steps,
     const double dt = r->options->step;
 
     for (int k = 0; k < steps; k++) {
-        kick(r, ps, k == 0 ? by->first * dt : dt);
-        drift(r, ps, dt);
+        reference_run_kick(r, ps, k == 0 ? by->first * dt : dt);
+        reference_run_drift(r, ps, dt);
         if (check_lost(r, report) > 0) return;
         report->crossing = find_crossing(r, dt);
         if (report->crossing.found) return;
@@ -222,14 +227,14 @@ static void take_steps(const struct dem *dem, struct reference *r, int steps,
         report->steps++;
         if (dem_looks(dem, k) && interrupt_arrived()) return;
     }
-    if (steps > 0) kick(r, ps, by->last * dt);
+    if (steps > 0) reference_run_kick(r, ps, by->last * dt);
 }
 
 /* --- the sums of a run ---------------------------------------------------- */
 
 /* The forces after a change of the particles; nothing is counted as released.
  */
-static void start(struct reference *r)
+static void reference_run_start(struct reference *r)
 {
     const double released = r->energy->released;
 
@@ -252,7 +257,8 @@ static double kinetic_energy(const struct reference *r,
     return sum;
 }
 
-static void measure(const struct reference *r, struct dem_report *report)
+static void reference_run_measure(const struct reference *r,
+                                  struct dem_report *report)
 {
     report->contacts = r->now.n;
     report->max_overlap = r->max_overlap;
@@ -265,7 +271,8 @@ static void measure(const struct reference *r, struct dem_report *report)
     }
 }
 
-static void run_steps(struct dem *dem, int steps, struct dem_report *report)
+static void reference_run_steps(struct dem *dem, int steps,
+                                struct dem_report *report)
 {
     struct run *const run = dem->state;
     struct reference *const r = &run->loop;
@@ -276,23 +283,24 @@ static void run_steps(struct dem *dem, int steps, struct dem_report *report)
     r->energy = e;
     r->max_overlap = 0.0;
     r->sorts = 0;
-    load(r, dem->ps);
+    reference_run_load(r, dem->ps);
     if (check_lost(r, report) == 0) {
-        if (run->stale) start(r);
+        if (run->stale) reference_run_start(r);
         run->stale = 0;
         e->kinetic = kinetic_energy(r, dem->ps);
         e->added += energy_residual(e) - before;
         take_steps(dem, r, steps, report);
         e->kinetic = kinetic_energy(r, dem->ps);
     }
-    store(r, dem->ps);
-    measure(r, report);
+    reference_run_store(r, dem->ps);
+    reference_run_measure(r, report);
     dem->motion_steps += dem->motion_on ? report->steps : 0;
 }
 
 /* --- state ------------------------------------------------------------- */
 
-static void histories_state(struct histories *t, int n_spheres, struct state *s)
+static void reference_run_histories(struct histories *t, int n_spheres,
+                                    struct state *s)
 {
     state_begin(s, "contacts");
     state_count(s, "count", &t->n, INT_MAX);
@@ -313,7 +321,7 @@ static void histories_state(struct histories *t, int n_spheres, struct state *s)
 }
 
 /* The loads of the last step act in the first half kick of the next one. */
-static void visit(struct dem *dem, struct state *s)
+static void reference_run_visit(struct dem *dem, struct state *s)
 {
     struct run *const run = dem->state;
     struct reference *const r = &run->loop;
@@ -321,7 +329,7 @@ static void visit(struct dem *dem, struct state *s)
     struct sphere *const all = r->sphere;
 
     state_whole(s, "stale", "-", &run->stale);
-    histories_state(&r->now, n, s);
+    reference_run_histories(&r->now, n, s);
     state_reals_of(s, "force", "N", all->F, sizeof *all, n, 3);
     state_reals_of(s, "torque", "N m", all->T, sizeof *all, n, 3);
 }
@@ -391,9 +399,11 @@ static void restore_histories(struct dem *dem, const struct dem_history *list,
 
 /* The two methods differ by their candidates alone (create). */
 #define REFERENCE_FUNCTIONS                                                    \
-    .unsupported = unsupported, .create = create, .free = release,             \
-    .run = run_steps, .changed = changed, .limit_overlap = limit_overlap,      \
-    .visit = visit, .histories = histories,                                    \
+    .unsupported = reference_run_unsupported, .create = reference_run_create,  \
+    .free = reference_run_release, .run = reference_run_steps,                 \
+    .changed = reference_run_changed,                                          \
+    .limit_overlap = reference_run_limit_overlap,                              \
+    .visit = reference_run_visit, .histories = histories,                      \
     .restore_histories = restore_histories
 
 const struct dem_method reference_all_pairs = {

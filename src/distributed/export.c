@@ -22,12 +22,12 @@
 #include "case/engine/refusal.h"
 #include "case/engine/words.h"
 
-static void put_line(void *to, const char *line)
+static void export_put_line(void *to, const char *line)
 {
     fprintf(to, "%s\n", line);
 }
 
-static double mean_diameter(const struct particles *ps)
+static double export_mean_diameter(const struct particles *ps)
 {
     double sum = 0.0;
 
@@ -37,12 +37,13 @@ static double mean_diameter(const struct particles *ps)
 }
 
 /* The type of a sphere; 1 where all are of one material. */
-static int type_of(const struct particles *ps, int i)
+static int export_type_of(const struct particles *ps, int i)
 {
     return ps->material != NULL ? ps->material[i] + 1 : 1;
 }
 
-static void put_data(FILE *f, const struct words *w, const struct particles *ps)
+static void export_put_data(FILE *f, const struct words *w,
+                            const struct particles *ps)
 {
     fprintf(f, "# written by winnow export\n\n%d atoms\n%d atom types\n", ps->n,
             w->materials);
@@ -52,8 +53,9 @@ static void put_data(FILE *f, const struct words *w, const struct particles *ps)
     fprintf(f, "\nAtoms # sphere: id type diameter density x y z\n\n");
     for (int i = 0; i < ps->n; i++)
         fprintf(f, "%d %d %.17g %.17g %.17g %.17g %.17g\n", ps->id[i] + 1,
-                type_of(ps, i), ps->d[i], ps->m[i] / particles_volume(ps, i),
-                ps->x[i], ps->y[i], ps->z[i]);
+                export_type_of(ps, i), ps->d[i],
+                ps->m[i] / particles_volume(ps, i), ps->x[i], ps->y[i],
+                ps->z[i]);
     fprintf(f, "\nVelocities # v, omega\n\n");
     for (int i = 0; i < ps->n; i++)
         fprintf(f, "%d %.17g %.17g %.17g %.17g %.17g %.17g\n", ps->id[i] + 1,
@@ -77,9 +79,9 @@ static void put_deck(FILE *f, const struct settings *s, const struct words *w,
           "# one run only: LAMMPS up to 2022 changes the dashpots of "
           "walls in a second one\n",
           f);
-    words_begin(w, put_line, f);
+    words_begin(w, export_put_line, f);
     fprintf(f, "read_data data.lammps\n");
-    words_contacts(w, put_line, f);
+    words_contacts(w, export_put_line, f);
     if (size > 0.0)
         fprintf(f, "fix gravity all gravity %.17g vector %.17g %.17g %.17g\n",
                 size, g[0] / size, g[1] / size, g[2] / size);
@@ -100,7 +102,7 @@ static int write_file(const char *dir, const char *name,
     char *const path = file_join(dir, name);
     struct file *const f = file_create(path);
 
-    if (f != NULL && data) put_data(file_stream(f), w, sim->particles);
+    if (f != NULL && data) export_put_data(file_stream(f), w, sim->particles);
     if (f != NULL && !data) put_deck(file_stream(f), s, w, sim->gravity);
     const int failed = f == NULL || file_commit(f) != 0;
     if (!failed) printf("%s\n", path);
@@ -114,7 +116,7 @@ static int export_case(const struct settings *s, const char *dir)
     struct simulation *const sim = build_simulation(s, &code);
 
     if (sim == NULL) return code;
-    const struct words w = words_of(s, mean_diameter(sim->particles));
+    const struct words w = words_of(s, export_mean_diameter(sim->particles));
     particle_options_gravity(s, sim->gravity);
     if (file_make_dirs(dir) != 0 ||
         write_file(dir, "data.lammps", s, &w, sim, 1) != 0 ||
@@ -124,7 +126,7 @@ static int export_case(const struct settings *s, const char *dir)
     return code;
 }
 
-static int act(const struct command_line *l)
+static int export_act(const struct command_line *l)
 {
     int code;
 
@@ -148,4 +150,4 @@ const struct command export_command = {
     "ost",
     2,
     2,
-    act};
+    export_act};

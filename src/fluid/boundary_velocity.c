@@ -15,8 +15,9 @@ static void tangential_part(const double u[3], const double S[3], double SS,
         to[k] = u[k] - through * S[k] / SS;
 }
 
-static void velocity_at(const struct fluid *fl, const struct boundary *b, int j,
-                        int f, double to[3])
+static void boundary_velocity_at(const struct fluid *fl,
+                                 const struct boundary *b, int j, int f,
+                                 double to[3])
 {
     const struct mesh *const m = fl->mesh;
     const int c = m->owner[f];
@@ -38,7 +39,7 @@ static void velocity_at(const struct fluid *fl, const struct boundary *b, int j,
 void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
 {
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
-        velocity_at(fl, b, j, f, &u_b[3 * (f - fl->mesh->n_internal)]);
+        boundary_velocity_at(fl, b, j, f, &u_b[3 * (f - fl->mesh->n_internal)]);
 }
 
 /* The mean velocity over an inlet [m/s]. A mean of the profile that is 1 within

@@ -68,7 +68,7 @@ struct largest {
     double defect, through, cfl; /* [m^3/s], [m^3/s], [-] */
 };
 
-static double larger(double a, double b)
+static double continuity_larger(double a, double b)
 {
     return b > a ? b : a;
 }
@@ -79,8 +79,9 @@ FACE_SUM_KERNEL half_size(int f, double out, const double *phi)
     return 0.5 * fabs(phi[f]);
 }
 
-static void residual_rows(int first, int last, const struct fluid *fl,
-                          struct largest *partial)
+static void continuity_residual_rows(int first, int last,
+                                     const struct fluid *fl,
+                                     struct largest *partial)
 {
     const struct mesh *const m = fl->mesh;
     const double *restrict source = fl->pressure->source, *restrict V = m->V;
@@ -96,10 +97,11 @@ static void residual_rows(int first, int last, const struct fluid *fl,
     SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow, fl->phi);
     SUM_OVER_FACES(fl->faces, first, last, through, half_size, fl->phi);
     for (int c = first; c < last; c++) {
-        l.defect = larger(l.defect, fabs(defect[c]));
-        l.through = larger(l.through, through[c] + 0.5 * fabs(source[c]));
-        l.cfl =
-            larger(l.cfl, through[c] * fl->options.dt / (fl->eps[c] * V[c]));
+        l.defect = continuity_larger(l.defect, fabs(defect[c]));
+        l.through =
+            continuity_larger(l.through, through[c] + 0.5 * fabs(source[c]));
+        l.cfl = continuity_larger(l.cfl, through[c] * fl->options.dt /
+                                             (fl->eps[c] * V[c]));
     }
     partial[parallel_ranges_of(m->n_cells, first)] = l;
 }
@@ -109,11 +111,12 @@ double continuity_residual(struct fluid *fl)
     struct largest partial[PARALLEL_RANGES_COUNT] = {{0.0, 0.0, 0.0}},
                    all = {0.0, 0.0, 0.0};
 
-    PARALLEL_RANGES(fl->mesh->n_cells, 8, residual_rows, fl, partial);
+    PARALLEL_RANGES(fl->mesh->n_cells, 8, continuity_residual_rows, fl,
+                    partial);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
-        all.defect = larger(all.defect, partial[s].defect);
-        all.through = larger(all.through, partial[s].through);
-        all.cfl = larger(all.cfl, partial[s].cfl);
+        all.defect = continuity_larger(all.defect, partial[s].defect);
+        all.through = continuity_larger(all.through, partial[s].through);
+        all.cfl = continuity_larger(all.cfl, partial[s].cfl);
     }
     fl->report.cfl = all.cfl; /* [LS 5.9, 5.10], summed over the directions */
     return all.through > 0.0 ? all.defect / all.through : 0.0;

@@ -47,8 +47,8 @@ struct momentum_sums {
     double momentum[3], residual[3];
 };
 
-static void add_momentum(int first, int last, const struct fluid *fl,
-                         const double *eps, struct momentum_sums *partial)
+static void fluid_add_momentum(int first, int last, const struct fluid *fl,
+                               const double *eps, struct momentum_sums *partial)
 {
     struct momentum_sums *const s =
         &partial[parallel_ranges_of(fl->mesh->n_cells, first)];
@@ -73,7 +73,7 @@ void fluid_momentum(const struct fluid *fl, double momentum[3])
         fl->dt_older; /* the residual is a force during the last step */
     struct momentum_sums partial[PARALLEL_RANGES_COUNT] = {{{0.0}, {0.0}}};
 
-    PARALLEL_RANGES(fl->mesh->n_cells, 8, add_momentum, fl, eps, partial);
+    PARALLEL_RANGES(fl->mesh->n_cells, 8, fluid_add_momentum, fl, eps, partial);
     for (int k = 0; k < 3; k++) {
         momentum[k] = ddt_pending(fl) * fl->momentum_gained[k];
         for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)

@@ -36,7 +36,7 @@ static void faces_state(struct fluid *fl, struct state *s)
     state_reals(s, "phi_older", "m^3/s", fl->phi_older, n, 1);
 }
 
-static void sums_state(struct fluid *fl, struct state *s)
+static void fluid_state_sums(struct fluid *fl, struct state *s)
 {
     state_reals(s, "mean_gradient", "Pa/m", fl->mean_gradient, 3, 1);
     state_reals(s, "momentum_gained", "N s", fl->momentum_gained, 3, 1);
@@ -52,6 +52,6 @@ void fluid_state(struct fluid *fl, struct state *s)
     state_real(s, "dt_older", "s", &fl->dt_older);
     cells_state(fl, s);
     faces_state(fl, s);
-    sums_state(fl, s);
+    fluid_state_sums(fl, s);
     state_end(s);
 }

@@ -181,7 +181,7 @@ static void add_slip_faces(struct fluid *fl)
     PARALLEL_RANGES(fl->mesh->n_cells, 12, slip_diagonal, fl);
 }
 
-static void add_boundaries(struct fluid *fl)
+static void momentum_add_boundaries(struct fluid *fl)
 {
     fl->report.backflow_faces = 0;
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
@@ -202,5 +202,5 @@ void momentum_assemble(struct fluid *fl)
     }
     if (fl->deferred != NULL) deferred_add_to_momentum(fl->deferred, fl);
     if (fl->immersed != NULL) fl->immersed->add_friction(fl->immersed, fl);
-    add_boundaries(fl);
+    momentum_add_boundaries(fl);
 }

@@ -19,7 +19,7 @@ struct sum {
     double gross;      /* [N s] the sum of their magnitudes */
 };
 
-static void add(struct sum *s, int k, double impulse)
+static void momentum_balance_add(struct sum *s, int k, double impulse)
 {
     s->impulse[k] += impulse;
     s->gross += fabs(impulse);
@@ -27,8 +27,10 @@ static void add(struct sum *s, int k, double impulse)
 
 /* Adds the contributions of boundary face f: convected momentum, the viscous
  * force of a wall or an inlet, and the pressure unless p_face is NULL. */
-static void add_face(const struct fluid *fl, const double *p_face,
-                     const struct boundary *b, int j, int f, struct sum *s)
+static void momentum_balance_add_face(const struct fluid *fl,
+                                      const double *p_face,
+                                      const struct boundary *b, int j, int f,
+                                      struct sum *s)
 {
     const double dt = fl->options.dt,
                  flow = fl->options.rho * fl->levels->convecting_flux[f];
@@ -40,31 +42,34 @@ static void add_face(const struct fluid *fl, const double *p_face,
 
     boundary_face_velocity(fl, b, j, f, edge);
     for (int k = 0; k < 3; k++) {
-        add(s, k, -dt * flow * edge[k]);
-        add(s, k, dt * D * (edge[k] - u[k]));
-        if (p_face != NULL) add(s, k, -dt * p_face[f] * fl->mesh->S[3 * f + k]);
+        momentum_balance_add(s, k, -dt * flow * edge[k]);
+        momentum_balance_add(s, k, dt * D * (edge[k] - u[k]));
+        if (p_face != NULL)
+            momentum_balance_add(s, k,
+                                 -dt * p_face[f] * fl->mesh->S[3 * f + k]);
     }
 }
 
-static void add_boundaries(const struct fluid *fl, const double *p_face,
-                           struct sum *s)
+static void momentum_balance_add_boundaries(const struct fluid *fl,
+                                            const double *p_face, struct sum *s)
 {
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
-        add_face(fl, p_face, b, j, f, s);
+        momentum_balance_add_face(fl, p_face, b, j, f, s);
 }
 
 void momentum_balance_of_boundaries(const struct fluid *fl, double impulse[3])
 {
     struct sum s = {{0.0, 0.0, 0.0}, 0.0};
 
-    add_boundaries(fl, NULL, &s);
+    momentum_balance_add_boundaries(fl, NULL, &s);
     for (int k = 0; k < 3; k++)
         impulse[k] = s.impulse[k];
 }
 
 /* Adds the drag, and the part of the pressure force that acts on the particles.
  */
-static void add_particles(const struct fluid *fl, struct sum *s)
+static void momentum_balance_add_particles(const struct fluid *fl,
+                                           struct sum *s)
 {
     const double dt = fl->options.dt;
 
@@ -72,8 +77,10 @@ static void add_particles(const struct fluid *fl, struct sum *s)
         for (int k = 0; k < 3; k++) {
             const int i = 3 * c + k;
             const double V = fl->mesh->V[c];
-            add(s, k, dt * V * (fl->F[i] - fl->K[c] * fl->u[i]));
-            add(s, k, dt * V * (1.0 - piso_gamma(fl, c)) * fl->grad_p[i]);
+            momentum_balance_add(s, k,
+                                 dt * V * (fl->F[i] - fl->K[c] * fl->u[i]));
+            momentum_balance_add(
+                s, k, dt * V * (1.0 - piso_gamma(fl, c)) * fl->grad_p[i]);
         }
 }
 
@@ -85,7 +92,7 @@ static void add_mean_gradient(const struct fluid *fl, struct sum *s)
         if (fl->mean_gradient[k] == 0.0) continue;
         for (int c = 0; c < fl->mesh->n_cells; c++)
             V += fl->mesh->V[c];
-        add(s, k, -fl->options.dt * V * fl->mean_gradient[k]);
+        momentum_balance_add(s, k, -fl->options.dt * V * fl->mean_gradient[k]);
     }
 }
 
@@ -122,9 +129,9 @@ double momentum_balance_residual(const struct fluid *fl, const double before[3],
     struct sum s = {{0.0, 0.0, 0.0}, 0.0};
     double after[3], worst = 0.0;
 
-    add_boundaries(fl, fl->p_face, &s);
+    momentum_balance_add_boundaries(fl, fl->p_face, &s);
     add_mean_gradient(fl, &s);
-    if (fl->options.coupled) add_particles(fl, &s);
+    if (fl->options.coupled) momentum_balance_add_particles(fl, &s);
     if (fl->immersed != NULL) add_immersed(fl->immersed, &s);
     fluid_momentum(fl, after);
     for (int k = 0; k < 3; k++) {

@@ -39,7 +39,7 @@ static void keep_worst_report(struct solve_report *worst,
 
 enum { MOST_CORRECTORS = 100 };
 
-static void correct(struct fluid *fl)
+static void piso_correct(struct fluid *fl)
 {
     keep_worst_report(&fl->report.pressure, pressure_correct(fl));
     gradient_update(fl);
@@ -68,7 +68,7 @@ static void predict_and_correct(struct fluid *fl)
             velocity_predicted_sum(fl);
         else
             velocity_neighbour_sum(fl);
-        correct(fl);
+        piso_correct(fl);
     }
 }
 
@@ -107,7 +107,7 @@ static void correct_further(struct fluid *fl)
             velocity_predicted_sum(fl);
         }
         before = fl->report.piso_residual;
-        correct(fl); /* velocity_residual has set H to its present value */
+        piso_correct(fl); /* velocity_residual has set H to its present value */
         fl->report.piso_residual = velocity_residual(fl);
         if (again) helps = fl->report.piso_residual < before;
     }

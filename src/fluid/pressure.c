@@ -174,7 +174,7 @@ void pressure_assemble(struct fluid *fl)
                            pressure->boundary_conductance);
 }
 
-FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
+FACE_KERNEL pressure_inner_flux(int f, int o, int n, struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
     const double w = fl->mesh->w[f], *const H = fl->momentum->H;
@@ -194,7 +194,7 @@ static void predicted_fluxes(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     struct pressure_system *const pressure = fl->pressure;
 
-    FOR_EACH_FACE(fl->faces, 8, inner_flux, fl);
+    FOR_EACH_FACE(fl->faces, 8, pressure_inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
     if (fl->deferred != NULL) deferred_add_to_fluxes(fl->deferred, fl);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {

@@ -16,7 +16,7 @@
 #include "fluid/pressure_system.h"
 #include "fluid/time_levels.h"
 
-static int has(const struct fluid *fl, enum boundary_kind kind)
+static int systems_has(const struct fluid *fl, enum boundary_kind kind)
 {
     for (int i = 0; i < fl->mesh->n_patches; i++)
         if (fl->options.boundaries[i].kind == kind) return 1;
@@ -67,7 +67,7 @@ enum { MOST_ARRAYS = 64 };
 /* The table of all arrays; returns their number. It does not read the mesh,
  * which may no longer exist when the arrays are freed. Of 60 lines, because it
  * has a row for each array. */
-static int list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
+static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
 {
     const struct array rows[] = {
         {&fl->u, 3, CELL, ALWAYS},
@@ -136,21 +136,21 @@ static void allocate_arrays(struct fluid *fl)
                                [COUPLED] = o->coupled,
                                [BIASED] = biased,
                                [SMOOTH] = biased && o->pressure_shared,
-                               [SLIP_WALLS] = has(fl, BOUNDARY_SLIP),
+                               [SLIP_WALLS] = systems_has(fl, BOUNDARY_SLIP),
                                [TWO_STEPS] = two_steps(o),
                                [OWN_FLUX] = ddt_uses_new_time(o)};
     struct array list[MOST_ARRAYS];
-    const int n = list_arrays(fl, list);
+    const int n = systems_list_arrays(fl, list);
 
     for (int i = 0; i < n; i++)
         if (needed[list[i].need])
             *list[i].at = alloc_doubles(list[i].per * count[list[i].place]);
 }
 
-static void free_arrays(struct fluid *fl)
+static void systems_free_arrays(struct fluid *fl)
 {
     struct array list[MOST_ARRAYS];
-    const int n = list_arrays(fl, list);
+    const int n = systems_list_arrays(fl, list);
 
     for (int i = 0; i < n; i++)
         free(*list[i].at);
@@ -167,7 +167,7 @@ static void fill_geometry(struct face_geometry *g, const struct mesh *m)
     }
 }
 
-static struct faces *faces_of(const struct mesh *m)
+static struct faces *systems_faces_of(const struct mesh *m)
 {
     struct faces *const f = alloc_zeroed(1, sizeof *f);
 
@@ -192,14 +192,14 @@ void systems_create(struct fluid *fl)
     fl->jump = alloc_zeroed(1, sizeof *fl->jump);
     fl->levels = alloc_zeroed(1, sizeof *fl->levels);
     fl->geometry = alloc_zeroed(1, sizeof *fl->geometry);
-    fl->faces = faces_of(m);
+    fl->faces = systems_faces_of(m);
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
     fl->deferred = deferred_create(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
-    fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
+    fl->pressure->pinned_cell = systems_has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     if (fl->options.shared == NULL)
         fl->pressure->matrix =
             preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
@@ -215,7 +215,7 @@ void systems_free(struct fluid *fl)
     preconditioned_free(fl->pressure->matrix);
     cg_work_free(fl->pressure->cg);
     deferred_free(fl->deferred);
-    free_arrays(fl);
+    systems_free_arrays(fl);
     faces_release(fl->faces);
     free(fl->faces);
     free(fl->momentum);

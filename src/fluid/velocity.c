@@ -30,7 +30,7 @@ static void add_slip_residual(const struct fluid *fl, double *right)
 }
 
 /* The end of a block of cells whose data fit into the first-level cache. */
-static int block_end(int first, int last)
+static int velocity_block_end(int first, int last)
 {
     return first + VEC3_BLOCK < last ? first + VEC3_BLOCK : last;
 }
@@ -65,7 +65,7 @@ static void known_rows(int first, int last, const struct fluid *fl)
     const struct momentum_system *const momentum = fl->momentum;
 
     for (int end; first < last; first = end) {
-        end = block_end(first, last);
+        end = velocity_block_end(first, last);
         add_known(first, end, fl, momentum->b + 3L * first,
                   momentum->rhs + 3L * first);
     }
@@ -101,7 +101,7 @@ static void predicted_rows(int first, int last, const struct fluid *fl,
                                                          momentum->rhs + at;
         const double *restrict u = fl->u + at, *restrict r = residual + at;
         double *restrict H = momentum->H + at, diag[3 * VEC3_BLOCK];
-        end = block_end(first, last);
+        end = velocity_block_end(first, last);
         vec3_spread(end - first, momentum->diag + first, diag);
         for (int i = 0; i < 3 * (end - first); i++)
             H[i] = b[i] - rhs[i] + r[i] + diag[i] * u[i];
@@ -152,7 +152,7 @@ static void correct_rows(int first, int last, struct fluid *fl)
         const long at = 3L * first;
         double *restrict u = fl->u + at;
         double right[3 * VEC3_BLOCK], a[3 * VEC3_BLOCK];
-        end = block_end(first, last);
+        end = velocity_block_end(first, last);
         const int n = 3 * (end - first);
         add_known(first, end, fl, momentum->H + at, right);
         vec3_spread(end - first, momentum->diag + first, a);
@@ -187,13 +187,13 @@ static void spread_rates(int first, int last, const struct time_levels *l,
     vec3_spread(last - first, rate, rate3);
 }
 
-static double larger(double a, double b)
+static double velocity_larger(double a, double b)
 {
     return b > a ? b : a;
 }
 
-static void residual_rows(int first, int last, struct fluid *fl,
-                          struct extremes *extremes)
+static void velocity_residual_rows(int first, int last, struct fluid *fl,
+                                   struct extremes *extremes)
 {
     struct momentum_system *const momentum = fl->momentum;
     struct extremes r = {0.0, 0.0, 0.0};
@@ -205,15 +205,16 @@ static void residual_rows(int first, int last, struct fluid *fl,
         double *restrict residual = momentum->residual + at;
         const double *restrict old = fl->levels->old_time_source + at;
         double right[3 * VEC3_BLOCK], a[3 * VEC3_BLOCK], rate[3 * VEC3_BLOCK];
-        end = block_end(first, last);
+        end = velocity_block_end(first, last);
         add_known(first, end, fl, momentum->H + at, right);
         vec3_spread(end - first, momentum->diag + first, a);
         spread_rates(first, end, fl->levels, rate);
         for (int i = 0; i < 3 * (end - first); i++) {
             residual[i] = right[i] - a[i] * u[i];
-            r.worst = larger(r.worst, fabs(residual[i]));
-            r.largest = larger(r.largest, fabs(a[i] * u[i]));
-            r.inertia = larger(r.inertia, fabs(rate[i] * u[i] - old[i]));
+            r.worst = velocity_larger(r.worst, fabs(residual[i]));
+            r.largest = velocity_larger(r.largest, fabs(a[i] * u[i]));
+            r.inertia =
+                velocity_larger(r.inertia, fabs(rate[i] * u[i] - old[i]));
         }
     }
     extremes[partial] = r;
@@ -226,7 +227,7 @@ double velocity_residual(struct fluid *fl)
                     all = {0.0, 0.0, 0.0};
 
     velocity_neighbour_sum(fl);
-    PARALLEL_RANGES(n, 12, residual_rows, fl, extremes);
+    PARALLEL_RANGES(n, 12, velocity_residual_rows, fl, extremes);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
         all.worst = fmax(all.worst, extremes[s].worst);
         all.largest = fmax(all.largest, extremes[s].largest);

@@ -65,7 +65,7 @@ void bicgstab_work_free(struct bicgstab_work *w)
     free(w);
 }
 
-static struct lanes spread(const struct component_sums *c)
+static struct lanes bicgstab_spread(const struct component_sums *c)
 {
     struct lanes l;
 
@@ -95,17 +95,18 @@ static void add_products(int first, int last, int n, const double *x,
         partial[parallel_ranges_of(n, first)].at[k] += dot[k];
 }
 
-static int block_end(int first, int last)
+static int bicgstab_block_end(int first, int last)
 {
     return first + BLOCK < last ? first + BLOCK : last;
 }
 
 /* p = r + beta (p - omega v), ph = p / diag; `old` is the previous p, and the
  * shadow residual in the first iteration. */
-static void update_direction_rows(int width, long i,
-                                  const struct bicgstab_work *w,
-                                  const double *old, const double *beta,
-                                  const double *omega)
+static void bicgstab_update_direction_rows(int width, long i,
+                                           const struct bicgstab_work *w,
+                                           const double *old,
+                                           const double *beta,
+                                           const double *omega)
 {
     const double *restrict r = w->r + i, *restrict v = w->v + i;
     const double *restrict inverse = w->inverse + i;
@@ -118,18 +119,19 @@ static void update_direction_rows(int width, long i,
     }
 }
 
-static void update_direction(int first, int last, const struct bicgstab_work *w,
-                             const double *old,
-                             const struct component_sums *beta,
-                             const struct component_sums *omega)
+static void bicgstab_update_direction(int first, int last,
+                                      const struct bicgstab_work *w,
+                                      const double *old,
+                                      const struct component_sums *beta,
+                                      const struct component_sums *omega)
 {
-    const struct lanes b = spread(beta), o = spread(omega);
+    const struct lanes b = bicgstab_spread(beta), o = bicgstab_spread(omega);
     long i = 3L * first;
 
     for (; i + LANES <= 3L * last; i += LANES)
-        update_direction_rows(LANES, i, w, old, b.at, o.at);
+        bicgstab_update_direction_rows(LANES, i, w, old, b.at, o.at);
     for (; i < 3L * last; i += 3)
-        update_direction_rows(3, i, w, old, b.at, o.at);
+        bicgstab_update_direction_rows(3, i, w, old, b.at, o.at);
 }
 
 /* s = r - alpha v in the place of r, sh = s / diag. */
@@ -149,11 +151,11 @@ static inline void half_rows(int width, long i, const struct bicgstab_work *w,
 static void half(int first, int last, const struct bicgstab_work *w,
                  const struct component_sums *alpha, struct products *found)
 {
-    const struct lanes a = spread(alpha);
+    const struct lanes a = bicgstab_spread(alpha);
 
     for (int end; first < last; first = end) {
         long i = 3L * first;
-        end = block_end(first, last);
+        end = bicgstab_block_end(first, last);
         for (; i + LANES <= 3L * end; i += LANES)
             half_rows(LANES, i, w, a.at);
         for (; i < 3L * end; i += 3)
@@ -178,16 +180,16 @@ static inline void move_rows(int width, long i, const struct bicgstab_work *w,
 }
 
 /* Computes all rows of a range, and r.r and shadow.r. */
-static void move(int first, int last, const struct bicgstab_work *w,
-                 const struct component_sums *alpha,
-                 const struct component_sums *omega, double *x,
-                 struct products *found)
+static void bicgstab_move(int first, int last, const struct bicgstab_work *w,
+                          const struct component_sums *alpha,
+                          const struct component_sums *omega, double *x,
+                          struct products *found)
 {
-    const struct lanes a = spread(alpha), o = spread(omega);
+    const struct lanes a = bicgstab_spread(alpha), o = bicgstab_spread(omega);
 
     for (int end; first < last; first = end) {
         long i = 3L * first;
-        end = block_end(first, last);
+        end = bicgstab_block_end(first, last);
         for (; i + LANES <= 3L * end; i += LANES)
             move_rows(LANES, i, w, a.at, o.at, x);
         for (; i < 3L * end; i += 3)
@@ -198,12 +200,13 @@ static void move(int first, int last, const struct bicgstab_work *w,
 }
 
 /* r = b - A x; sets the first shadow residual and direction, and r.r. */
-static void begin_rows(int first, int last, const struct ldu *A,
-                       const double *diag, const double *b, const double *x,
-                       const struct bicgstab_work *w, struct products *found)
+static void bicgstab_begin_rows(int first, int last, const struct ldu *A,
+                                const double *diag, const double *b,
+                                const double *x, const struct bicgstab_work *w,
+                                struct products *found)
 {
     for (int end; first < last; first = end) {
-        end = block_end(first, last);
+        end = bicgstab_block_end(first, last);
         ldu_rows(first, end, A, diag, x, w->r);
         for (long i = 3L * first; i < 3L * end; i++) {
             const double r = b[i] - w->r[i];
@@ -222,7 +225,7 @@ static void first_product(int first, int last, const struct ldu *A,
                           struct products *found)
 {
     for (int end; first < last; first = end) {
-        end = block_end(first, last);
+        end = bicgstab_block_end(first, last);
         ldu_rows(first, end, A, diag, w->ph, w->v);
         add_products(first, end, w->n, w->shadow, w->v, found->a);
     }
@@ -234,7 +237,7 @@ static void second_product(int first, int last, const struct ldu *A,
                            struct products *found)
 {
     for (int end; first < last; first = end) {
-        end = block_end(first, last);
+        end = bicgstab_block_end(first, last);
         ldu_rows(first, end, A, diag, w->sh, w->t);
         add_products(first, end, w->n, w->t, w->r, found->a);
         add_products(first, end, w->n, w->t, w->t, found->b);
@@ -250,7 +253,7 @@ struct state {
     double start; /* |r| of the worst component at begin */
 };
 
-static double worst(const struct component_sums *rr)
+static double bicgstab_worst(const struct component_sums *rr)
 {
     double most = 0.0;
 
@@ -259,14 +262,15 @@ static double worst(const struct component_sums *rr)
     return sqrt(most);
 }
 
-static void begin(const struct ldu *A, const double *diag3, const double *b3,
-                  const double *x3, struct bicgstab_work *w, struct state *s)
+static void bicgstab_begin(const struct ldu *A, const double *diag3,
+                           const double *b3, const double *x3,
+                           struct bicgstab_work *w, struct state *s)
 {
     struct products found = {0};
 
-    PARALLEL_RANGES(w->n, 12, begin_rows, A, diag3, b3, x3, w, &found);
+    PARALLEL_RANGES(w->n, 12, bicgstab_begin_rows, A, diag3, b3, x3, w, &found);
     s->rr = s->rho = total(found.a);
-    s->start = worst(&s->rr);
+    s->start = bicgstab_worst(&s->rr);
     s->old = w->shadow;
 }
 
@@ -289,8 +293,9 @@ static struct component_sums ratio(const struct component_sums *top,
 }
 
 /* Computes the next x and residual; the direction stays. */
-static void step(const struct ldu *A, const double *diag3, double *x3,
-                 double target, struct bicgstab_work *w, struct state *s)
+static void bicgstab_step(const struct ldu *A, const double *diag3, double *x3,
+                          double target, struct bicgstab_work *w,
+                          struct state *s)
 {
     struct products v = {0}, half_way = {0}, t = {0}, end = {0};
 
@@ -302,14 +307,14 @@ static void step(const struct ldu *A, const double *diag3, double *x3,
     s->omega = (struct component_sums){{0.0}};
     PARALLEL_RANGES(w->n, 3, half, w, &s->alpha, &half_way);
     s->rr = total(half_way.a);
-    if (worst(&s->rr) > target) {
+    if (bicgstab_worst(&s->rr) > target) {
         PARALLEL_RANGES(w->n, 12, second_product, A, diag3, w, &t);
 
         const struct component_sums ts = total(t.a), tt = total(t.b);
 
         s->omega = ratio(&ts, &tt, &s->rr, target);
     }
-    PARALLEL_RANGES(w->n, 3, move, w, &s->alpha, &s->omega, x3, &end);
+    PARALLEL_RANGES(w->n, 3, bicgstab_move, w, &s->alpha, &s->omega, x3, &end);
     s->rr = total(end.a);
     s->shadow_r = total(end.b);
 }
@@ -334,7 +339,8 @@ static int choose_direction(double target, struct bicgstab_work *w,
         beta.at[k] = b;
     }
     s->rho = rho;
-    PARALLEL_RANGES(w->n, 3, update_direction, w, s->old, &beta, &s->omega);
+    PARALLEL_RANGES(w->n, 3, bicgstab_update_direction, w, s->old, &beta,
+                    &s->omega);
     s->old = w->p;
     return 1;
 }
@@ -355,21 +361,22 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
         memset(w->r, 0, 3 * (size_t)w->n * sizeof *w->r);
         return report;
     }
-    begin(A, diag3, b3, x3, w, &s);
+    bicgstab_begin(A, diag3, b3, x3, w, &s);
     report.before = s.start / scale;
-    while (worst(&s.rr) > target && report.iterations < max_iterations) {
-        const double before = worst(&s.rr);
+    while (bicgstab_worst(&s.rr) > target &&
+           report.iterations < max_iterations) {
+        const double before = bicgstab_worst(&s.rr);
 
-        step(A, diag3, x3, target, w, &s);
+        bicgstab_step(A, diag3, x3, target, w, &s);
         report.iterations++;
-        if (!(worst(&s.rr) > target)) break;
+        if (!(bicgstab_worst(&s.rr) > target)) break;
         if (choose_direction(target, w, &s)) continue;
-        if (worst(&s.rr) == before)
+        if (bicgstab_worst(&s.rr) == before)
             break; /* a restart would repeat this step */
-        begin(A, diag3, b3, x3, w, &s);
+        bicgstab_begin(A, diag3, b3, x3, w, &s);
     }
-    report.after = worst(&s.rr) / scale;
-    report.converged = worst(&s.rr) <= target;
+    report.after = bicgstab_worst(&s.rr) / scale;
+    report.converged = bicgstab_worst(&s.rr) <= target;
     return report;
 }
 

@@ -37,7 +37,7 @@ void cg_work_free(struct cg_work *w)
 }
 
 /* r = b - r over a range; returns its part of r.r */
-static double subtract(int first, int last, const double *b, double *r)
+static double cg_subtract(int first, int last, const double *b, double *r)
 {
     for (int i = first; i < last; i++)
         r[i] = b[i] - r[i];
@@ -45,27 +45,27 @@ static double subtract(int first, int last, const double *b, double *r)
 }
 
 /* r = b - A x; returns r.r */
-static double residual(struct preconditioned A, const double *b,
-                       const double *x, const struct cg_work *w)
+static double cg_residual(struct preconditioned A, const double *b,
+                          const double *x, const struct cg_work *w)
 {
     double rr;
 
     A.kind->multiply(A.matrix, x, w->r);
-    PARALLEL_SUM(rr, w->n, 1, subtract, b, w->r);
+    PARALLEL_SUM(rr, w->n, 1, cg_subtract, b, w->r);
     return rr;
 }
 
 /* p = z + beta p over a range */
-static void update_direction(int first, int last, double beta, const double *z,
-                             double *p)
+static void cg_update_direction(int first, int last, double beta,
+                                const double *z, double *p)
 {
     for (int i = first; i < last; i++)
         p[i] = z[i] + beta * p[i];
 }
 
 /* x += alpha p, r -= alpha q over a range; returns its part of r.r */
-static double advance(int first, int last, double alpha, struct cg_work *w,
-                      double *x)
+static double cg_advance(int first, int last, double alpha, struct cg_work *w,
+                         double *x)
 {
     const double *const p = w->p, *const q = w->q;
     double *const r = w->r;
@@ -87,13 +87,13 @@ static double iterate(struct preconditioned A, double *x, double rr,
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
         const double rz = A.kind->apply(A.matrix, w->r, w->z);
 
-        PARALLEL_RANGES(w->n, 1, update_direction, it == 0 ? 0.0 : rz / rz_old,
-                        w->z, w->p);
+        PARALLEL_RANGES(w->n, 1, cg_update_direction,
+                        it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
 
         const double pq = A.kind->multiply(A.matrix, w->p, w->q);
 
         if (!(pq > 0.0) || !isfinite(rz / pq)) break; /* A not positive */
-        PARALLEL_SUM(rr, w->n, 1, advance, rz / pq, w, x);
+        PARALLEL_SUM(rr, w->n, 1, cg_advance, rz / pq, w, x);
         rz_old = rz;
         *iterations = it + 1;
     }
@@ -109,7 +109,7 @@ struct solve_report cg_solve(struct preconditioned A, const double *b,
     struct solve_report report = {0, 0.0, 0.0, 1};
     const double size = sqrt(reduce_dot(w->n, b, b));
     const double scale = size > 0.0 ? size : 1.0;
-    const double rr = residual(A, b, x, w);
+    const double rr = cg_residual(A, b, x, w);
     const double target =
         fmax(fmax(absolute, reduction * sqrt(rr)), sqrt(DBL_MIN));
     const double after =

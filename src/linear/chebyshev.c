@@ -30,7 +30,8 @@ static int all_terms(double z)
 
 /* Sets the coefficients; those at the end whose sum is less than tail are left
  * out. */
-static void find_coefficients(struct chebyshev *s, double z, double tail)
+static void chebyshev_find_coefficients(struct chebyshev *s, double z,
+                                        double tail)
 {
     const int terms = all_terms(z);
     double left = 0.0, sum = 0.0;
@@ -60,7 +61,7 @@ struct chebyshev *chebyshev_create(const struct csr *K, const double *V,
     s->factor = alloc_doubles(K->n);
     for (int i = 0; i < K->n; i++)
         s->factor[i] = lambda > 0.0 ? 2.0 / (lambda * V[i]) : 0.0;
-    find_coefficients(s, lambda * T, tail);
+    chebyshev_find_coefficients(s, lambda * T, tail);
     const int size = K->n * s->loop->fields(m);
     for (int j = 0; j < 2; j++)
         s->y[j] = alloc_doubles(size);
@@ -86,8 +87,9 @@ int chebyshev_products(const struct chebyshev *s)
 
 /* The k-th term in the place of the last but one: y_(k+1) = 2 (y_k - Ly) -
  * y_(k-1), Ly = (2 / lambda) L y_k; and adds it to the sum. */
-static void term(int first, int last, int m, const struct chebyshev *s, int k,
-                 const double *y, double *next)
+static void chebyshev_term(int first, int last, int m,
+                           const struct chebyshev *s, int k, const double *y,
+                           double *next)
 {
     const struct csr *const K = s->K;
 
@@ -105,7 +107,7 @@ static void term(int first, int last, int m, const struct chebyshev *s, int k,
         }
 }
 
-static void apply(struct chebyshev *s, int m, double *u)
+static void chebyshev_apply_plain(struct chebyshev *s, int m, double *u)
 {
     const size_t size = (size_t)s->K->n * (size_t)m * sizeof *u;
     double *y = s->y[0], *next = s->y[1];
@@ -114,7 +116,7 @@ static void apply(struct chebyshev *s, int m, double *u)
     for (int k = 1; k <= s->products; k++) {
         double *const newest = next;
 
-        PARALLEL_RANGES(s->K->n, 4 * m, term, m, s, k, y, next);
+        PARALLEL_RANGES(s->K->n, 4 * m, chebyshev_term, m, s, k, y, next);
         next = y;
         y = newest;
     }
@@ -126,7 +128,8 @@ static int as_many(int m)
     return m;
 }
 
-const struct chebyshev_loop chebyshev_plain = {"plain", as_many, apply};
+const struct chebyshev_loop chebyshev_plain = {"plain", as_many,
+                                               chebyshev_apply_plain};
 
 void chebyshev_apply(struct chebyshev *s, int m, double *u)
 {

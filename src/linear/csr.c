@@ -26,7 +26,7 @@ static void count_rows(struct csr *A, const int *owner, const int *neighbour)
 /* Moves the entry at e, the last of its row so far, to its place among the
  * others, which are sorted. link[e] is the link of entry e, or its complement
  * (~) if e is the lower entry of the link. */
-static void insert(struct csr *A, int *link, int first, int e)
+static void csr_insert(struct csr *A, int *link, int first, int e)
 {
     const int col = A->col[e], moved = link[e];
 
@@ -38,8 +38,8 @@ static void insert(struct csr *A, int *link, int first, int e)
     link[e] = moved;
 }
 
-static void fill_rows(struct csr *A, int *link, const int *owner,
-                      const int *neighbour)
+static void csr_fill_rows(struct csr *A, int *link, const int *owner,
+                          const int *neighbour)
 {
     int *const used = alloc_ints(A->n);
 
@@ -49,11 +49,11 @@ static void fill_rows(struct csr *A, int *link, const int *owner,
 
         A->col[e] = j;
         link[e] = l;
-        insert(A, link, A->start[i], e);
+        csr_insert(A, link, A->start[i], e);
         e = A->start[j] + used[j]++;
         A->col[e] = i;
         link[e] = ~l;
-        insert(A, link, A->start[j], e);
+        csr_insert(A, link, A->start[j], e);
     }
     free(used);
 }
@@ -75,7 +75,7 @@ struct csr *csr_create(int n, int n_links, const int *owner,
     int *const link = alloc_ints(2 * n_links);
 
     count_rows(A, owner, neighbour);
-    fill_rows(A, link, owner, neighbour);
+    csr_fill_rows(A, link, owner, neighbour);
     for (int e = 0; e < 2 * n_links; e++)
         if (link[e] >= 0)
             A->upper[link[e]] = e;
@@ -110,8 +110,8 @@ void csr_set_diffusion(struct csr *A, const double *g, const double *sums)
     }
 }
 
-static void rows(int first, int last, const struct csr *A, const double *x,
-                 double *y)
+static void csr_rows(int first, int last, const struct csr *A, const double *x,
+                     double *y)
 {
     for (int i = first; i < last; i++) {
         double sum = A->diag[i] * x[i];
@@ -124,7 +124,7 @@ static void rows(int first, int last, const struct csr *A, const double *x,
 
 void csr_multiply(const struct csr *A, const double *x, double *y)
 {
-    PARALLEL_RANGES(A->n, 4, rows, A, x, y);
+    PARALLEL_RANGES(A->n, 4, csr_rows, A, x, y);
 }
 
 /* Computes rows for `width` fields from the k-th of m on. The diagonal has one

@@ -31,7 +31,7 @@ void ldu_free(struct ldu *A)
     free(A);
 }
 
-static void fill_rows(int first, int last, struct ldu *A)
+static void ldu_fill_rows(int first, int last, struct ldu *A)
 {
     const struct csr *const R = A->rows;
 
@@ -43,7 +43,7 @@ static void fill_rows(int first, int last, struct ldu *A)
 
 void ldu_update(struct ldu *A)
 {
-    if (A->rows != NULL) PARALLEL_RANGES(A->n_links, 2, fill_rows, A);
+    if (A->rows != NULL) PARALLEL_RANGES(A->n_links, 2, ldu_fill_rows, A);
 }
 
 /* The entries of the rows of a piece, which are contiguous. */

@@ -30,8 +30,10 @@ void preconditioned_set(struct preconditioned A, const double *g,
     A.kind->set(A.matrix, g, sums);
 }
 
-static void *create(int n, int n_links, const int *owner, const int *neighbour,
-                    const double *strength, const double *link, const double *V)
+static void *preconditioned_jacobi_create(int n, int n_links, const int *owner,
+                                          const int *neighbour,
+                                          const double *strength,
+                                          const double *link, const double *V)
 {
     (void)strength;
     (void)link;
@@ -39,17 +41,19 @@ static void *create(int n, int n_links, const int *owner, const int *neighbour,
     return csr_create(n, n_links, owner, neighbour);
 }
 
-static void release(void *matrix)
+static void preconditioned_jacobi_free(void *matrix)
 {
     csr_free(matrix);
 }
 
-static void set(void *matrix, const double *g, const double *sums)
+static void preconditioned_jacobi_set(void *matrix, const double *g,
+                                      const double *sums)
 {
     csr_set_diffusion(matrix, g, sums);
 }
 
-static double multiply(const void *matrix, const double *x, double *y)
+static double preconditioned_jacobi_multiply(const void *matrix,
+                                             const double *x, double *y)
 {
     const struct csr *const A = matrix;
 
@@ -58,28 +62,30 @@ static double multiply(const void *matrix, const double *x, double *y)
 }
 
 /* z = D^-1 r over a range; returns its part of r.z. */
-static double divide(int first, int last, const double *diag, const double *r,
-                     double *z)
+static double preconditioned_jacobi_divide(int first, int last,
+                                           const double *diag, const double *r,
+                                           double *z)
 {
     for (int i = first; i < last; i++)
         z[i] = r[i] / diag[i];
     return reduce_range(first, last, r, z);
 }
 
-static double apply(void *matrix, const double *r, double *z)
+static double preconditioned_jacobi_apply(void *matrix, const double *r,
+                                          double *z)
 {
     const struct csr *const A = matrix;
     double rz;
 
-    PARALLEL_SUM(rz, A->n, 1, divide, A->diag, r, z);
+    PARALLEL_SUM(rz, A->n, 1, preconditioned_jacobi_divide, A->diag, r, z);
     return rz;
 }
 
 const struct preconditioned_kind preconditioned_jacobi = {
     .name = "jacobi",
-    .create = create,
-    .free = release,
-    .set = set,
-    .multiply = multiply,
-    .apply = apply,
+    .create = preconditioned_jacobi_create,
+    .free = preconditioned_jacobi_free,
+    .set = preconditioned_jacobi_set,
+    .multiply = preconditioned_jacobi_multiply,
+    .apply = preconditioned_jacobi_apply,
 };

@@ -103,7 +103,7 @@ static int faces_across(struct mesh *m, int f, int k, int periodic)
     return f;
 }
 
-static void inner_faces(struct mesh *m)
+static void box_inner_faces(struct mesh *m)
 {
     const struct box *const b = &m->box;
     int f = 0;
@@ -117,7 +117,7 @@ static void inner_faces(struct mesh *m)
 
 /* Sets the faces of the lower (side 0) or upper (1) end of direction k,
  * numbered from `first` on; returns the next number. */
-static int end_faces(struct mesh *m, int first, int k, int side)
+static int box_end_faces(struct mesh *m, int first, int k, int side)
 {
     const struct box *const b = &m->box;
     const int k1 = k == 0 ? 1 : 0, k2 = k == 2 ? 1 : 2;
@@ -141,7 +141,7 @@ static void boundary_faces(struct mesh *m)
     for (int k = 0; k < 3; k++)
         for (int side = 0; side < 2 && !m->box.periodic[k]; side++, p++) {
             assert(f == m->patches[p].first);
-            f = end_faces(m, f, k, side);
+            f = box_end_faces(m, f, k, side);
         }
     assert(f == m->n_faces);
 }
@@ -195,7 +195,7 @@ struct mesh *mesh_create_box(const struct box_spec *spec)
     assert(m->n_faces <= MESH_MOST_FACES);
     mesh_allocate(m);
     place_cells(m);
-    inner_faces(m);
+    box_inner_faces(m);
     boundary_faces(m);
     mesh_collect_faces(m);
     return m;

@@ -140,7 +140,7 @@ void mesh_allocate(struct mesh *m)
 }
 
 /* 1 if a component of a is larger than `part` times the length of b. */
-static int larger(const double a[3], double part, const double b[3])
+static int mesh_larger(const double a[3], double part, const double b[3])
 {
     const double limit = part * part * vector_dot(b, b);
 
@@ -172,7 +172,7 @@ void mesh_collect_faces(struct mesh *m)
     for (int f = 0; f < m->n_internal; f++) {
         double oblique[3];
         mesh_oblique_part(m, f, oblique);
-        if (larger(oblique, 1e-10, &m->S[3 * f])) m->oblique = 1;
+        if (mesh_larger(oblique, 1e-10, &m->S[3 * f])) m->oblique = 1;
     }
     for (int f = 0; f < m->n_faces && m->face_centre != NULL; f++) {
         double off[3];
@@ -203,5 +203,5 @@ void mesh_off_middle(const struct mesh *m, int f, double off[3])
 int mesh_misses_middle(const struct mesh *m, int f, double off[3])
 {
     mesh_off_middle(m, f, off);
-    return larger(off, 1e-6, &m->d[3 * f]);
+    return mesh_larger(off, 1e-6, &m->d[3 * f]);
 }

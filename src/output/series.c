@@ -77,7 +77,7 @@ void series_free(struct series *s)
     free(s);
 }
 
-static void append(struct series *s, double time)
+static void series_append(struct series *s, double time)
 {
     if (s->n == s->capacity) {
         s->capacity *= 2;
@@ -130,7 +130,7 @@ int series_add(struct series *s, double time)
                 time);
         return 1;
     }
-    append(s, time);
+    series_append(s, time);
     return write_collection(s);
 }
 
@@ -157,7 +157,7 @@ void series_state(struct series *s, struct state *state)
     state_begin(state, s->name);
     state_count(state, "files", &n, INT_MAX);
     while (state->loading && !state->failed && s->n < n)
-        append(s, 0.0);
+        series_append(s, 0.0);
     state_reals(state, "time", "s", s->time, n, 1);
     state_end(state);
     if (!state->loading || state->failed || n == 0) return;

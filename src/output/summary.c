@@ -33,7 +33,7 @@ static int character_length(const char *p)
 
 /* Writes the text in quotes. Bytes that are not UTF-8, as in a title in another
  * encoding, become the sign for an unknown character. */
-static void put_text(FILE *out, const char *text)
+static void summary_put_text(FILE *out, const char *text)
 {
     fputc('"', out);
     for (const char *p = text; *p;) {
@@ -64,7 +64,7 @@ static FILE *put_key(struct summary *s, const char *key)
     if (!s->first) fputc(',', s->out);
     s->first = 0;
     put_line_start(s);
-    put_text(s->out, key);
+    summary_put_text(s->out, key);
     fputs(": ", s->out);
     return s->out;
 }
@@ -103,7 +103,7 @@ void summary_truth(struct summary *s, const char *key, int value)
 
 void summary_text(struct summary *s, const char *key, const char *value)
 {
-    if (s) put_text(put_key(s, key), value);
+    if (s) summary_put_text(put_key(s, key), value);
 }
 
 void summary_begin(struct summary *s, const char *key)

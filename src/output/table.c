@@ -21,13 +21,13 @@ struct table {
     char *row;    /* buffer for the text of one row */
 };
 
-static int report_failure(const char *what, const char *path)
+static int table_report_failure(const char *what, const char *path)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));
     return 1;
 }
 
-static void put_head(FILE *out, int n, const char *const *names)
+static void table_put_head(FILE *out, int n, const char *const *names)
 {
     for (int i = 0; i < n; i++) {
         text_put(out, names[i], TEXT_CSV);
@@ -62,7 +62,7 @@ int table_write(const char *path, int n_columns, const char *const *names,
 
     if (f == NULL) return 1;
     char *const text = alloc_zeroed(row_size(n_columns), 1);
-    put_head(file_stream(f), n_columns, names);
+    table_put_head(file_stream(f), n_columns, names);
     for (int i = 0; i < n_rows; i++) {
         const double *const row = values + (size_t)i * (size_t)n_columns;
         fwrite(text, 1, row_text(n_columns, row, text), file_stream(f));
@@ -72,12 +72,12 @@ int table_write(const char *path, int n_columns, const char *const *names,
 }
 
 /* The table in an open file, positioned after its last row. */
-static struct table *opened(const char *path, int n_columns)
+static struct table *table_opened(const char *path, int n_columns)
 {
     const int file = open(path, O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
 
     if (file < 0) {
-        report_failure("write", path);
+        table_report_failure("write", path);
         return NULL;
     }
     struct table *const t = alloc_zeroed(1, sizeof *t);
@@ -93,7 +93,7 @@ struct table *table_create(const char *path, int n_columns,
                            const char *const *names)
 {
     if (table_write(path, n_columns, names, 0, NULL) != 0) return NULL;
-    return opened(path, n_columns);
+    return table_opened(path, n_columns);
 }
 
 /* The expected head line, as a new string. */
@@ -104,7 +104,7 @@ static char *head_text(int n, const char *const *names)
     FILE *const out = open_memstream(&text, &length);
 
     if (out == NULL) return strcpy(alloc_zeroed(1, 1), "");
-    put_head(out, n, names);
+    table_put_head(out, n, names);
     fclose(out);
     return text;
 }
@@ -116,7 +116,7 @@ static int head_wrong(const char *path, const char *head)
     char *line = NULL;
     size_t size = 0;
 
-    if (in == NULL) return report_failure("read", path);
+    if (in == NULL) return table_report_failure("read", path);
     const int differs =
         getline(&line, &size, in) < 0 || strcmp(line, head) != 0;
     if (differs)
@@ -133,7 +133,7 @@ struct table *table_open(const char *path, int n_columns,
     const int wrong = head_wrong(path, head);
 
     free(head);
-    return wrong ? NULL : opened(path, n_columns);
+    return wrong ? NULL : table_opened(path, n_columns);
 }
 
 void table_state(struct table *t, struct state *s)
@@ -141,7 +141,7 @@ void table_state(struct table *t, struct state *s)
     long length = (long)t->length;
 
     if (!s->loading && fsync(t->file) != 0)
-        s->failed = report_failure("write", t->path);
+        s->failed = table_report_failure("write", t->path);
     state_long(s, "bytes", "-", &length);
     if (!s->loading || s->failed) return;
     if (length > (long)t->length) {
@@ -151,7 +151,7 @@ void table_state(struct table *t, struct state *s)
                 t->path, (long)t->length, length);
         s->failed = 1;
     } else if (ftruncate(t->file, (off_t)length) != 0)
-        s->failed = report_failure("cut", t->path);
+        s->failed = table_report_failure("cut", t->path);
     t->length = (off_t)length;
 }
 
@@ -176,8 +176,8 @@ int table_add(struct table *t, const double *row)
     }
     if (errno == 0)
         errno = ENOSPC; /* a part was written before the disk was full */
-    report_failure("write", t->path);
+    table_report_failure("write", t->path);
     if (written > 0 && ftruncate(t->file, t->length) != 0)
-        report_failure("remove half a row from", t->path);
+        table_report_failure("remove half a row from", t->path);
     return 1;
 }

@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <string.h>
 
-static int is_real(const struct vtk_array *a)
+static int vtk_array_is_real(const struct vtk_array *a)
 {
     return a->values != NULL || a->split[0] != NULL;
 }
@@ -12,14 +12,14 @@ static int is_real(const struct vtk_array *a)
 const char *vtk_array_type(const struct vtk_array *a)
 {
     if (a->bytes != NULL) return "UInt8";
-    if (!is_real(a)) return "Int32";
+    if (!vtk_array_is_real(a)) return "Int32";
     return a->single ? "Float32" : "Float64";
 }
 
 size_t vtk_array_width(const struct vtk_array *a)
 {
     if (a->bytes != NULL) return 1;
-    return is_real(a) && !a->single ? 8 : 4;
+    return vtk_array_is_real(a) && !a->single ? 8 : 4;
 }
 
 /* Number v of the array: component v % components of point v / components. */
@@ -46,7 +46,7 @@ void vtk_array_copy(const struct vtk_array *a, size_t first, size_t n,
     assert(a->values != NULL || a->split[0] == NULL || a->components <= 3);
     if (a->bytes != NULL)
         memcpy(bytes, a->bytes + first, n);
-    else if (!is_real(a))
+    else if (!vtk_array_is_real(a))
         copy_whole(a, first, n, bytes);
     else if (a->single)
         for (size_t v = 0; v < n; v++)

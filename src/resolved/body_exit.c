@@ -18,7 +18,7 @@ static int is_outlet(const struct fluid *fl, const char *side)
 }
 
 /* The largest extent of a body [m]. */
-static double widest(const struct solid_bodies *b)
+static double body_exit_widest(const struct solid_bodies *b)
 {
     double most = 0.0;
 
@@ -41,7 +41,7 @@ struct body_exit *body_exit_create(struct solid_bodies *b,
 
     memcpy(e->lo, b->contacts.lo, sizeof e->lo);
     memcpy(e->hi, b->contacts.hi, sizeof e->hi);
-    e->way = 4.0 * widest(b);
+    e->way = 4.0 * body_exit_widest(b);
     for (int w = 0; w < 6 && b->moves; w++) {
         e->open[w] = is_outlet(fl, mesh_sides[w]);
         any |= e->open[w];
@@ -65,7 +65,7 @@ void body_exit_free(struct body_exit *e)
 }
 
 /* How far the whole body is beyond side w [m]. */
-static double beyond(const struct solid_bodies *b, int i, int w)
+static double body_exit_beyond(const struct solid_bodies *b, int i, int w)
 {
     const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
     double extent[3];
@@ -107,10 +107,10 @@ static void take_out(struct solid_bodies *b, int i, int w)
 }
 
 /* One that reaches out without moving out is free still: it may have turned. */
-static void look_at(struct solid_bodies *b, int i, int w)
+static void body_exit_look_at(struct solid_bodies *b, int i, int w)
 {
     const double v[3] = {b->ps->vx[i], b->ps->vy[i], b->ps->vz[i]};
-    const double out = beyond(b, i, w);
+    const double out = body_exit_beyond(b, i, w);
     double extent[3];
 
     body_shape_extent(&b->shape[i], extent);
@@ -124,7 +124,7 @@ void body_exit_look(struct solid_bodies *b)
 {
     for (int i = 0; i < b->ps->n; i++)
         for (int w = 0; w < 6; w++)
-            if (b->exit->open[w]) look_at(b, i, w);
+            if (b->exit->open[w]) body_exit_look_at(b, i, w);
 }
 
 void body_exit_state(struct solid_bodies *b, struct state *s)

@@ -124,7 +124,7 @@ static void add_to_spin(struct solid_bodies *b, int i, double gained[3])
 /* [EW18 3]: the spin by the torque of the fluid [EW18 16]. Contacts follow,
  * with the inertia of the solid alone; what they change is not delayed by C_v.
  */
-static void turn(struct solid_bodies *b, int i, double dt)
+static void body_motion_turn(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
     const double C_v = b->C_spin[i], per_mass = gyration(b, i);
@@ -181,7 +181,7 @@ static void clear(struct solid_bodies *b)
 }
 
 /* Without contacts: on as prescribed. Non-zero if a centre leaves the box. */
-static int drift(struct solid_bodies *b, double dt)
+static int body_motion_drift(struct solid_bodies *b, double dt)
 {
     const struct dem_options *const o = &b->contacts;
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
@@ -228,7 +228,7 @@ static int move_once(struct solid_bodies *b, double step)
     struct dem_report one;
 
     pull_springs(b, step);
-    if (b->dem == NULL) return drift(b, step);
+    if (b->dem == NULL) return body_motion_drift(b, step);
     const double deepest = b->dem_report.max_overlap;
     const int failed = dem_run(b->dem, 1, &one);
     b->dem_report = one;
@@ -238,11 +238,12 @@ static int move_once(struct solid_bodies *b, double step)
 }
 
 /* Contacts and lubrication act in each particle step. The report is of all. */
-static int run_steps(struct solid_bodies *b, int n, double step)
+static int body_motion_run_steps(struct solid_bodies *b, int n, double step)
 {
     int failed = 0;
 
-    if (b->dem == NULL && b->springs == 0) return drift(b, n * step);
+    if (b->dem == NULL && b->springs == 0)
+        return body_motion_drift(b, n * step);
     if (b->dem != NULL && b->springs == 0 && b->blocks == 0 &&
         b->lubrication.reach == 0.0)
         return dem_run(b->dem, n, &b->dem_report);
@@ -265,7 +266,7 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
     const double most = b->options.max_overlap;
 
     if (b->met || b->seal.inlet || b->seal.pushes) return 1;
-    const int failed = run_steps(b, n, step);
+    const int failed = body_motion_run_steps(b, n, step);
     b->deepest = fmax(b->deepest, b->dem_report.max_overlap);
     return failed || (most > 0.0 && b->deepest > most);
 }
@@ -290,7 +291,7 @@ void body_motion_set_forces(struct solid_bodies *b, double dt)
         if (b->shape[i].kind == BODY_OUTLINE)
             turn_outline(b, i, dt);
         else
-            turn(b, i, dt);
+            body_motion_turn(b, i, dt);
     }
     clear(b);
 }

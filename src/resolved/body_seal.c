@@ -117,7 +117,7 @@ static int flows_in(const struct boundary *p)
 }
 
 /* All cells of the part that begins at one, in `part`; returns their number. */
-static int fill(struct search *s, int first, int *part)
+static int body_seal_fill(struct search *s, int first, int *part)
 {
     const struct mesh *const m = s->fl->mesh;
     int *const of = s->b->body_of, n = 0;
@@ -197,7 +197,7 @@ struct body_seal body_seal_find(struct solid_bodies *b, const struct fluid *fl)
     for (int c = 0; c < fl->mesh->n_cells; c++) {
         if (of[c] != OPEN) continue;
         s.inlets = s.outlets = 0;
-        n += fill(&s, c, &part[n]);
+        n += body_seal_fill(&s, c, &part[n]);
         judge(&s);
     }
     for (int e = 0; e < n; e++)

@@ -44,7 +44,7 @@ struct body_shape body_shape_outline(struct body_outline *outline)
 
 /* How far a point is beyond each of n pairs of parallel or round sides makes
  * its distance from all of them: inside the nearest one counts. */
-static double beyond(int n, const double q[])
+static double body_shape_beyond(int n, const double q[])
 {
     double outside = 0.0, nearest = -HUGE_VAL;
 
@@ -59,7 +59,7 @@ static double distance_of_box(const double half[3], const double r[3])
 {
     const double q[3] = {fabs(r[0]) - half[0], fabs(r[1]) - half[1],
                          fabs(r[2]) - half[2]};
-    return beyond(3, q);
+    return body_shape_beyond(3, q);
 }
 
 static double distance_of_cylinder(const struct body_shape *c,
@@ -71,7 +71,7 @@ static double distance_of_cylinder(const struct body_shape *c,
     vector_along(r, -along, c->axis, across);
     const double q[2] = {vector_length(across) - c->half[0],
                          fabs(along) - c->half[1]};
-    return beyond(2, q);
+    return body_shape_beyond(2, q);
 }
 
 /* y = Q^T r, in the frame of the body. */

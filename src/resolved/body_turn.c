@@ -6,7 +6,7 @@
 #include "base/vector.h"
 
 /* Q of the quaternion s + v. */
-static void set_rotation(const double q[4], double Q[3][3])
+static void body_turn_set_rotation(const double q[4], double Q[3][3])
 {
     const double s = q[0], *const v = &q[1];
     const double cross[3][3] = {
@@ -19,7 +19,7 @@ static void set_rotation(const double q[4], double Q[3][3])
 }
 
 /* q becomes the rotation by omega dt after q, of length 1. */
-static void advance(double q[4], const double w[3], double dt)
+static void body_turn_step(double q[4], const double w[3], double dt)
 {
     const double rate = vector_length(w), half = 0.5 * rate * dt;
     const double c = cos(half), per = sin(half) / rate;
@@ -46,7 +46,7 @@ void body_turn_begin(struct solid_bodies *b)
 void body_turn_load(struct solid_bodies *b)
 {
     for (int i = 0; i < b->ps->n; i++)
-        set_rotation(&b->turn[4 * i], b->shape[i].turn);
+        body_turn_set_rotation(&b->turn[4 * i], b->shape[i].turn);
 }
 
 void body_turn_advance(struct solid_bodies *b, double dt)
@@ -57,8 +57,8 @@ void body_turn_advance(struct solid_bodies *b, double dt)
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
         if (b->shape[i].kind != BODY_OUTLINE || !(vector_dot(w, w) > 0.0))
             continue;
-        advance(&b->turn[4 * i], w, dt);
-        set_rotation(&b->turn[4 * i], b->shape[i].turn);
+        body_turn_step(&b->turn[4 * i], w, dt);
+        body_turn_set_rotation(&b->turn[4 * i], b->shape[i].turn);
     }
 }
 

@@ -32,7 +32,7 @@ static struct solid_bodies *bodies_of(struct immersed *self)
 /* The multiplier of [EW18 1] is hold (u - u_b)/rho, and u - u_b is 1/C of what
  * presses on it [EW18 4]. The explicit part, hold u_b, is no force of the
  * neighbours and stays out of H: it stands with the old-time terms. */
-static void begin(struct immersed *self, struct fluid *fl)
+static void hold_begin(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = bodies_of(self);
     double *const source = fl->levels->old_time_source;
@@ -164,7 +164,7 @@ static double largest_term(const struct immersed *self, const struct fluid *fl)
     return largest;
 }
 
-static void end(struct immersed *self, struct fluid *fl)
+static void hold_end(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = bodies_of(self);
 
@@ -177,12 +177,12 @@ static void end(struct immersed *self, struct fluid *fl)
 
 void hold_fluid(struct solid_bodies *b)
 {
-    b->hooks = (struct immersed){.begin = begin,
+    b->hooks = (struct immersed){.begin = hold_begin,
                                  .add_friction = add_friction,
                                  .change_faces = change_faces,
                                  .smooth_forces = smooth_forces,
                                  .largest_term = largest_term,
-                                 .end = end};
+                                 .end = hold_end};
 }
 
 const struct body_method hold_method = {

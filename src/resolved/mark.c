@@ -54,7 +54,7 @@ static double friction_outside(const struct fluid *fl,
     return sum > 0.0 ? fmin(sum / s, friction_inside(fl, c)) : 0.0;
 }
 
-static void make_room(struct solid_bodies *b)
+static void mark_make_room(struct solid_bodies *b)
 {
     if (b->n_links < b->capacity) return;
     b->capacity = 2 * b->capacity + 1024;
@@ -73,7 +73,7 @@ static void add_link(struct solid_bodies *b, int i, int cell, double hold,
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
     double turn[3];
 
-    make_room(b);
+    mark_make_room(b);
     vector_cross(w, r, turn);
     b->link[b->n_links++] = (struct hold_link){
         .cell = cell,
@@ -106,8 +106,8 @@ static int approaches_wall(const struct solid_bodies *b, int i,
 
 /* 1 if body i squeezes the fluid out of the cell, which is its own, against a
  * wall or a body that moves otherwise. */
-static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
-                  int i)
+static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
+                       int c, int i)
 {
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
@@ -129,7 +129,7 @@ struct marking {
     const struct fluid *fl;
 };
 
-static int touch(const struct solid_bodies *b, int i, int j)
+static int mark_touch(const struct solid_bodies *b, int i, int j)
 {
     return b->options.others != NULL && b->options.others->touch(b, i, j);
 }
@@ -146,7 +146,7 @@ static void assign_cell(void *by, int i, int c, const double r[3], double s)
     const int j = b->body_of[c] - 1;
     if (b->springs > 0 && j >= 0 && j != i &&
         (b->motion[i] == BODY_SPRING || b->motion[j] == BODY_SPRING))
-        b->met |= !touch(b, i, j);
+        b->met |= !mark_touch(b, i, j);
     b->body_of[c] = i + 1;
 }
 
@@ -172,7 +172,7 @@ static void hold_cell(void *by, int i, int c, const double r[3], double s)
     } else if (s > 0.0) {
         const double hold = friction_outside(fl, &b->shape[i], c, r, s);
         if (hold > 0.0) add_link(b, i, c, hold, r);
-    } else if (!is_gap(b, fl->mesh, c, i))
+    } else if (!mark_is_gap(b, fl->mesh, c, i))
         add_link(b, i, c, friction_inside(fl, c), r);
     else
         b->body_of[c] = -abs(b->body_of[c]);

@@ -40,12 +40,13 @@ double squeeze_film_velocity(const struct squeeze_film *l, double R_star,
 }
 
 /* Mass with what is added to it [kg]. */
-static double mass_of(const struct particles *ps, int i)
+static double squeeze_film_mass_of(const struct particles *ps, int i)
 {
     return ps->m[i] + ps->added_mass[i];
 }
 
-static void push(struct particles *ps, int i, double speed, const double n[3])
+static void squeeze_film_push(struct particles *ps, int i, double speed,
+                              const double n[3])
 {
     ps->vx[i] += speed * n[0];
     ps->vy[i] += speed * n[1];
@@ -67,14 +68,15 @@ static void act_between(struct solid_bodies *b, const struct box_domain *box,
     if (z <= 0.0 || z >= b->lubrication.reach) return;
     for (int k = 0; k < 3; k++)
         n[k] /= r;
-    const double m_i = mass_of(ps, i), m_j = mass_of(ps, j);
+    const double m_i = squeeze_film_mass_of(ps, i),
+                 m_j = squeeze_film_mass_of(ps, j);
     const double m = 1.0 / (1.0 / m_i + 1.0 / m_j), g = vector_dot(v, n);
     const double J =
         m * (squeeze_film_velocity(&b->lubrication, R_i * R_j / (R_i + R_j), m,
                                    z, g, dt) -
              g);
-    push(ps, i, J / m_i, n);
-    push(ps, j, -J / m_j, n);
+    squeeze_film_push(ps, i, J / m_i, n);
+    squeeze_film_push(ps, j, -J / m_j, n);
 }
 
 static void act_at_walls(struct solid_bodies *b, const struct box_domain *box,
@@ -89,9 +91,9 @@ static void act_at_walls(struct solid_bodies *b, const struct box_domain *box,
         const int k = w / 2;
         const double sign = w % 2 ? -1.0 : 1.0;
         if (box->periodic[k]) continue;
-        *v[k] = sign * squeeze_film_velocity(&b->lubrication, R, mass_of(ps, i),
-                                             box_domain_gap(box, w, x) - R,
-                                             sign * *v[k], dt);
+        *v[k] = sign * squeeze_film_velocity(
+                           &b->lubrication, R, squeeze_film_mass_of(ps, i),
+                           box_domain_gap(box, w, x) - R, sign * *v[k], dt);
     }
 }
 

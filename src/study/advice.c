@@ -122,7 +122,8 @@ static const char *unit(const struct plan *p)
 }
 
 /* "0.42 s, error 0.8 %, fluid.step=1e-3". */
-static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
+static void advice_put_variant(const struct outcomes *o, int v, int m,
+                               FILE *out)
 {
     const struct finding *const f = &o->variant[v].of[m];
     char text[NUMBER_LENGTH];
@@ -170,7 +171,7 @@ static void put_limits(const struct outcomes *o, int m, FILE *out)
 
         fprintf(out, "- for %g %%: ", 100.0 * limits[i]);
         if (v >= 0)
-            put_variant(o, v, m, out);
+            advice_put_variant(o, v, m, out);
         else
             fputs("none of these is surely within it", out);
         fputc('\n', out);
@@ -191,7 +192,7 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
 
     if (v < 0 || !isfinite(o->variant[v].cost)) return;
     fputs("- the case as it stands: ", out);
-    put_variant(o, v, m, out);
+    advice_put_variant(o, v, m, out);
     fputc('\n', out);
     if (!isfinite(o->variant[v].of[m].error)) return;
     for (int i = 0, told = v; i < 3; i++) {
@@ -199,7 +200,7 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
         if (other < 0 || other == told || !is_better(o, m, other, v)) continue;
         told = other;
         fprintf(out, "- %s", share[i].words);
-        put_variant(o, other, m, out);
+        advice_put_variant(o, other, m, out);
         if (outcome_is_chance(&o->variant[v].of[m], &o->variant[other].of[m]))
             fputs(", no difference that can be told", out);
         fputc('\n', out);

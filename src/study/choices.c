@@ -43,7 +43,8 @@ static void add_trimmed(struct texts *t, const char *text, size_t length)
 }
 
 /* Adds the parts between separators. What is wrong, or NULL. */
-static const char *split(const char *text, char separator, struct texts *parts)
+static const char *choices_split(const char *text, char separator,
+                                 struct texts *parts)
 {
     const char *why = NULL;
     int open;
@@ -69,11 +70,12 @@ static const char *read_choice(struct choice *c, const char *text)
     if (equal == NULL || equal == text)
         return "expected path.to.key=value,value,...";
     add_trimmed(&keys, text, (size_t)(equal - text));
-    const char *why = split(keys.text[0], ':', &c->key);
-    if (why == NULL) why = split(equal + 1, ',', &entries);
+    const char *why = choices_split(keys.text[0], ':', &c->key);
+    if (why == NULL) why = choices_split(equal + 1, ',', &entries);
     c->n = entries.n;
     for (int i = 0; i < c->n && why == NULL; i++) {
-        why = split(entries.text[i], c->key.n > 1 ? ':' : '\0', &c->value);
+        why = choices_split(entries.text[i], c->key.n > 1 ? ':' : '\0',
+                            &c->value);
         if (why == NULL && c->value.n != (i + 1) * c->key.n)
             why = "an entry has not as many values, with colons between, as "
                   "there are keys";
@@ -89,7 +91,7 @@ const char *choices_in_entry(const struct choice *c, int entry, int k)
 }
 
 /* The place of a text among others; -1 if it is not there. */
-static int place_of(const struct texts *t, const char *text)
+static int choices_place_of(const struct texts *t, const char *text)
 {
     int k = t->n - 1;
 
@@ -99,7 +101,7 @@ static int place_of(const struct texts *t, const char *text)
 }
 
 /* 1 if two texts are the same, or the same number. */
-static int is_same(const char *a, const char *b)
+static int choices_is_same(const char *a, const char *b)
 {
     char *end_a, *end_b;
     const double x = strtod(a, &end_a), y = strtod(b, &end_b);
@@ -114,8 +116,8 @@ static int is_entry_twice(const struct choice *c)
         for (int j = 0; j < i; j++) {
             int same = 0;
             for (int k = 0; k < c->key.n; k++)
-                same += is_same(choices_in_entry(c, i, k),
-                                choices_in_entry(c, j, k));
+                same += choices_is_same(choices_in_entry(c, i, k),
+                                        choices_in_entry(c, j, k));
             if (same == c->key.n) return 1;
         }
     return 0;
@@ -123,12 +125,14 @@ static int is_entry_twice(const struct choice *c)
 
 /* What is wrong with the keys of a choice beside those that are there, or NULL.
  */
-static const char *check_keys(const struct choices *c, const struct texts *keys)
+static const char *choices_check_keys(const struct choices *c,
+                                      const struct texts *keys)
 {
     for (int k = 0; k < keys->n; k++) {
         if (choices_value(c, 0, keys->text[k]) != NULL)
             return "the key was given before";
-        if (place_of(keys, keys->text[k]) != k) return "a key is there twice";
+        if (choices_place_of(keys, keys->text[k]) != k)
+            return "a key is there twice";
     }
     return NULL;
 }
@@ -145,7 +149,7 @@ int choices_add(struct choices *c, const char *text)
     const char *why = read_choice(&one, text);
 
     if (why == NULL && is_entry_twice(&one)) why = "a value is there twice";
-    if (why == NULL) why = check_keys(c, &one.key);
+    if (why == NULL) why = choices_check_keys(c, &one.key);
     if (why != NULL) {
         choice_free(&one);
         return study_wrong("%s: %s", text, why);
@@ -212,7 +216,7 @@ void choices_overrides(const struct choices *c, int variant, const char *but,
 const char *choices_value(const struct choices *c, int variant, const char *key)
 {
     for (int i = 0; i < c->n; i++) {
-        const int k = place_of(&c->of[i].key, key);
+        const int k = choices_place_of(&c->of[i].key, key);
         if (k >= 0)
             return choices_in_entry(&c->of[i], choices_entry(c, variant, i), k);
     }
@@ -275,7 +279,7 @@ static int numbers(const char *text, double v[3])
 }
 
 /* The number of an entry as it stands; nan for a word. */
-static double number(const struct choice *c, int entry)
+static double choices_number(const struct choice *c, int entry)
 {
     double v[3], first[3], last[3], product = 1.0;
     const int n = numbers(choices_in_entry(c, entry, 0), v);
@@ -298,14 +302,14 @@ double choices_size(const struct choice *c, int entry)
     double last = NAN;
 
     for (int i = 0; i < c->n; i++) {
-        const double size = number(c, i);
+        const double size = choices_number(c, i);
         if (isnan(size)) continue;
         rises &= n == 0 || size > last;
         falls &= n++ == 0 || size < last;
         last = size;
     }
     if (n < 2 || rises == falls) return NAN;
-    return falls ? number(c, entry) : 1.0 / number(c, entry);
+    return falls ? choices_number(c, entry) : 1.0 / choices_number(c, entry);
 }
 
 static int ends_with(const char *text, const char *end)
@@ -316,7 +320,8 @@ static int ends_with(const char *text, const char *end)
 
 int choices_is_reversed(const struct choice *c)
 {
-    const double first = number(c, 0), last = number(c, c->n - 1);
+    const double first = choices_number(c, 0),
+                 last = choices_number(c, c->n - 1);
 
     return (ends_with(c->key.text[0], ".cells") && last < first) ||
            (ends_with(c->key.text[0], ".step") && last > first);

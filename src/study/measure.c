@@ -29,7 +29,7 @@ static const char in_summary[] =
     "worst.exchange_residual worst.eps_f_lowest worst.steps_with_capped_cells "
     "worst.overlap second_half. profiles. effects. effect_seconds. bodies. ";
 
-static int refuse(const struct measure *m, const char *why)
+static int measure_refuse(const struct measure *m, const char *why)
 {
     return study_wrong("measure %s: %s", m->text, why);
 }
@@ -137,7 +137,7 @@ static int probe_of(const struct settings *s, const char *field)
 }
 
 /* Offers a word that ends at a blank. */
-static void offer(struct nearest *n, const char *word)
+static void measure_offer(struct nearest *n, const char *word)
 {
     char name[MEASURE_NAME];
 
@@ -145,15 +145,15 @@ static void offer(struct nearest *n, const char *word)
     nearest_offer(n, name);
 }
 
-static int unknown(const struct measure *m)
+static int measure_unknown(const struct measure *m)
 {
     struct nearest n;
 
     nearest_init(&n, m->name);
     HISTORY_EACH(t, c)
-    offer(&n, c->name);
+    measure_offer(&n, c->name);
     for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL;)
-        offer(&n, ++at);
+        measure_offer(&n, ++at);
     const char *const best = nearest_best(&n);
     return study_wrong("measure %s: no column of history.csv or probes.csv is "
                        "called so, and no number of summary.json%s%s%s",
@@ -162,7 +162,7 @@ static int unknown(const struct measure *m)
 }
 
 /* Where the measure is found in the folder of a run. */
-static int locate(struct measure *m, const struct settings *s)
+static int measure_locate(struct measure *m, const struct settings *s)
 {
     const int probe = numbered(m->name, "probe.");
     const int profile = numbered(m->name, "profile.");
@@ -174,10 +174,12 @@ static int locate(struct measure *m, const struct settings *s)
         strcpy(m->file, "probes.csv");
         m->column = 1 + (probe >= 0 ? probe : probe_of(s, m->name));
         if (m->column > settings_length(s, "output.probes"))
-            return refuse(m, "output.probes of the case has not so many");
+            return measure_refuse(m,
+                                  "output.probes of the case has not so many");
     } else if (profile >= 0) {
         if (profile >= settings_length(s, "output.profiles"))
-            return refuse(m, "output.profiles of the case has not so many");
+            return measure_refuse(
+                m, "output.profiles of the case has not so many");
         profiles_name(s, profile, name);
         snprintf(m->file, MEASURE_NAME, "profiles/%s.csv", name);
         m->column = 1;
@@ -189,12 +191,13 @@ static int locate(struct measure *m, const struct settings *s)
     } else if (in_history(m->name) != NULL) {
         strcpy(m->file, "history.csv");
         if (!has_needed(s, in_history(m->name)->needs))
-            return refuse(m, "the case has no such column, for want of a "
-                             "fluid, of particles or of their exchange");
+            return measure_refuse(m,
+                                  "the case has no such column, for want of a "
+                                  "fluid, of particles or of their exchange");
     } else if (is_in_summary(m->name) && m->how == MEASURE_LAST)
         strcpy(m->file, "summary.json");
     else
-        return unknown(m);
+        return measure_unknown(m);
     return 0;
 }
 
@@ -202,21 +205,24 @@ int measure_parse(struct measure *m, const char *text, const struct settings *s)
 {
     *m = (struct measure){.column = -1};
     snprintf(m->text, sizeof m->text, "%s", text);
-    if (strlen(text) >= MEASURE_NAME) return refuse(m, "too long a name");
+    if (strlen(text) >= MEASURE_NAME)
+        return measure_refuse(m, "too long a name");
     const char *const name = take_how(m, text);
     const size_t length = strcspn(name, "@");
     snprintf(m->name, sizeof m->name, "%.*s", (int)length, name);
     if (take_range(m, name + length) != 0)
-        return refuse(m, m->how == MEASURE_LAST
-                             ? "expected one number after @, a time [s]"
-                             : "expected @FROM or @FROM..TO after the name");
-    if (locate(m, s) != 0) return 2;
+        return measure_refuse(
+            m, m->how == MEASURE_LAST
+                   ? "expected one number after @, a time [s]"
+                   : "expected @FROM or @FROM..TO after the name");
+    if (measure_locate(m, s) != 0) return 2;
     const int in_time = strcmp(m->file, "history.csv") == 0 ||
                         strcmp(m->file, "probes.csv") == 0;
     if (in_time && (m->from < 0.0))
-        return refuse(m, "begins before 0 s, the start of the run");
+        return measure_refuse(m, "begins before 0 s, the start of the run");
     return in_time && m->from > settings_real(s, "output.end")
-               ? refuse(m, "begins after output.end, the end of the run")
+               ? measure_refuse(m,
+                                "begins after output.end, the end of the run")
                : 0;
 }
 
@@ -262,8 +268,8 @@ static double last_due(const struct results_table *t, double last)
 
 /* The rows that count: first and last column, from .. to. In a mean each stands
  * for the time between two of them, and one that was not due for less. */
-static struct curve within(const struct measure *m,
-                           const struct results_table *t, int column)
+static struct curve measure_within(const struct measure *m,
+                                   const struct results_table *t, int column)
 {
     const int error = error_column(t, column), mean = m->how == MEASURE_MEAN;
     const double last = t->value[(t->n_rows - 1) * t->n_columns];
@@ -315,7 +321,7 @@ static struct curve from_table(const struct measure *m,
 
     if (column < 0 || column >= t->n_columns) return (struct curve){0};
     if (m->how == MEASURE_LAST) all.from = NAN;
-    struct curve c = within(&all, t, column);
+    struct curve c = measure_within(&all, t, column);
     if (c.n > 0 && m->how == MEASURE_CURVE) return c;
     const struct curve found = c.n > 0 ? reduced(m, &c) : (struct curve){0};
     curve_free(&c);

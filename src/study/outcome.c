@@ -39,8 +39,8 @@ static double least_cost(const struct outcomes *o, int v, int k,
 }
 
 /* The mean over the seeds; *scatter is its standard error. */
-static double cost_of(const struct outcomes *o, int v, const struct measure *m,
-                      double *scatter)
+static double outcome_cost_of(const struct outcomes *o, int v,
+                              const struct measure *m, double *scatter)
 {
     const int n = o->plan->words.seeds;
     double *const least = alloc_doubles(n);
@@ -90,8 +90,8 @@ static void take_variant(struct outcomes *o, int v)
             out->ended = 0;
             if (out->broken == NULL) out->broken = &o->run[i];
         }
-    out->seconds = cost_of(o, v, &processor, &out->scatter);
-    out->cost = cost_of(o, v, &p->cost, &out->scatter);
+    out->seconds = outcome_cost_of(o, v, &processor, &out->scatter);
+    out->cost = outcome_cost_of(o, v, &p->cost, &out->scatter);
     for (int m = 0; m < p->n_measures && out->ended; m++)
         out->of[m].found = mean_of_seeds(o, v, &p->measure[m]);
 }
@@ -159,7 +159,7 @@ static int is_reference(const struct outcomes *o, int v, int m)
 static const double rounding = 1e-12;
 
 /* Compares a variant with the truth where there is one. */
-static void compare(const struct outcomes *o, int v, int m)
+static void outcome_compare(const struct outcomes *o, int v, int m)
 {
     struct finding *const f = &o->variant[v].of[m];
     double values = 0.0, own = 0.0; /* sums of squares, all points */
@@ -242,7 +242,7 @@ struct outcomes outcomes_create(const struct plan *p, int n_runs,
         take_variant(&o, v);
     for (int m = 0; m < p->n_measures; m++) {
         for (int v = 0; v < o.n; v++)
-            compare(&o, v, m);
+            outcome_compare(&o, v, m);
         compare_finest(&o, m);
         for (int v = 0; v < o.n; v++)
             o.variant[v].of[m].order = order_of(&o, v, m);

@@ -137,7 +137,7 @@ static struct texts command(const struct plan *p, const struct run *r,
 
 /* Starts a run, or waits for the one that a former study has left in its
  * folder. */
-static int start(struct pool *c, struct worker *w, struct run *r)
+static int perform_start(struct pool *c, struct worker *w, struct run *r)
 {
     const long owner = ownership_process(r->folder);
 
@@ -242,7 +242,7 @@ static void start_next(struct pool *c)
     for (int i = 0; i < c->plan->words.jobs && c->failed == 0; i++) {
         struct run *const r = next_run(c);
         if (c->worker[i].run != NULL || r == NULL) continue;
-        c->failed = start(c, &c->worker[i], r);
+        c->failed = perform_start(c, &c->worker[i], r);
         if (c->failed != 0) c->worker[i].run = NULL;
     }
 }

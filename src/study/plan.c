@@ -210,7 +210,7 @@ int plan_cost_is_processor(const struct plan *p)
 }
 
 /* out/study-NAME for some/where/NAME.cfg. */
-static const char *default_dir(struct study_words *w)
+static const char *plan_default_dir(struct study_words *w)
 {
     const char *const slash = strrchr(w->file, '/');
     const char *const name = slash != NULL ? slash + 1 : w->file;
@@ -233,7 +233,7 @@ static void tell_reversed(const struct plan *p)
     }
 }
 
-static int complete(struct plan *p)
+static int plan_complete(struct plan *p)
 {
     struct study_words *const w = &p->words;
     struct texts first = {0};
@@ -250,7 +250,7 @@ static int complete(struct plan *p)
     if (code == 0 && w->seeds > 1) code = check_seeds(p);
     if (w->title == NULL)
         w->title = texts_add(&w->made, "%s", settings_text(s, "title"));
-    if (w->dir == NULL) w->dir = default_dir(w);
+    if (w->dir == NULL) w->dir = plan_default_dir(w);
     settings_free(s);
     return code;
 }
@@ -260,7 +260,7 @@ int plan_create(struct plan *p, int n_words, const char *const *words)
     *p = (struct plan){0};
     int code = study_words_take(&p->words, n_words, words);
 
-    if (code == 0) code = complete(p);
+    if (code == 0) code = plan_complete(p);
     if (code != 0) plan_free(p);
     return code;
 }

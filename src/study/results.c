@@ -11,7 +11,8 @@
 static const char blanks[] = " \t\r";
 
 /* The names of a head line, which lasts for `length` bytes. */
-static void take_names(struct results_table *t, const char *line, size_t length)
+static void results_take_names(struct results_table *t, const char *line,
+                               size_t length)
 {
     const char *const end = line + length - (line[length - 1] == '\r');
 
@@ -70,7 +71,7 @@ static int take_lines(struct results_table *t, const char *text)
         const char c = text[strspn(text, blanks)];
 
         if (c != '#' && c != '\n' && c != '\0' && t->name == NULL) {
-            take_names(t, text, length);
+            results_take_names(t, text, length);
             t->value = alloc_doubles(t->n_columns * lines);
         } else if (c != '#' && c != '\n' && c != '\0' && !take_row(t, text))
             return line;

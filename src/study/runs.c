@@ -38,18 +38,18 @@ static void drop_points(char *text)
     *to = '\0';
 }
 
-static unsigned long checksum_of(const char *text)
+static unsigned long runs_checksum_of(const char *text)
 {
     return crc32_z(0, (const unsigned char *)text, strlen(text));
 }
 
 /* Of all that the case says, and of the files that it names. */
-static unsigned long contents_of(const struct settings *s)
+static unsigned long runs_contents_of(const struct settings *s)
 {
     char *const lines = case_text_lines(s);
 
     drop_points(lines);
-    const unsigned long sum = checksum_of(lines);
+    const unsigned long sum = runs_checksum_of(lines);
     free(lines);
     return sum;
 }
@@ -74,7 +74,7 @@ static char *identity_of(const struct plan *p, const struct run *r)
 
 /* A folder's name from what tells the run from others: letters that no shell
  * minds. A name that had to be changed has a hash behind it. */
-static char *name_of(const struct plan *p, const struct run *r)
+static char *runs_name_of(const struct plan *p, const struct run *r)
 {
     char *const label = choices_label(&p->choices, r->variant, -1);
     char *const name = alloc_zeroed(LONGEST_NAME + 64, 1);
@@ -92,14 +92,15 @@ static char *name_of(const struct plan *p, const struct run *r)
     }
     if (n == 0) n = (size_t)sprintf(name, "as-it-stands");
     if (changed || *c != '\0')
-        n += (size_t)sprintf(name + n, "-%08x", (unsigned)checksum_of(label));
+        n += (size_t)sprintf(name + n, "-%08x",
+                             (unsigned)runs_checksum_of(label));
     if (p->words.seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
     if (p->words.times > 1) sprintf(name + n, "+time-%d", r->time);
     free(label);
     return name;
 }
 
-static int create(const struct plan *p, struct run *r)
+static int runs_make_folder(const struct plan *p, struct run *r)
 {
     int code = plan_overrides(p, r->variant, r->seed, &r->overrides);
     struct settings *const s =
@@ -107,12 +108,12 @@ static int create(const struct plan *p, struct run *r)
 
     if (s == NULL) return code;
     r->code = RUN_TO_DO;
-    r->name = name_of(p, r);
+    r->name = runs_name_of(p, r);
     char *const runs = file_join(p->words.dir, "runs");
     r->folder = file_join(runs, r->name);
     free(runs);
     r->expected = case_cost_seconds(s);
-    r->contents = contents_of(s);
+    r->contents = runs_contents_of(s);
     r->identity = identity_of(p, r);
     settings_free(s);
     return 0;
@@ -129,7 +130,8 @@ struct run *runs_create(const struct plan *p, int *n, int *code)
         runs[i].variant = i / times / seeds;
         runs[i].seed = i / times % seeds;
         runs[i].time = i % times;
-        *code = interrupt_arrived() ? INTERRUPT_CODE : create(p, &runs[i]);
+        *code = interrupt_arrived() ? INTERRUPT_CODE
+                                    : runs_make_folder(p, &runs[i]);
     }
     if (*code == 0) return runs;
     runs_free(*n, runs);
@@ -155,7 +157,7 @@ int runs_standing(const struct plan *p, int n, const struct run *runs)
 
     texts_free(&set);
     if (s == NULL) return -1;
-    const unsigned long own = contents_of(s);
+    const unsigned long own = runs_contents_of(s);
     for (int i = 0; i < n && found < 0; i++)
         if (runs[i].seed == 0 && runs[i].contents == own)
             found = runs[i].variant;
@@ -167,7 +169,7 @@ int runs_standing(const struct plan *p, int n, const struct run *runs)
 
 /* variant.txt is the identity; a run that was refused while it was built has a
  * line "exit code N" behind it, RUN_TO_DO if there is none. */
-static int is_same(const struct run *r, int *code)
+static int runs_is_same(const struct run *r, int *code)
 {
     char *const path = file_join(r->folder, "variant.txt");
     const char *why;
@@ -187,12 +189,12 @@ int runs_is_begun(const struct run *r)
 {
     int code;
 
-    return is_same(r, &code);
+    return runs_is_same(r, &code);
 }
 
 static void find_end(struct run *r)
 {
-    if (!is_same(r, &r->code) || r->code != RUN_TO_DO) return;
+    if (!runs_is_same(r, &r->code) || r->code != RUN_TO_DO) return;
     const double code = read_summary_number(r->folder, "exit_code");
     if (isfinite(code) && code != RUN_NOT_WRITTEN && code != INTERRUPT_CODE)
         r->code = number_clamped(code, INT_MIN, INT_MAX);

@@ -72,7 +72,7 @@ static int lock_folder(const struct plan *p)
     return file;
 }
 
-static int report(const struct plan *p, int n, const struct run *runs)
+static int study_report(const struct plan *p, int n, const struct run *runs)
 {
     struct outcomes o = outcomes_create(p, n, runs);
     const int failed = study_report_runs(&o) != 0 ||
@@ -97,7 +97,7 @@ static int perform(const struct plan *p, int n, struct run *runs)
     if (before > 0 && !p->words.quiet)
         fprintf(stderr, "%d of %d runs were done before\n", before, n);
     code = runs_perform(p, n, runs);
-    if (code == 0) code = report(p, n, runs);
+    if (code == 0) code = study_report(p, n, runs);
     close(file);
     return code;
 }

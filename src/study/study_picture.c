@@ -59,7 +59,8 @@ static int next_line(const struct outcomes *o, int m, int first)
 
 /* cost, error [%], its lower and upper end (two standard errors), value of the
  * axis. */
-static void put_point(const struct outcomes *o, int m, int v, FILE *out)
+static void study_picture_put_point(const struct outcomes *o, int m, int v,
+                                    FILE *out)
 {
     const struct finding *const f = &o->variant[v].of[m];
     const double low = fmax(f->error - 2.0 * f->uncertainty, 1e-2 * f->error);
@@ -75,7 +76,8 @@ static void put_point(const struct outcomes *o, int m, int v, FILE *out)
 
 /* 1 if the variant costs more than the last of the front, and is better by more
  * than chance. */
-static int goes_on(const struct outcomes *o, int m, int last, int v)
+static int study_picture_goes_on(const struct outcomes *o, int m, int last,
+                                 int v)
 {
     const struct outcome *const of = &o->variant[v];
 
@@ -91,15 +93,15 @@ static void put_front(const struct outcomes *o, int m, FILE *out)
     for (int last = -1, next; last < o->n; last = next) {
         next = o->n;
         for (int v = 0; v < o->n; v++)
-            if (goes_on(o, m, last, v) &&
+            if (study_picture_goes_on(o, m, last, v) &&
                 (next == o->n || o->variant[v].cost < o->variant[next].cost))
                 next = v;
-        if (next < o->n) put_point(o, m, next, out);
+        if (next < o->n) study_picture_put_point(o, m, next, out);
     }
 }
 
 /* Blocks of data: $front, and one for each line by its first variant. */
-static void put_data(const struct outcomes *o, int m, FILE *out)
+static void study_picture_put_data(const struct outcomes *o, int m, FILE *out)
 {
     fputs("# cost, error [%], its ends at two standard errors, axis\n"
           "$front << END\n",
@@ -109,7 +111,8 @@ static void put_data(const struct outcomes *o, int m, FILE *out)
     for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l)) {
         fprintf(out, "$line%d << END\n", l);
         for (int v = 0; v < o->n; v++)
-            if (is_on(o, l, v) && is_shown(o, m, v)) put_point(o, m, v, out);
+            if (is_on(o, l, v) && is_shown(o, m, v))
+                study_picture_put_point(o, m, v, out);
         fputs("END\n", out);
     }
 }
@@ -204,7 +207,7 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     put_range("y", low[1] / 2.0, 1.6 * high[1], out);
 }
 
-static int compare(const void *a, const void *b)
+static int study_picture_compare(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
 
@@ -221,7 +224,7 @@ static double median_order(const struct outcomes *o, int m, int first)
     for (int v = 0; v < o->n; v++)
         if (is_on(o, first, v) && isfinite(o->variant[v].of[m].order))
             orders[n++] = o->variant[v].of[m].order;
-    qsort(orders, (size_t)n, sizeof *orders, compare);
+    qsort(orders, (size_t)n, sizeof *orders, study_picture_compare);
     const double median = n > 0 ? orders[n / 2] : NAN;
     free(orders);
     return median;
@@ -245,8 +248,8 @@ static char *title_of(const struct outcomes *o, int m, int first)
 
 /* One line of the plot command: its points, with error bars where there are
  * any. */
-static void put_line(const struct outcomes *o, int m, int first, int number,
-                     FILE *out)
+static void study_picture_put_line(const struct outcomes *o, int m, int first,
+                                   int number, FILE *out)
 {
     const int alone = points(o, m, first) == 1;
     char *const title = title_of(o, m, first);
@@ -274,14 +277,14 @@ static void put_panel(const struct outcomes *o, int m, FILE *out)
 {
     int number = 0;
 
-    put_data(o, m, out);
+    study_picture_put_data(o, m, out);
     put_labels(o->plan, m, out);
     put_ranges(o, m, out);
     fputs("plot $front using 1:2 with steps linecolor rgb '#cccccc' "
           "linewidth 6 dashtype 1 title 'least error for the cost'",
           out);
     for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l))
-        put_line(o, m, l, ++number, out);
+        study_picture_put_line(o, m, l, ++number, out);
     fputc('\n', out);
 }
 
@@ -290,7 +293,7 @@ struct contents {
     int lines, longest; /* [-] most lines, letters of the longest title */
 };
 
-static struct contents contents_of(const struct outcomes *o)
+static struct contents study_picture_contents_of(const struct outcomes *o)
 {
     struct contents c = {0, (int)strlen(o->plan->words.title)};
 
@@ -311,7 +314,7 @@ static int write_script(const struct outcomes *o, int panels)
 {
     struct file *const f = study_report_file(o->plan, script);
     const int wide = panels > 2 ? 2 : 1, rows = (panels + wide - 1) / wide;
-    const struct contents c = contents_of(o);
+    const struct contents c = study_picture_contents_of(o);
 
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);

@@ -40,7 +40,7 @@ static void put_number(FILE *out, double value)
     fprintf(out, ",%s", isfinite(value) ? number_text(value, text) : "");
 }
 
-static void put_head(const struct plan *p, FILE *out)
+static void study_report_put_head(const struct plan *p, FILE *out)
 {
     fputs("run", out);
     for (int i = 0; i < p->choices.n; i++)
@@ -116,7 +116,7 @@ int study_report_runs(const struct outcomes *o)
     struct file *const f = study_report_file(o->plan, "study.csv");
 
     if (f == NULL) return 1;
-    put_head(o->plan, file_stream(f));
+    study_report_put_head(o->plan, file_stream(f));
     for (int i = 0; i < o->n_runs; i++)
         put_run(o, &o->run[i], file_stream(f));
     return file_commit(f);
@@ -159,7 +159,7 @@ static void put_finding(const struct finding *f, FILE *out)
 
 /* Why a run did not come to its end: its summary says so, or the first line of
  * what it said. To be freed. */
-static char *reason_of(const struct run *r)
+static char *study_report_reason_of(const struct run *r)
 {
     char *const log = file_join(r->folder, "log.txt");
     char *reason = read_summary_text(r->folder, "exit_reason");
@@ -182,8 +182,8 @@ static char *reason_of(const struct run *r)
     return reason;
 }
 
-static void put_variant(const struct outcomes *o, const struct outcome *v,
-                        FILE *out)
+static void study_report_put_variant(const struct outcomes *o,
+                                     const struct outcome *v, FILE *out)
 {
     fputs("| ", out);
     text_put(out, v->label, TEXT_PAGE);
@@ -194,7 +194,7 @@ static void put_variant(const struct outcomes *o, const struct outcome *v,
         put_rounded(out, v->cost, 4, "");
     }
     if (v->broken != NULL) {
-        char *const reason = reason_of(v->broken);
+        char *const reason = study_report_reason_of(v->broken);
         fprintf(out, " | exit code %d: ", v->broken->code);
         text_put(out, reason, TEXT_PAGE);
         free(reason);
@@ -218,7 +218,7 @@ static void put_table(const struct outcomes *o, FILE *out)
         fputs(" | ---:", out);
     fputs(" |\n", out);
     for (int v = 0; v < o->n; v++)
-        put_variant(o, &o->variant[v], out);
+        study_report_put_variant(o, &o->variant[v], out);
 }
 
 /* The order of each line that was extrapolated. */

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int wrong(const char *what, const char *why)
+static int study_words_wrong(const char *what, const char *why)
 {
     fprintf(stderr, "winnow: study: %s%s\n%s\n", what, why,
             "winnow study " STUDY_ARGUMENTS);
@@ -27,7 +27,7 @@ static int take_count(const char *option, const char *value, int *count)
     const long n = strtol(value, &end, 10);
 
     if (end == value || *end != '\0' || n < 1 || n > 1024)
-        return wrong(option, " asks for a number, 1 to 1024");
+        return study_words_wrong(option, " asks for a number, 1 to 1024");
     *count = (int)n;
     return 0;
 }
@@ -51,7 +51,7 @@ static int take_measure(struct study_words *w, const char *value)
 {
     if (w->old_measures > 0) w->n_measures = w->old_measures = 0;
     if (w->n_measures == STUDY_WORDS_MEASURES)
-        return wrong(value, ": more than 16 measures");
+        return study_words_wrong(value, ": more than 16 measures");
     w->truth[w->n_measures] = NULL;
     w->measure[w->n_measures++] = value;
     return 0;
@@ -60,9 +60,10 @@ static int take_measure(struct study_words *w, const char *value)
 static int take_truth(struct study_words *w, const char *value)
 {
     if (w->n_measures == w->old_measures)
-        return wrong("--truth", " follows the --measure that it is for");
+        return study_words_wrong("--truth",
+                                 " follows the --measure that it is for");
     if (w->truth[w->n_measures - 1] != NULL)
-        return wrong(value, ": a second truth for one measure");
+        return study_words_wrong(value, ": a second truth for one measure");
     w->truth[w->n_measures - 1] = value;
     return 0;
 }
@@ -91,7 +92,7 @@ static int take_option(struct study_words *w, const char *option,
         nearest_offer(&near, options[i].word);
         if (strcmp(option, options[i].word) != 0) continue;
         if (value == NULL || value[0] == '\0')
-            return wrong(option, " asks for a value");
+            return study_words_wrong(option, " asks for a value");
         if (options[i].take != NULL) return options[i].take(w, value);
         if (options[i].count != NULL)
             return take_count(option, value, options[i].count);
@@ -102,7 +103,7 @@ static int take_option(struct study_words *w, const char *option,
     snprintf(why, sizeof why, ": no such option%s%s%s",
              best != NULL ? "; did you mean " : "", best != NULL ? best : "",
              best != NULL ? "?" : "");
-    return wrong(option, why);
+    return study_words_wrong(option, why);
 }
 
 /* 1 if a word is an option and its value in one, -j2, -oDIR, -skey=value, as
@@ -132,12 +133,13 @@ static int take_words(struct study_words *w, int n, const char *const *words)
             code = take_option(w, word, i + 1 < n ? words[i + 1] : NULL);
             i++;
         } else if (w->file != NULL)
-            code = wrong(word, ": one argument too many; choices follow -s");
+            code = study_words_wrong(
+                word, ": one argument too many; choices follow -s");
         else
             w->file = word;
         if (code != 0) return code;
     }
-    return w->file != NULL ? 0 : wrong("", "which case?");
+    return w->file != NULL ? 0 : study_words_wrong("", "which case?");
 }
 
 /* --- the study file ------------------------------------------------------- */
@@ -186,7 +188,7 @@ static int is_study(const char *file, int *code)
 }
 
 /* The file beside the study. */
-static const char *beside(struct study_words *w, const char *file)
+static const char *study_words_beside(struct study_words *w, const char *file)
 {
     char path[SETTINGS_PATH];
 
@@ -210,7 +212,8 @@ static int take_measured(struct study_words *w, int i)
 
     if (code != 0 || !settings_item_has(s, "measures", i, "truth")) return code;
     const char *const text = settings_item_text(s, "measures", i, "truth");
-    return take_truth(w, truth_is_table(text) ? beside(w, text) : text);
+    return take_truth(w, truth_is_table(text) ? study_words_beside(w, text)
+                                              : text);
 }
 
 /* What the study file says, as if it stood before the words. */
@@ -222,7 +225,7 @@ static int take_study(struct study_words *w, const char *file)
         settings_create(file, 0, NULL, tables, &code);
 
     if (s == NULL) return code;
-    w->case_file = beside(w, settings_text(s, "case"));
+    w->case_file = study_words_beside(w, settings_text(s, "case"));
     if (is_study(w->case_file, &code))
         return settings_wrong(s, "case",
                               "%s is a study, and a study asks for "

@@ -19,7 +19,7 @@ int truth_is_table(const char *text)
     return n > 4 && strcmp(text + n - 4, ".csv") == 0;
 }
 
-static int refuse(const struct truth *t, int code, const char *why)
+static int truth_refuse(const struct truth *t, int code, const char *why)
 {
     fprintf(stderr, "winnow: study: truth %s: %s\n", t->text, why);
     return code;
@@ -31,21 +31,24 @@ static int take_columns(struct truth *t, const struct results_table *table)
     struct curve *const c = &t->table;
     const int m = table->n_columns;
 
-    if (m < 2) return refuse(t, 2, "has one column; expected x and a value");
+    if (m < 2)
+        return truth_refuse(t, 2, "has one column; expected x and a value");
     *c = curve_create(table->n_rows);
     c->n = 0;
     for (int i = 0; i < table->n_rows; i++) {
         const double x = table->value[i * m], q = table->value[i * m + 1];
         if (isnan(q)) continue;
-        if (isinf(x) || isinf(q)) return refuse(t, 2, "has an infinite number");
+        if (isinf(x) || isinf(q))
+            return truth_refuse(t, 2, "has an infinite number");
         if (isnan(x) || (c->n > 0 && x <= c->x[c->n - 1]))
-            return refuse(t, 2,
-                          "its first column does not rise from row to "
-                          "row");
+            return truth_refuse(t, 2,
+                                "its first column does not rise from row to "
+                                "row");
         c->x[c->n] = x;
         c->value[c->n++] = q;
     }
-    return c->n > 0 ? 0 : refuse(t, 2, "has no values in its second column");
+    return c->n > 0 ? 0
+                    : truth_refuse(t, 2, "has no values in its second column");
 }
 
 static int read_table(struct truth *t)
@@ -60,9 +63,9 @@ static int read_table(struct truth *t)
              "each name of the head line",
              wrong);
     code = table != NULL ? take_columns(t, table)
-           : wrong < 0   ? refuse(t, 4, "cannot be read")
-           : wrong > 0   ? refuse(t, 2, why)
-                         : refuse(t, 2, "has no head line with rows below");
+           : wrong < 0   ? truth_refuse(t, 4, "cannot be read")
+           : wrong > 0   ? truth_refuse(t, 2, why)
+                       : truth_refuse(t, 2, "has no head line with rows below");
     results_table_free(table);
     return code;
 }
@@ -93,8 +96,8 @@ int truth_parse(struct truth *t, const char *text)
     const double one = truth_value(t, 0.3), other = truth_value(t, 0.7);
     if (isfinite(one) && one != 0.0) return 0;
     if (isfinite(other) && other != 0.0) return 0;
-    return refuse(t, 2,
-                  "is 0 or nan everywhere, and no error is relative to that");
+    return truth_refuse(
+        t, 2, "is 0 or nan everywhere, and no error is relative to that");
 }
 
 void truth_free(struct truth *t)

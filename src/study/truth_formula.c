@@ -7,12 +7,12 @@
 #include <stdio.h>
 
 /* Whatever no other kind has taken. */
-static int is_meant(const char *text)
+static int truth_formula_is_meant(const char *text)
 {
     return text != NULL;
 }
 
-static void *create(const char *text)
+static void *truth_formula_create(const char *text)
 {
     char wrong[256];
     struct formula *const f = formula_create(text, wrong, sizeof wrong);
@@ -27,15 +27,16 @@ static void *create(const char *text)
 }
 
 /* All variables are the first column. */
-static double value(const void *of, double x)
+static double truth_formula_value(const void *of, double x)
 {
     return formula_value(of, (const double[3]){x, x, x}, x);
 }
 
-static void release(void *of)
+static void truth_formula_release(void *of)
 {
     formula_free(of);
 }
 
-const struct truth_function truth_formula = {"a formula", is_meant, create,
-                                             value, release};
+const struct truth_function truth_formula = {
+    "a formula", truth_formula_is_meant, truth_formula_create,
+    truth_formula_value, truth_formula_release};

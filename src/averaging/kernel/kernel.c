@@ -124,7 +124,7 @@ static int gaussian_by_volume(const void *state, int i,
     return normalise(near->n, times_volume(state, near, w), w);
 }
 
-static int has_equal_cells(const struct mesh *m)
+static int kernel_has_equal_cells(const struct mesh *m)
 {
     double least = m->V[0], most = m->V[0];
 
@@ -135,10 +135,11 @@ static int has_equal_cells(const struct mesh *m)
     return most - least <= rounding * most;
 }
 
-static void *create(const struct cell_of_particle *h,
-                    const struct averaging_options *o, double reach,
-                    int (*weigh)(const void *, int,
-                                 const struct neighbourhood *, double *))
+static void *kernel_create_with(const struct cell_of_particle *h,
+                                const struct averaging_options *o, double reach,
+                                int (*weigh)(const void *, int,
+                                             const struct neighbourhood *,
+                                             double *))
 {
     struct kernel *const k = alloc_zeroed(1, sizeof *k);
 
@@ -152,16 +153,17 @@ static void *create(const struct cell_of_particle *h,
 static void *kernel_create(const struct cell_of_particle *h,
                            const struct averaging_options *o)
 {
-    return create(h, o, 1.0,
-                  has_equal_cells(h->mesh) ? bell_alike : bell_by_volume);
+    return kernel_create_with(h, o, 1.0,
+                              kernel_has_equal_cells(h->mesh) ? bell_alike
+                                                              : bell_by_volume);
 }
 
 static void *gaussian_create(const struct cell_of_particle *h,
                              const struct averaging_options *o)
 {
-    return create(h, o, GAUSSIAN_REACH,
-                  has_equal_cells(h->mesh) ? gaussian_alike
-                                           : gaussian_by_volume);
+    return kernel_create_with(
+        h, o, GAUSSIAN_REACH,
+        kernel_has_equal_cells(h->mesh) ? gaussian_alike : gaussian_by_volume);
 }
 
 static void kernel_free(void *state)

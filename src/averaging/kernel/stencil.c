@@ -92,7 +92,7 @@ static void walk_add(struct walk *w, int c, const double link[3])
 }
 
 /* 1 if cell c, with its centre at the link, is nearer than b to the cell. */
-static int is_near(const struct walk *w, int c, const double link[3])
+static int stencil_is_near(const struct walk *w, int c, const double link[3])
 {
     double r2 = 0.0;
 
@@ -106,7 +106,7 @@ static int is_near(const struct walk *w, int c, const double link[3])
 }
 
 /* Looks through the faces of entry e for cells that are near. */
-static void walk_on(struct walk *w, int e)
+static void stencil_walk_on(struct walk *w, int e)
 {
     const struct mesh *const m = w->m;
     const int c = w->cell[e];
@@ -122,12 +122,12 @@ static void walk_on(struct walk *w, int e)
             for (int k = 0; k < 3; k++)
                 link[k] = w->link[3 * e + k] +
                           (side == 0 ? m->d[3 * f + k] : -m->d[3 * f + k]);
-            if (is_near(w, there, link)) walk_add(w, there, link);
+            if (stencil_is_near(w, there, link)) walk_add(w, there, link);
         }
     }
 }
 
-static void walk_from(struct walk *w, int host)
+static void stencil_walk_from(struct walk *w, int host)
 {
     const double nowhere[3] = {0.0, 0.0, 0.0};
 
@@ -136,7 +136,7 @@ static void walk_from(struct walk *w, int host)
     w->n = 0;
     walk_add(w, host, nowhere);
     for (int e = 0; e < w->n; e++) /* n grows as the walk goes on */
-        walk_on(w, e);
+        stencil_walk_on(w, e);
 }
 
 static int same_shape(const struct stencil *s, int shape, const struct walk *w)
@@ -167,7 +167,8 @@ static int known_shape(const struct stencil *s, const struct walk *w)
 /* Appends the walk as a shape; `room` is the capacity of the entries. There are
  * never more shapes than cells, so start is allocated for all cells from the
  * beginning. */
-static void add_shape(struct stencil *s, const struct walk *w, int *room)
+static void stencil_add_shape(struct stencil *s, const struct walk *w,
+                              int *room)
 {
     const int first = s->start[s->n_shapes];
 
@@ -208,11 +209,11 @@ struct stencil *stencil_create(const struct mesh *m, double b,
     for (int c = 0; c < m->n_cells; c++)
         w.latest[c] = -1;
     for (int c = 0; c < m->n_cells; c++) {
-        walk_from(&w, c);
+        stencil_walk_from(&w, c);
         s->shape[c] = known_shape(s, &w);
         if (s->shape[c] >= 0) continue;
         s->shape[c] = s->n_shapes;
-        add_shape(s, &w, &room);
+        stencil_add_shape(s, &w, &room);
     }
     free(w.half);
     free(w.cell);
@@ -222,7 +223,7 @@ struct stencil *stencil_create(const struct mesh *m, double b,
     return s;
 }
 
-static int has_equal_cells(const struct mesh *m)
+static int stencil_has_equal_cells(const struct mesh *m)
 {
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < m->box.n[k]; i++) {
@@ -241,7 +242,7 @@ double stencil_bytes(const struct mesh *m, double b, enum stencil_to to)
     const double side = to == STENCIL_TO_CENTRE ? 1.0 : 2.0;
     double least, most, volume;
 
-    if (has_equal_cells(m)) return 0.0;
+    if (stencil_has_equal_cells(m)) return 0.0;
     mesh_volumes(m, &least, &most, &volume);
     const double x = b / cbrt(volume); /* in widths of a cell */
     const double cells = gsl_pow_3(side) + 6.0 * side * side * x +

@@ -97,10 +97,10 @@ static void apply_weights(enum way way, int m, const struct weight_list *l,
 /* The weights of particle a of the sorted ones, computed now unless the rule
  * has a list of them. A particle without any weight is assigned to its own cell
  * and counted. */
-static struct weight_list list_of(const struct weights *s,
-                                  const struct cell_range *t, int a,
-                                  const struct neighbourhood *near,
-                                  int *unsupported)
+static struct weight_list weights_list_of(const struct weights *s,
+                                          const struct cell_range *t, int a,
+                                          const struct neighbourhood *near,
+                                          int *unsupported)
 {
     const struct weights_rule *const rule = &s->rule;
     int n = near->n;
@@ -127,7 +127,8 @@ static int spread_range(const struct weights *s, const struct cell_range *t,
         const struct neighbourhood near = weights_around(s, c);
         double *const own = &t->sum[m * (c - t->low)];
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
-            const struct weight_list l = list_of(s, t, a, &near, &unsupported);
+            const struct weight_list l =
+                weights_list_of(s, t, a, &near, &unsupported);
             apply_weights(SPREAD, m, &l, &q[m * h->particle[a]], own);
         }
     }
@@ -143,7 +144,8 @@ static void gather_range(const struct weights *s, const struct cell_range *t,
     for (int c = t->first; c < t->last; c++) {
         const struct neighbourhood near = weights_around(s, c);
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
-            const struct weight_list l = list_of(s, t, a, &near, &unsupported);
+            const struct weight_list l =
+                weights_list_of(s, t, a, &near, &unsupported);
             apply_weights(GATHER, m, &l, &field[m * c], &q[m * h->particle[a]]);
         }
     }

@@ -31,7 +31,7 @@ const struct model bandwidth_grains = {
     .function = "follow_grains",
 };
 
-static int is_in(const struct averaging_region *r, const double x[3])
+static int bandwidth_is_in(const struct averaging_region *r, const double x[3])
 {
     for (int k = 0; k < 3; k++)
         if (x[k] < r->low[k] || x[k] > r->high[k]) return 0;
@@ -45,7 +45,7 @@ static void find_base(struct bandwidth *w, const struct averaging_options *o)
     for (int c = 0; c < m->n_cells; c++) {
         w->base[c] = 1.0;
         for (int i = 0; i < o->n_regions; i++)
-            if (is_in(&o->regions[i], &m->centre[3 * c]))
+            if (bandwidth_is_in(&o->regions[i], &m->centre[3 * c]))
                 w->base[c] = gsl_pow_2(o->regions[i].bandwidth / w->b);
     }
 }
@@ -88,7 +88,7 @@ int bandwidth_is_by_lines(const struct averaging_options *o)
     return strcmp(o->vary, "grains") != 0 && o->n_regions == 0;
 }
 
-static void find_faces(struct bandwidth *w)
+static void bandwidth_find_faces(struct bandwidth *w)
 {
     const struct mesh *const m = w->h->mesh;
 
@@ -114,7 +114,7 @@ struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
     w->D = alloc_doubles(h->mesh->n_internal);
     find_base(w, o);
     memcpy(w->local, w->base, (size_t)h->mesh->n_cells * sizeof *w->base);
-    find_faces(w);
+    bandwidth_find_faces(w);
     return w;
 }
 
@@ -136,7 +136,7 @@ int bandwidth_bind(struct bandwidth *w)
 {
     if (!w->by_grains) return 0;
     follow_grains(w);
-    find_faces(w);
+    bandwidth_find_faces(w);
     return 1;
 }
 

@@ -38,15 +38,15 @@ struct dpvm {
 
 /* 1 if the body is wholly within its cell, as most are where cells are large. A
  * sphere and its cube have the same extent in each direction. */
-static int is_within(const double o[3], double R, const double half[3])
+static int dpvm_is_within(const double o[3], double R, const double half[3])
 {
     return fabs(o[0]) + R <= half[0] && fabs(o[1]) + R <= half[1] &&
            fabs(o[2]) + R <= half[2];
 }
 
 /* The ends of entry e relative to the centre of particle i. */
-static void ends_of(const struct dpvm *d, const struct neighbourhood *near,
-                    int e, const double o[3], double lo[3], double hi[3])
+static void dpvm_ends_of(const struct dpvm *d, const struct neighbourhood *near,
+                         int e, const double o[3], double lo[3], double hi[3])
 {
     const double *const half =
         &d->half[3 * (near->cell + near->index_offset[e])];
@@ -77,12 +77,12 @@ static void divide_sphere(const struct dpvm *d,
 
     overlap_grid_start(&g, R);
     for (int e = 0; e < near->n && few; e++) {
-        ends_of(d, near, e, o, lo, hi);
+        dpvm_ends_of(d, near, e, o, lo, hi);
         if (reaches(R, lo, hi)) few = overlap_grid_add(&g, lo, hi);
     }
     if (few) overlap_grid_prepare(&g);
     for (int e = 0; e < near->n; e++) {
-        ends_of(d, near, e, o, lo, hi);
+        dpvm_ends_of(d, near, e, o, lo, hi);
         w[e] = !reaches(R, lo, hi) ? 0.0
                : few               ? overlap_grid_cell(&g, lo, hi)
                                    : overlap_sphere(R, lo, hi);
@@ -94,7 +94,7 @@ static void divide_cube(const struct dpvm *d, const struct neighbourhood *near,
 {
     for (int e = 0; e < near->n; e++) {
         double lo[3], hi[3];
-        ends_of(d, near, e, o, lo, hi);
+        dpvm_ends_of(d, near, e, o, lo, hi);
         w[e] = overlap_cube(R, lo, hi);
     }
 }
@@ -107,7 +107,7 @@ static int dpvm_weights(const void *state, int i,
     const double R = 0.5 * d->h->ps->d[i], *const o = &d->h->offset[3 * i];
     double sum = 0.0;
 
-    if (is_within(o, R, &d->half[3 * near->cell])) return 0;
+    if (dpvm_is_within(o, R, &d->half[3 * near->cell])) return 0;
     d->body.divide(d, near, o, R, w);
     for (int e = 0; e < near->n; e++)
         sum += w[e];
@@ -144,7 +144,7 @@ static const struct body sphere = {divide_sphere, FACETS_SPHERE, 1.0};
 static const struct body cube = {divide_cube, FACETS_CUBE, M_SQRT3};
 
 /* Distance [m] of the farthest point of the largest body from its centre. */
-static double reach(const struct dpvm *d)
+static double dpvm_reach(const struct dpvm *d)
 {
     const struct particles *const ps = d->h->ps;
     double R = 0.0;
@@ -165,7 +165,7 @@ static void find_halves(struct dpvm *d)
                 d->half[3 * c + k] = INFINITY;
 }
 
-static struct weight_list list(const void *state, int a)
+static struct weight_list dpvm_list(const void *state, int a)
 {
     const struct dpvm *const d = state;
     return stored_weights_list(&d->stored, a);
@@ -175,7 +175,7 @@ static struct weight_list list(const void *state, int a)
  * than all before has been inserted. */
 static void find_cells(struct dpvm *d)
 {
-    const double now = reach(d);
+    const double now = dpvm_reach(d);
 
     if (d->weights != NULL && now <= d->reach) return;
     weights_free(d->weights);
@@ -183,8 +183,9 @@ static void find_cells(struct dpvm *d)
     d->weights = weights_create(d->h, now, STENCIL_TO_CELL, d->fields, d->rule);
 }
 
-static void *create(const struct cell_of_particle *h,
-                    const struct averaging_options *o, struct body body)
+static void *dpvm_create_with(const struct cell_of_particle *h,
+                              const struct averaging_options *o,
+                              struct body body)
 {
     const int is_box = h->mesh->shape == NULL;
     struct dpvm *const d = alloc_zeroed(1, sizeof *d);
@@ -193,7 +194,7 @@ static void *create(const struct cell_of_particle *h,
     d->body = body;
     d->fields = o->fields;
     d->rule = (struct weights_rule){
-        is_box ? dpvm_weights : dpvm_weights_anywhere, d, list};
+        is_box ? dpvm_weights : dpvm_weights_anywhere, d, dpvm_list};
     d->stored = stored_weights_of(h->ps->capacity);
     if (is_box)
         find_halves(d);
@@ -206,13 +207,13 @@ static void *create(const struct cell_of_particle *h,
 static void *dpvm_create(const struct cell_of_particle *h,
                          const struct averaging_options *o)
 {
-    return create(h, o, sphere);
+    return dpvm_create_with(h, o, sphere);
 }
 
 static void *cube_create(const struct cell_of_particle *h,
                          const struct averaging_options *o)
 {
-    return create(h, o, cube);
+    return dpvm_create_with(h, o, cube);
 }
 
 static void dpvm_free(void *state)

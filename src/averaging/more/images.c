@@ -49,7 +49,7 @@ static double edge(const struct box *b, int k, int j)
 }
 
 /* The integral of a Gaussian of width b up to z, minus 1/2. */
-static double below(double z, double b)
+static double images_below(double z, double b)
 {
     return z > 6.0 * b ? 0.5 : z < -6.0 * b ? -0.5 : 0.5 * erf(z / b);
 }
@@ -68,8 +68,9 @@ static double below_edge(const struct images *s, int k, int j, double x)
     double sum = 0.0;
 
     for (int t = -turns; t <= turns; t++) {
-        sum += below(e - x - t * step, s->b);
-        if (!b->periodic[k]) sum += below(e - 2.0 * wall + x - t * step, s->b);
+        sum += images_below(e - x - t * step, s->b);
+        if (!b->periodic[k])
+            sum += images_below(e - 2.0 * wall + x - t * step, s->b);
     }
     return sum;
 }
@@ -129,7 +130,7 @@ static void images_bind(void *state, struct averaging_report *r)
 }
 
 /* Slab e of those in the reach of particle i, as the mesh counts it. */
-static int slab(const struct images *s, int i, int k, int e)
+static int images_slab(const struct images *s, int i, int k, int e)
 {
     const int n = s->h->mesh->box.n[k], j = s->first[3 * i + k] + e;
     return j < 0 ? j + n : j >= n ? j - n : j;
@@ -152,8 +153,8 @@ static int next_row(const struct images *s, int i, int first, int last,
     for (; at->e[1] < count[2]; at->e[1]++, at->e[0] = 0)
         while (at->e[0] < count[1]) {
             const int e = at->e[0]++;
-            at->row = slab(s, i, 1, e) +
-                      s->h->mesh->box.n[1] * slab(s, i, 2, at->e[1]);
+            at->row = images_slab(s, i, 1, e) +
+                      s->h->mesh->box.n[1] * images_slab(s, i, 2, at->e[1]);
             if (at->row < first || at->row >= last) continue;
             at->share = share[s->wide + e] * share[2 * s->wide + at->e[1]];
             return 1;
@@ -171,7 +172,7 @@ static void spread_one(const struct images *s, int i, int first, int last,
 
     while (next_row(s, i, first, last, &at))
         for (int e = 0; e < s->count[3 * i]; e++) {
-            const int c = slab(s, i, 0, e) + nx * at.row;
+            const int c = images_slab(s, i, 0, e) + nx * at.row;
             const double w = share[e] * at.share;
             for (int j = 0; j < m; j++)
                 field[(long)m * c + j] += w * q[m * i + j];
@@ -214,7 +215,7 @@ static void images_gather(void *state, int m, const double *field, double *q,
             q[m * i + j] = 0.0;
         while (next_row(s, i, 0, rows, &at))
             for (int e = 0; e < s->count[3 * i]; e++) {
-                const int c = slab(s, i, 0, e) + nx * at.row;
+                const int c = images_slab(s, i, 0, e) + nx * at.row;
                 const double w = share[e] * at.share;
                 for (int j = 0; j < m; j++)
                     q[m * i + j] += w * field[(long)m * c + j];

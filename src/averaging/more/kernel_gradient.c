@@ -18,7 +18,7 @@ struct kernel_gradient {
 };
 
 /* Index of A_jk among xx, xy, xz, yy, yz, zz. */
-static int place(int j, int k)
+static int kernel_gradient_place(int j, int k)
 {
     static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     return at[j][k];
@@ -62,13 +62,13 @@ static void find_matrix(const struct kernel_weights *v, double A[6])
             double sum = 0.0;
             for (int e = 0; e < v->n; e++)
                 sum += v->w[e] * v->r[3 * e + j] * v->r[3 * e + k];
-            A[place(j, k)] = sum;
+            A[kernel_gradient_place(j, k)] = sum;
         }
 }
 
 /* [EW18 B.3] for field k of m. */
-static double mean(const struct kernel_weights *v, int m, int k,
-                   const double *field)
+static double kernel_gradient_mean(const struct kernel_weights *v, int m, int k,
+                                   const double *field)
 {
     double sum = 0.0, weight = 0.0;
 
@@ -81,10 +81,11 @@ static double mean(const struct kernel_weights *v, int m, int k,
 
 /* The right-hand side [EW18 B.10] and the solution of [EW18 B.8]; in a row of
  * cells that is the quotient [EW18 B.7]. */
-static void find_one(const struct kernel_weights *v, const double A[6], int m,
-                     int k, const double *field, double X[3])
+static void kernel_gradient_find_one(const struct kernel_weights *v,
+                                     const double A[6], int m, int k,
+                                     const double *field, double X[3])
 {
-    const double here = mean(v, m, k, field);
+    const double here = kernel_gradient_mean(v, m, k, field);
     double B[3] = {0.0, 0.0, 0.0};
 
     for (int e = 0; e < v->n; e++) {
@@ -97,7 +98,7 @@ static void find_one(const struct kernel_weights *v, const double A[6], int m,
 }
 
 /* 1 if no link leads along direction k. */
-static int is_flat(const struct mesh *m, int k)
+static int kernel_gradient_is_flat(const struct mesh *m, int k)
 {
     for (int f = 0; f < m->n_internal; f++) {
         const double *const d = &m->d[3 * f];
@@ -115,7 +116,7 @@ struct kernel_gradient *kernel_gradient_create(const struct cell_of_particle *h,
     s->h = h;
     s->b = b;
     for (int k = 0; k < 3; k++)
-        s->flat[k] = is_flat(h->mesh, k);
+        s->flat[k] = kernel_gradient_is_flat(h->mesh, k);
     s->near =
         stencil_create(h->mesh, kernel_gradient_reach * b, STENCIL_TO_CENTRE);
     return s;
@@ -133,7 +134,7 @@ static void drop_flat_directions(const struct kernel_gradient *s, double A[6])
 {
     for (int j = 0; j < 3; j++)
         for (int k = 0; k < 3; k++)
-            if (s->flat[j]) A[place(j, k)] = 0.0;
+            if (s->flat[j]) A[kernel_gradient_place(j, k)] = 0.0;
 }
 
 /* [EW18 B.6] for all particles, from particle to particle. */
@@ -151,7 +152,7 @@ void kernel_gradient_find(const struct kernel_gradient *s, int m,
         find_matrix(&v, A);
         drop_flat_directions(s, A);
         for (int k = 0; k < m; k++)
-            find_one(&v, A, m, k, field, &X[3 * (m * i + k)]);
+            kernel_gradient_find_one(&v, A, m, k, field, &X[3 * (m * i + k)]);
     }
     free(v.r);
     free(v.w);

@@ -60,7 +60,7 @@ void overlap_grid_prepare(struct overlap_grid *g)
 }
 
 /* Between which planes the cell is: from the one returned to the next. */
-static int slab(const struct overlap_grid *g, int k, double lo)
+static int overlap_grid_slab(const struct overlap_grid *g, int k, double lo)
 {
     int i = g->n[k];
 
@@ -81,8 +81,9 @@ double overlap_grid_cell(const struct overlap_grid *g, const double lo[3],
     }
     if (farthest <= g->R * g->R)
         return (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
-    const int i = slab(g, 0, lo[0]), j = slab(g, 1, lo[1]),
-              k = slab(g, 2, lo[2]);
+    const int i = overlap_grid_slab(g, 0, lo[0]),
+              j = overlap_grid_slab(g, 1, lo[1]),
+              k = overlap_grid_slab(g, 2, lo[2]);
     for (int corner = 0; corner < 8; corner++) {
         const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
         const double part = g->octant[i + x][j + y][k + z];

@@ -82,7 +82,7 @@ static double *all_weights(const struct box *box, int k, double T, double b)
 }
 
 /* How far apart cells i and j of the line are, counted in cells. */
-static int apart(const struct direction *d, int i, int j)
+static int separable_apart(const struct direction *d, int i, int j)
 {
     const int straight = abs(i - j);
     return d->periodic && d->n - straight < straight ? d->n - straight
@@ -90,13 +90,13 @@ static int apart(const struct direction *d, int i, int j)
 }
 
 /* The weight of row i beyond the reach. */
-static double beyond(const struct direction *d, const double *all, int i,
-                     int reach)
+static double separable_beyond(const struct direction *d, const double *all,
+                               int i, int reach)
 {
     double sum = 0.0;
 
     for (int j = 0; j < d->n; j++)
-        if (apart(d, i, j) > reach) sum += all[d->n * i + j];
+        if (separable_apart(d, i, j) > reach) sum += all[d->n * i + j];
     return sum;
 }
 
@@ -107,7 +107,7 @@ static int find_reach(const struct direction *d, const double *all, double tail)
     int reach = 0;
 
     for (int i = 0; i < d->n; i++)
-        while (beyond(d, all, i, reach) > tail)
+        while (separable_beyond(d, all, i, reach) > tail)
             reach++;
     return reach;
 }
@@ -218,7 +218,8 @@ static struct bundle bundle_of(const struct lines *l, int b)
                            fewer(WIDTH, l->inner - first)};
 }
 
-static void pack(const struct lines *l, const struct bundle *b, double *to)
+static void separable_pack(const struct lines *l, const struct bundle *b,
+                           double *to)
 {
     for (int g = 0; g < b->count; g++) {
         const double *const from = l->u + b->at + (long)g * l->d->n * l->inner;
@@ -277,7 +278,7 @@ static void apply_bundle(const struct lines *l, const struct bundle *b,
     const struct direction *const d = l->d;
     double *const line = room + (d->whole ? 0 : (long)WIDTH * d->reach);
 
-    pack(l, b, line);
+    separable_pack(l, b, line);
     if (!d->whole) continue_lines(d, line);
     for (int i = 0; i < d->n; i++) {
         double sum[WIDTH];

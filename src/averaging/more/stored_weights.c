@@ -18,7 +18,7 @@ void stored_weights_release(struct stored_weights *k)
 }
 
 /* Makes room for n more weights after the first `used`. */
-static void make_room(struct stored_weights *k, int used, int n)
+static void stored_weights_make_room(struct stored_weights *k, int used, int n)
 {
     if (used + n <= k->capacity) return;
     k->capacity = 2 * (used + n);
@@ -29,10 +29,10 @@ static void make_room(struct stored_weights *k, int used, int n)
 
 /* Appends the weights that are not 0 after the first `used`, and returns how
  * many there are then. */
-static int append(struct stored_weights *k, int used, int n,
-                  const int *index_offset, const double *w)
+static int stored_weights_append(struct stored_weights *k, int used, int n,
+                                 const int *index_offset, const double *w)
 {
-    make_room(k, used, n);
+    stored_weights_make_room(k, used, n);
     for (int e = 0; e < n; e++) {
         if (w[e] == 0.0) continue;
         k->index_offset[used] = index_offset[e];
@@ -59,7 +59,7 @@ void stored_weights_fill(struct stored_weights *k,
                 k->unsupported++;
             }
             k->start[a] = used;
-            used = append(k, used, n, near.index_offset, w);
+            used = stored_weights_append(k, used, n, near.index_offset, w);
         }
     }
     k->start[h->n] = used;

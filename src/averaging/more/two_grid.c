@@ -43,7 +43,7 @@ static double *find_extents(const struct mesh *m)
 }
 
 /* The coarse slab that x is in; the ends count as inside. */
-static int slab(const struct two_grid *g, int k, double x)
+static int two_grid_slab(const struct two_grid *g, int k, double x)
 {
     const double at = (x - g->low[k]) / g->width[k];
     return number_clamped(at, 0, g->n[k] - 1);
@@ -51,12 +51,14 @@ static int slab(const struct two_grid *g, int k, double x)
 
 static int coarse_at(const struct two_grid *g, const double x[3])
 {
-    return slab(g, 0, x[0]) +
-           g->n[0] * (slab(g, 1, x[1]) + g->n[1] * slab(g, 2, x[2]));
+    return two_grid_slab(g, 0, x[0]) +
+           g->n[0] * (two_grid_slab(g, 1, x[1]) +
+                      g->n[1] * two_grid_slab(g, 2, x[2]));
 }
 
 /* The smallest box around fine cell c. */
-static void ends_of(const struct two_grid *g, int c, double lo[3], double hi[3])
+static void two_grid_ends_of(const struct two_grid *g, int c, double lo[3],
+                             double hi[3])
 {
     for (int k = 0; k < 3; k++) {
         const double x = g->h->mesh->centre[3 * c + k];
@@ -68,8 +70,9 @@ static void ends_of(const struct two_grid *g, int c, double lo[3], double hi[3])
 }
 
 /* [m^3] of fine cell c, with these ends, in the coarse cell `at`. */
-static double common(const struct two_grid *g, int c, const double lo[3],
-                     const double hi[3], const int at[3])
+static double two_grid_common(const struct two_grid *g, int c,
+                              const double lo[3], const double hi[3],
+                              const int at[3])
 {
     double begin[3], end[3], V = 1.0;
 
@@ -89,17 +92,17 @@ static int overlap_cell(const struct two_grid *g, int c, int *other,
     double lo[3], hi[3];
     int first[3], last[3], at[3], n = 0;
 
-    ends_of(g, c, lo, hi);
+    two_grid_ends_of(g, c, lo, hi);
     for (int k = 0; k < 3; k++) {
-        first[k] = slab(g, k, lo[k]);
-        last[k] = slab(g, k, hi[k]);
+        first[k] = two_grid_slab(g, k, lo[k]);
+        last[k] = two_grid_slab(g, k, hi[k]);
     }
     for (at[2] = first[2]; at[2] <= last[2]; at[2]++)
         for (at[1] = first[1]; at[1] <= last[1]; at[1]++)
             for (at[0] = first[0]; at[0] <= last[0]; at[0]++, n++) {
                 if (other == NULL) continue;
                 other[n] = at[0] + g->n[0] * (at[1] + g->n[1] * at[2]);
-                volume[n] = common(g, c, lo, hi, at);
+                volume[n] = two_grid_common(g, c, lo, hi, at);
             }
     return n;
 }
@@ -135,7 +138,7 @@ static double create_grid(struct two_grid *g, double bandwidth)
     }
     for (int c = 0; c < m->n_cells; c++) {
         double lo[3], hi[3];
-        ends_of(g, c, lo, hi);
+        two_grid_ends_of(g, c, lo, hi);
         for (int k = 0; k < 3; k++) {
             g->low[k] = fmin(g->low[k], lo[k]);
             high[k] = fmax(high[k], hi[k]);

@@ -17,8 +17,8 @@ enum { MOST_TURNS = 1000 }; /* a body may be as wide as this many periods */
 static const double flat = 1e-12;
 
 /* Twice the area of polygon p, and the mean of its corners. */
-static void measure(const struct mesh_shape *s, int p, double S[3],
-                    double mean[3])
+static void facets_measure(const struct mesh_shape *s, int p, double S[3],
+                           double mean[3])
 {
     const int first = s->start[p], n = s->start[p + 1] - first;
 
@@ -34,12 +34,12 @@ static void measure(const struct mesh_shape *s, int p, double S[3],
     }
 }
 
-static int is_flat(const struct mesh_shape *s, int p)
+static int facets_is_flat(const struct mesh_shape *s, int p)
 {
     double S[3], mean[3], off = 0.0;
 
     if (s->start[p + 1] - s->start[p] > FLAT_MOST) return 0;
-    measure(s, p, S, mean);
+    facets_measure(s, p, S, mean);
     const double area2 = vector_length(S);
     for (int i = s->start[p]; i < s->start[p + 1]; i++) {
         double d[3];
@@ -60,12 +60,12 @@ static void set_normal(struct facets *f, int j, const double S[3])
 }
 
 /* The polygon as it is, or as triangles around its middle, point `middle`. */
-static void add_flat(struct facets *f, int p, int *j, int *at)
+static void facets_add_flat(struct facets *f, int p, int *j, int *at)
 {
     const struct mesh_shape *const s = f->mesh->shape;
     double S[3], mean[3];
 
-    measure(s, p, S, mean);
+    facets_measure(s, p, S, mean);
     set_normal(f, *j, S);
     for (int i = s->start[p]; i < s->start[p + 1]; i++)
         f->corner[(*at)++] = s->corner[i];
@@ -78,7 +78,7 @@ static void add_bent(struct facets *f, int p, int middle, int *j, int *at)
     const int first = s->start[p], n = s->start[p + 1] - first;
     double S[3], *const x = &f->point[3 * middle];
 
-    measure(s, p, S, x);
+    facets_measure(s, p, S, x);
     for (int i = 0; i < n; i++) {
         const int a = s->corner[first + i], b = s->corner[first + (i + 1) % n];
         double u[3], v[3];
@@ -100,7 +100,7 @@ static void divide_polygons(struct facets *f)
     int bent = 0, j = 0, at = 0;
 
     for (int p = 0; p < s->n_polygons; p++)
-        bent += !is_flat(s, p);
+        bent += !facets_is_flat(s, p);
     f->point = alloc_doubles(3 * (s->n_points + bent));
     memcpy(f->point, s->point, 3 * (size_t)s->n_points * sizeof *f->point);
     f->of = alloc_ints(s->n_polygons + 1);
@@ -108,8 +108,8 @@ static void divide_polygons(struct facets *f)
     f->start = alloc_ints(corners + 1);
     f->corner = alloc_ints(3 * corners);
     for (int p = 0, middle = s->n_points; p < s->n_polygons; p++) {
-        if (is_flat(s, p))
-            add_flat(f, p, &j, &at);
+        if (facets_is_flat(s, p))
+            facets_add_flat(f, p, &j, &at);
         else
             add_bent(f, p, middle++, &j, &at);
         f->of[p + 1] = j;
@@ -142,7 +142,7 @@ static void measure_cell(struct facets *f, int c)
 static void middle_of(const struct mesh_shape *s, int p, double x[3])
 {
     double S[3];
-    measure(s, p, S, x);
+    facets_measure(s, p, S, x);
 }
 
 /* The periods at which cell c has a polygon on either side. */

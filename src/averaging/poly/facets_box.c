@@ -24,7 +24,7 @@ struct piece {
 /* Cuts off the part of the piece on the other side of the plane x[k] = at;
  * `sign` gives the side that is kept.
  */
-static void cut(struct piece *p, int k, double at, double sign)
+static void facets_box_cut(struct piece *p, int k, double at, double sign)
 {
     struct piece q;
 
@@ -58,8 +58,8 @@ static double flux(const struct piece *p, double lo, double width)
     return sum;
 }
 
-static double facet(const struct facets *f, int j, const double lo[3],
-                    const double hi[3])
+static double facets_box_facet(const struct facets *f, int j,
+                               const double lo[3], const double hi[3])
 {
     struct piece p, q;
 
@@ -67,16 +67,16 @@ static double facet(const struct facets *f, int j, const double lo[3],
     for (int i = f->start[j]; i < f->start[j + 1]; i++)
         memcpy(p.x[p.n++], &f->point[3 * f->corner[i]], sizeof p.x[0]);
     for (int k = 0; k < 3; k++) {
-        cut(&p, k, lo[k], 1.0);
-        if (k > 0) cut(&p, k, hi[k], -1.0);
+        facets_box_cut(&p, k, lo[k], 1.0);
+        if (k > 0) facets_box_cut(&p, k, hi[k], -1.0);
     }
     double far = -INFINITY;
     for (int i = 0; i < p.n; i++)
         far = fmax(far, p.x[i][0]);
     if (far <= hi[0]) return flux(&p, lo[0], 0.0);
     q = p;
-    cut(&p, 0, hi[0], -1.0);
-    cut(&q, 0, hi[0], 1.0);
+    facets_box_cut(&p, 0, hi[0], -1.0);
+    facets_box_cut(&q, 0, hi[0], 1.0);
     return flux(&p, lo[0], 0.0) + flux(&q, lo[0], hi[0] - lo[0]);
 }
 
@@ -92,6 +92,6 @@ double facets_in_box(const struct facets *f, int c, const double lo[3],
     }
     for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++)
         for (int j = f->of[s->polygon[i]]; j < f->of[s->polygon[i] + 1]; j++)
-            V += s->turned[i] * facet(f, j, lo, hi);
+            V += s->turned[i] * facets_box_facet(f, j, lo, hi);
     return V > 1e-14 * all ? V : 0.0; /* less is rounding around nothing */
 }

@@ -28,7 +28,8 @@ struct plane {
 
 /* From t1 to t2 along an edge that passes the foot at the distance g [m], all
  * of it outside of the ball. */
-static double beyond(const struct plane *p, double g, double t1, double t2)
+static double facets_sphere_beyond(const struct plane *p, double g, double t1,
+                                   double t2)
 {
     const double h2 = p->h * p->h, g2 = g * g;
     const double r1 = sqrt(h2 + g2 + t1 * t1), r2 = sqrt(h2 + g2 + t2 * t2);
@@ -44,17 +45,18 @@ static double triangle(const struct plane *p, double g, double t1, double t2)
 {
     const double s2 = p->R * p->R - p->h * p->h - g * g;
 
-    if (s2 <= 0.0) return beyond(p, g, t1, t2);
+    if (s2 <= 0.0) return facets_sphere_beyond(p, g, t1, t2);
     const double s = sqrt(s2); /* the edge is in the ball from -s to s */
     const double in1 = fmax(-s, fmin(s, t1)), in2 = fmax(-s, fmin(s, t2));
     double sum = p->h * g * (in2 - in1) / 6.0;
-    if (t1 < -s) sum += beyond(p, g, t1, fmin(t2, -s));
-    if (t2 > s) sum += beyond(p, g, fmax(t1, s), t2);
+    if (t1 < -s) sum += facets_sphere_beyond(p, g, t1, fmin(t2, -s));
+    if (t2 > s) sum += facets_sphere_beyond(p, g, fmax(t1, s), t2);
     return sum;
 }
 
 /* The flux through facet j (21.2). */
-static double facet(const struct facets *f, int j, const double o[3], double R)
+static double facets_sphere_facet(const struct facets *f, int j,
+                                  const double o[3], double R)
 {
     const double *const n = &f->normal[3 * j];
     const int first = f->start[j], count = f->start[j + 1] - first;
@@ -99,6 +101,6 @@ double facets_in_sphere(const struct facets *f, int c, const double o[3],
     if (farthest <= R * R) return f->V[c];
     for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++)
         for (int j = f->of[s->polygon[i]]; j < f->of[s->polygon[i] + 1]; j++)
-            V += s->turned[i] * facet(f, j, o, R);
+            V += s->turned[i] * facets_sphere_facet(f, j, o, R);
     return V > nothing * R * R * R ? V : 0.0;
 }

@@ -89,7 +89,8 @@ static int plane_of(struct mirror_search *v, const double n[3],
     return v->n_planes - 1;
 }
 
-static void add_wall(struct mirror_search *v, int j, const double S[3])
+static void wall_images_add_wall(struct mirror_search *v, int j,
+                                 const double S[3])
 {
     const struct facets *const f = v->f;
     const int first = f->start[j], n = f->start[j + 1] - first;
@@ -122,7 +123,7 @@ static void collect_walls(struct mirror_search *v)
     v->wall = alloc_zeroed((size_t)n + 1, sizeof *v->wall);
     for (int b = 0; b < m->n_faces - m->n_internal; b++)
         for (int j = of[boundary[b]]; j < of[boundary[b] + 1]; j++)
-            add_wall(v, j, &m->S[3 * (b + m->n_internal)]);
+            wall_images_add_wall(v, j, &m->S[3 * (b + m->n_internal)]);
     for (int k = 0; k < m->n_periods; k++)
         v->turns[k] =
             1 +
@@ -190,8 +191,9 @@ static double to_edge(const double z[3], const double a[3], const double e[3])
 }
 
 /* From the point x to the facet [m]. */
-static double distance(const struct mirror_search *v,
-                       const struct mirror_image *s, const double x[3])
+static double wall_images_distance(const struct mirror_search *v,
+                                   const struct mirror_image *s,
+                                   const double x[3])
 {
     const struct facets *const f = v->f;
     const int first = f->start[s->wall->j],
@@ -222,15 +224,15 @@ static double to_plane(const struct mirror_search *v, int k, const double x[3])
 
     for (int i = 0; i < v->n_seen; i++)
         if (v->seen[i].plane == k)
-            least = fmin(least, distance(v, &v->seen[i], x));
+            least = fmin(least, wall_images_distance(v, &v->seen[i], x));
     return least;
 }
 
 /* Weight of plane k for the point x, which is h [m] beyond it: 1 if this wall
  * is the nearest, and of several equally near walls the one that x is farthest
  * beyond; a fraction if several are equal in both; else 0. */
-static double part_of(const struct mirror_search *v, int k, const double x[3],
-                      double h)
+static double wall_images_part_of(const struct mirror_search *v, int k,
+                                  const double x[3], double h)
 {
     enum { TIES = 8 };
     const double tiny = same * v->reach, own = to_plane(v, k, x);
@@ -242,7 +244,7 @@ static double part_of(const struct mirror_search *v, int k, const double x[3],
         vector_between(x, s->mid, r);
         if (s->plane == k || vector_length(r) - s->wall->radius > own + tiny)
             continue;
-        const double d = distance(v, s, x);
+        const double d = wall_images_distance(v, s, x);
         if (d > own + tiny) continue;
         if (d < own - tiny) return 0.0;
         const struct plane *const p = &v->plane[s->plane];
@@ -284,7 +286,7 @@ static void mirror(struct mirror_search *v, int i, int k)
     if (h <= same * v->reach || h > v->reach) return;
     vector_along(from->offset, 2.0 * h, p->n, q.offset);
     if (vector_length(q.offset) > 2.0 * v->reach) return;
-    q.weight = from->weight * part_of(v, k, q.offset, h);
+    q.weight = from->weight * wall_images_part_of(v, k, q.offset, h);
     if (q.weight == 0.0) return;
     for (int col = 0; col < 3; col++) {
         double n_turn = 0.0;

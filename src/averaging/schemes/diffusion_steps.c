@@ -139,8 +139,9 @@ static void apply_padded(void *state, int m, double *u,
             u[m * c + k] = wide[all * c + k];
 }
 
-static void *create(const struct diffusion_scheme *scheme, const struct mesh *m,
-                    const struct averaging_options *o)
+static void *diffusion_steps_create(const struct diffusion_scheme *scheme,
+                                    const struct mesh *m,
+                                    const struct averaging_options *o)
 {
     struct diffusion_steps *const d = alloc_zeroed(1, sizeof *d);
     const int n = m->n_cells;
@@ -161,7 +162,7 @@ static void *create(const struct diffusion_scheme *scheme, const struct mesh *m,
     return d;
 }
 
-static void release(void *state)
+static void diffusion_steps_release(void *state)
 {
     struct diffusion_steps *const d = state;
 
@@ -174,7 +175,7 @@ static void release(void *state)
     free(d);
 }
 
-static void fill(void *state, const double *D)
+static void diffusion_steps_fill(void *state, const double *D)
 {
     struct diffusion_steps *const d = state;
 
@@ -189,10 +190,12 @@ static int crank_nicolson_safe_steps(const struct mesh *m, double b)
                           INT_MAX);
 }
 
-static const struct diffusion_stepping stepping = {create, release, fill,
-                                                   apply_padded, NULL};
+static const struct diffusion_stepping stepping = {
+    diffusion_steps_create, diffusion_steps_release, diffusion_steps_fill,
+    apply_padded, NULL};
 static const struct diffusion_stepping crank_nicolson_stepping = {
-    create, release, fill, apply_padded, crank_nicolson_safe_steps};
+    diffusion_steps_create, diffusion_steps_release, diffusion_steps_fill,
+    apply_padded, crank_nicolson_safe_steps};
 
 static const struct key steps_keys[] = {
     {"averaging.steps", KEY_INT, "-", ">= 1, <= 1000", "3",

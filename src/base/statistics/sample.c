@@ -5,7 +5,7 @@
 
 #include "base/statistics/moments.h"
 
-static int is_near(double x, double x_0, double tolerance)
+static int sample_is_near(double x, double x_0, double tolerance)
 {
     return fabs(x - x_0) <= tolerance * x_0;
 }
@@ -17,8 +17,8 @@ struct sample_moments sample_near(int n, const double *value, const double *Re,
     struct sample_moments s = {0};
 
     for (int i = 0; i < n; i++)
-        if (is_near(Re[i], Re_0, tolerance) &&
-            is_near(eps[i], eps_0, tolerance))
+        if (sample_is_near(Re[i], Re_0, tolerance) &&
+            sample_is_near(eps[i], eps_0, tolerance))
             room[s.n++] = value[i];
     s.mean = moments_mean(s.n, room);
     s.deviation = moments_deviation(s.n, room);

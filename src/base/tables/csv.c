@@ -11,14 +11,14 @@
 #include "base/alloc.h"
 #include "base/tables/input.h"
 
-static int is_gap(char c)
+static int csv_is_gap(char c)
 {
     return c == ',' || c == ';' || c == ' ' || c == '\t' || c == '\r';
 }
 
 static const char *skip_gap(const char *at)
 {
-    while (is_gap(*at))
+    while (csv_is_gap(*at))
         at++;
     return at;
 }
@@ -30,7 +30,7 @@ static const char *read_name(const char *at, char name[CSV_NAME],
 {
     int n = 0;
 
-    for (; *at != '\0' && *at != '[' && *at != '(' && !is_gap(*at); at++)
+    for (; *at != '\0' && *at != '[' && *at != '(' && !csv_is_gap(*at); at++)
         if (*at != '"' && n < CSV_NAME - 1) name[n++] = *at;
     name[n] = unit[0] = '\0';
     while (*at == ' ' || *at == '[' || *at == '(') {
@@ -137,7 +137,7 @@ static int read_row(struct csv *t, const char *line, int number,
 }
 
 /* Ends the line at `at`; returns the next one, or NULL. */
-static char *cut(char *at)
+static char *csv_cut(char *at)
 {
     char *const end = strchr(at, '\n');
 
@@ -146,12 +146,12 @@ static char *cut(char *at)
     return end + 1;
 }
 
-static int words_of(const char *line)
+static int csv_words_of(const char *line)
 {
     int n = 0;
 
     for (line = skip_gap(line); *line != '\0'; line = skip_gap(line), n++)
-        while (*line != '\0' && !is_gap(*line))
+        while (*line != '\0' && !csv_is_gap(*line))
             line++;
     return n;
 }
@@ -165,7 +165,7 @@ static int is_first_row(struct csv *t, const char *line, const char *remark,
     const char c = *skip_gap(line);
 
     if (names == NULL || isalpha((unsigned char)c) || c == '"') return 0;
-    if (remark != NULL) believe(t, remark, words_of(line));
+    if (remark != NULL) believe(t, remark, csv_words_of(line));
     return t->n_columns > 0 || read_names(t, names, none) == 0;
 }
 
@@ -177,7 +177,7 @@ static int read_lines(struct csv *t, char *text, const char *names,
 
     for (char *at = text, *next; at != NULL && !failed; at = next) {
         char copy[CSV_WRONG];
-        next = cut(at);
+        next = csv_cut(at);
         number++;
         if (*skip_gap(at) == '\0') continue;
         if (*skip_gap(at) != '#') {
@@ -187,7 +187,7 @@ static int read_lines(struct csv *t, char *text, const char *names,
             continue;
         }
         if (t->n_rows > 0) continue;
-        if (words_of(at) > 1) remark = at;
+        if (csv_words_of(at) > 1) remark = at;
         snprintf(copy, sizeof copy, "%s", at);
         const char *const unit = foreign_unit(copy);
         failed = unit != NULL;

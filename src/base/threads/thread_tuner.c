@@ -17,7 +17,7 @@ static const double soon = 1.0, late = 128.0; /* [-] */
 /* The gain that a trial must show: more than steps differ by in any case. */
 static const double worth_it = 0.9; /* [-] */
 
-static void measure(struct thread_tuner *c)
+static void thread_tuner_measure(struct thread_tuner *c)
 {
     c->measuring = 1;
     c->steps_left = TRIAL;
@@ -30,7 +30,7 @@ void thread_tuner_init(struct thread_tuner *c, int most)
                                .threads = 1,
                                .target = most,
                                .trial_interval = 0.5 * soon};
-    measure(c);
+    thread_tuner_measure(c);
 }
 
 /* Trials with more and with fewer threads alternate. */
@@ -77,7 +77,7 @@ int thread_tuner_next(struct thread_tuner *c, double seconds)
     } else if (c->measuring) {
         if (c->steps_left == 0) begin_trial(c);
     } else if (c->elapsed >= c->trial_interval * c->reference_time) {
-        measure(c);
+        thread_tuner_measure(c);
     }
     return c->trial_threads > 0 ? c->trial_threads : c->threads;
 }

@@ -33,10 +33,10 @@ static const struct history_column columns[] = {
     {"energy_residual [J]", residual_of_energy, 0},
     {NULL, NULL, 0}};
 
-static int applies(const struct simulation *sim)
+static int history_budget_applies(const struct simulation *sim)
 {
     return sim->dem != NULL && dem_energy(sim->dem) != NULL;
 }
 
 const struct history_table history_budget = {.columns = columns,
-                                             .applies = applies};
+                                             .applies = history_budget_applies};

@@ -85,7 +85,7 @@ static int check_second_grid(const struct settings *s)
                           b, cells, most_cells);
 }
 
-static int check_given(const struct settings *s)
+static int case_averaging_check_given(const struct settings *s)
 {
     const char *const method = settings_text(s, "averaging.method");
     const int b = settings_has(s, "averaging.bandwidth");
@@ -107,7 +107,7 @@ static int check_given(const struct settings *s)
 
 int case_averaging_check(const struct settings *s)
 {
-    int code = check_given(s);
+    int code = case_averaging_check_given(s);
 
     if (code == 0) code = check_widths(s);
     return code != 0 ? code : check_second_grid(s);

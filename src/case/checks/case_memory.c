@@ -95,7 +95,7 @@ static int is_divided(const struct settings *s)
 }
 
 /* The lower of two limits; the second may be absent. */
-static double lower(double most, double limit)
+static double case_memory_lower(double most, double limit)
 {
     return limit > 0.0 && limit < most ? limit : most;
 }
@@ -120,12 +120,13 @@ static double available(void)
     struct rlimit own;
     double most = HUGE_VAL;
 
-    most = lower(most, (double)sysconf(_SC_PHYS_PAGES) *
-                           (double)sysconf(_SC_PAGESIZE));
-    most = lower(most, limit_in("/sys/fs/cgroup/memory.max"));
-    most = lower(most, limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
+    most = case_memory_lower(most, (double)sysconf(_SC_PHYS_PAGES) *
+                                       (double)sysconf(_SC_PAGESIZE));
+    most = case_memory_lower(most, limit_in("/sys/fs/cgroup/memory.max"));
+    most = case_memory_lower(
+        most, limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
     if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
-        most = lower(most, (double)own.rlim_cur);
+        most = case_memory_lower(most, (double)own.rlim_cur);
     return most;
 }
 

@@ -203,7 +203,7 @@ int case_scales_check_memory(const struct settings *s,
 }
 
 /* Without contacts a bed does not come to rest. */
-static int check_no_contacts(const struct settings *s)
+static int case_scales_check_no_contacts(const struct settings *s)
 {
     if (!settings_has(s, "particles.bed") ||
         settings_int(s, "particles.bed.count") == 0 ||
@@ -220,7 +220,7 @@ int case_scales_check(const struct settings *s)
     if (!settings_has(s, "particles")) return 0;
     const struct case_scales k = case_scales_of(s);
     if (case_scales_check_memory(s, &k) != 0) return 2;
-    if (case_limits_no_contacts(s)) return check_no_contacts(s);
+    if (case_limits_no_contacts(s)) return case_scales_check_no_contacts(s);
     if (settings_bool(s, "particles.unsafe_step")) return 0;
     const struct case_limits m = case_limits_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;

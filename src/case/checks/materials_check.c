@@ -39,7 +39,7 @@ int materials_check_rolling(const struct settings *s)
 }
 
 /* Names are used once. */
-static int check_one(const struct settings *s, int k)
+static int materials_check_one(const struct settings *s, int k)
 {
     const char *const name = settings_item_text(s, list, k, "name");
 
@@ -68,7 +68,7 @@ static int check_pair(const struct settings *s, int k)
 }
 
 /* A sphere has the density of its material. */
-static int check_place(const struct settings *s, int i)
+static int materials_check_place(const struct settings *s, int i)
 {
     static const char place[] = "particles.place";
     const char *name;
@@ -89,11 +89,11 @@ int materials_check(const struct settings *s)
     int code = 0;
 
     for (int k = 0; k < settings_length(s, list) && code == 0; k++)
-        code = check_one(s, k);
+        code = materials_check_one(s, k);
     for (int k = 0; k < settings_length(s, pairs) && code == 0; k++)
         code = check_pair(s, k);
     for (int i = 0; i < settings_length(s, "particles.place") && code == 0; i++)
-        code = check_place(s, i);
+        code = materials_check_place(s, i);
     if (code == 0 && settings_has(s, wall))
         code = materials_check_name(s, wall, settings_text(s, wall));
     return code;

@@ -79,7 +79,7 @@ static double unevenness(const struct box *b, int k)
 
 /* Beyond these no solver comes to an end, and squares of areas leave the range
  * of a double. */
-static int check_shape(const struct settings *s, const struct mesh *m)
+static int mesh_check_shape(const struct settings *s, const struct mesh *m)
 {
     const double most_uneven = 1e6, tiny = 1e-60, huge = 1e60; /* [-], [m^3] */
     const char *const key =
@@ -103,7 +103,7 @@ static int check_shape(const struct settings *s, const struct mesh *m)
 int mesh_check_cells(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);
-    const int code = check_shape(s, m);
+    const int code = mesh_check_shape(s, m);
 
     mesh_free(m);
     return code;
@@ -112,7 +112,7 @@ int mesh_check_cells(const struct settings *s)
 /* --- its patches ---------------------------------------------------------- */
 
 /* The area of a patch [m^2]. */
-static double area_of(const struct mesh *m, const struct patch *p)
+static double mesh_check_area_of(const struct mesh *m, const struct patch *p)
 {
     double area = 0.0;
 
@@ -153,7 +153,7 @@ static int check_patch(const struct settings *s, const struct mesh *m,
         return settings_wrong(s, "fluid",
                               "the patch %s, %d faces with %.3g m^2, has no "
                               "boundary condition: give fluid.%s",
-                              p->name, p->n, area_of(m, p), p->name);
+                              p->name, p->n, mesh_check_area_of(m, p), p->name);
     snprintf(path, sizeof path, "%s.profile", side);
     if (settings_has(s, path) &&
         strcmp(settings_text(s, path), "parabola") == 0)

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* The group that a key is in, and its own name. */
-static const char *split(const char *path, char group[SCHEMA_TEXT])
+static const char *model_choice_split(const char *path, char group[SCHEMA_TEXT])
 {
     const char *const dot = strrchr(path, '.');
 
@@ -32,7 +32,7 @@ static int is_some_side(const struct settings *s, const struct model *m)
         if (word != NULL && strcmp(word, m->name) == 0) return 1;
         if (word != NULL || m->keys[0] == NULL) continue;
         snprintf(path, sizeof path, "%s.%s", side,
-                 split(m->keys[0]->path, group));
+                 model_choice_split(m->keys[0]->path, group));
         if (settings_has(s, path)) return 1;
     }
     return 0;
@@ -73,7 +73,7 @@ static int is_at_work(const struct settings *s, const struct kind *kind)
     struct model m;
     int owned = 0;
 
-    split(kind->key, group);
+    model_choice_split(kind->key, group);
     if (!settings_has(s, kind->group != NULL ? kind->group
                          : group[0] != '\0'  ? group
                                              : kind->key))
@@ -91,7 +91,7 @@ int model_choice_is_on(const struct settings *s, const struct kind *kind,
                        const struct model *m)
 {
     char group[SCHEMA_TEXT], path[SCHEMA_TEXT];
-    const char *const key = split(kind->key, group);
+    const char *const key = model_choice_split(kind->key, group);
 
     if (!is_at_work(s, kind)) return 0;
     if (strstr(key, "<patch>") != NULL) return is_some_side(s, m);
@@ -127,7 +127,7 @@ static int chooses(const struct settings *s, const struct kind *kind,
                    const char *list, int i, const struct model *m)
 {
     char of[SCHEMA_TEXT];
-    const char *const key = split(kind->key, of);
+    const char *const key = model_choice_split(kind->key, of);
 
     return strcmp(of, list) != 0 ||
            strcmp(settings_item_text(s, list, i, key), m->name) == 0;
@@ -138,7 +138,7 @@ static int missing(const struct settings *s, const struct kind *kind,
                    const struct model *m, const char *path)
 {
     char list[SCHEMA_TEXT];
-    const char *const key = split(path, list);
+    const char *const key = model_choice_split(path, list);
 
     if (!settings_is_list(s, list))
         return settings_has(s, path)

@@ -22,7 +22,7 @@ static const struct unit_range ranges[] = {
     {"", 1e-30, 1e30}};
 enum { RANGES = sizeof ranges / sizeof *ranges };
 
-static const struct unit_range *range_of(const char *unit)
+static const struct unit_range *unit_range_of(const char *unit)
 {
     int i = 0;
 
@@ -31,7 +31,7 @@ static const struct unit_range *range_of(const char *unit)
     return &ranges[i];
 }
 
-static int holds(const struct unit_range *r, double x)
+static int unit_range_holds(const struct unit_range *r, double x)
 {
     return x == 0.0 || (fabs(x) >= r->least && fabs(x) <= r->most);
 }
@@ -47,13 +47,14 @@ static int may_be_tiny(const struct key *key)
 static double extreme(const struct key *key, const config_setting_t *s)
 {
     const int whole = key->type == KEY_INT || key->type == KEY_COUNTS;
-    const struct unit_range *const r = range_of(key->unit);
+    const struct unit_range *const r = unit_range_of(key->unit);
     const int n = config_setting_is_array(s) || config_setting_is_list(s)
                       ? config_setting_length(s)
                       : 0;
     double x = 0.0;
 
-    if (config_setting_is_number(s) && !whole && !holds(r, source_number(s)) &&
+    if (config_setting_is_number(s) && !whole &&
+        !unit_range_holds(r, source_number(s)) &&
         !(may_be_tiny(key) && fabs(source_number(s)) < r->least))
         return source_number(s);
     for (int i = key->type == KEY_SERIES && n == 2 &&
@@ -66,7 +67,7 @@ static double extreme(const struct key *key, const config_setting_t *s)
 int unit_range_check(const struct key *key, const char *path,
                      const config_setting_t *s)
 {
-    const struct unit_range *const r = range_of(key->unit);
+    const struct unit_range *const r = unit_range_of(key->unit);
     const double x = extreme(key, s);
 
     if (x == 0.0) return 0;

@@ -26,7 +26,7 @@
 #include "case/schema.h"
 
 /* Of direction k the name of its two sides, and that of both at once. */
-static const char *side_of(int k, int i)
+static const char *validate_side_of(int k, int i)
 {
     return schema_patches[i < 2 ? 2 * k + i : 6 + k];
 }
@@ -44,28 +44,32 @@ static int has_side(const struct settings *s, const char *patch)
 /* A periodic direction has no sides; any other has each of its two once. */
 static int check_direction(const struct settings *s, int k)
 {
-    const int both = has_side(s, side_of(k, 2));
+    const int both = has_side(s, validate_side_of(k, 2));
     int periodic[3];
 
     settings_flags(s, "mesh.periodic", periodic);
     for (int i = 0; i < 2; i++) {
-        const int given = has_side(s, side_of(k, i)) + both;
+        const int given = has_side(s, validate_side_of(k, i)) + both;
 
         if (periodic[k] && given > 0)
             return settings_wrong(s, "mesh.periodic",
                                   "%s is periodic, so the fluid has no %s "
                                   "there; leave one of them out",
                                   axes[k],
-                                  both ? side_of(k, 2) : side_of(k, i));
+                                  both ? validate_side_of(k, 2)
+                                       : validate_side_of(k, i));
         if (!periodic[k] && given == 0)
             return settings_wrong(s, "fluid",
                                   "the side %s has no boundary condition: give "
                                   "fluid.%s or fluid.%s, or make %s periodic",
-                                  side_of(k, i), side_of(k, i), side_of(k, 2),
-                                  axes[k]);
+                                  validate_side_of(k, i),
+                                  validate_side_of(k, i),
+                                  validate_side_of(k, 2), axes[k]);
         if (given == 2)
             return settings_wrong(s, "fluid", "%s is given twice, by %s and %s",
-                                  side_of(k, i), side_of(k, i), side_of(k, 2));
+                                  validate_side_of(k, i),
+                                  validate_side_of(k, i),
+                                  validate_side_of(k, 2));
     }
     return 0;
 }
@@ -92,7 +96,8 @@ static int check_walls(const struct settings *s)
         for (int i = 0; i < 3; i++) {
             char path[64];
             double u[3];
-            snprintf(path, sizeof path, "fluid.%s.wall", side_of(k, i));
+            snprintf(path, sizeof path, "fluid.%s.wall",
+                     validate_side_of(k, i));
             if (!settings_has(s, path)) continue;
             settings_vector(s, path, u);
             if (u[k] != 0.0)
@@ -132,7 +137,7 @@ static int check_drive(const struct settings *s)
 
 /* The drag on the fluid acts with the velocity at the end of a whole step, so a
  * step with coupling is not divided. */
-static int check_parts(const struct settings *s)
+static int validate_check_parts(const struct settings *s)
 {
     if ((s->fluid.cfl > 0.0) && settings_has(s, "exchange"))
         return settings_wrong(s, "fluid.cfl",
@@ -156,7 +161,7 @@ static int check_fluid(const struct settings *s)
     if (code == 0 && settings_mesh(s) == NULL) code = check_walls(s);
     if (code == 0) code = boundary_check(s);
     if (code == 0) code = check_drive(s);
-    return code != 0 ? code : check_parts(s);
+    return code != 0 ? code : validate_check_parts(s);
 }
 
 /* One diameter for all, or the name of a distribution. */
@@ -205,7 +210,7 @@ static int check_bed(const struct settings *s)
     return code != 0 ? code : check_bed_fits(s);
 }
 
-static int check_place(const struct settings *s)
+static int validate_check_place(const struct settings *s)
 {
     double lo[3], hi[3], x[3];
     int periodic[3];
@@ -253,7 +258,7 @@ static int check_integrator(const struct settings *s)
 }
 
 /* A method that finds the pairs may not know all that a case asks for. */
-static int check_list(const struct settings *s)
+static int validate_check_list(const struct settings *s)
 {
     const struct dem_options o = particle_options_dem(s, 1.0);
     const char *const unknown = o.method->unsupported(&o);
@@ -263,7 +268,7 @@ static int check_list(const struct settings *s)
                           unknown, dem_methods[0]->name);
 }
 
-static int check_particles(const struct settings *s)
+static int validate_check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
     const int place = settings_has(s, "particles.place");
@@ -273,12 +278,12 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = surfaces_part_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = case_population_check(s);
-    if (code == 0) code = check_list(s);
+    if (code == 0) code = validate_check_list(s);
     if (code != 0) return code;
     if (bed == place && (bed || !settings_has(s, "particles.insert")))
         return settings_wrong(s, "particles", "give either bed or place%s",
                               bed ? ", not both" : ", or insert");
-    code = bed ? check_bed(s) : check_place(s);
+    code = bed ? check_bed(s) : validate_check_place(s);
     return code != 0 ? code : case_cohesion_check_pairs(s);
 }
 
@@ -311,7 +316,8 @@ int validate_case(const struct settings *s)
     code = case_steps_check(s);
     if (code == 0 && s->has.fluid) code = check_fluid(s);
     if (code == 0) code = model_choice_check(s);
-    if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
+    if (code == 0 && settings_has(s, "particles"))
+        code = validate_check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);
     if (code == 0) code = case_engine_check(s);

@@ -12,7 +12,7 @@
 #include "dem/surfaces/dem_surface.h"
 #include "dem/surfaces/surface_contact_points.h"
 
-static void *longer(void *old, int used, int room, size_t size)
+static void *contact_list_longer(void *old, int used, int room, size_t size)
 {
     void *const made = alloc_zeroed((size_t)room, size);
 
@@ -21,17 +21,19 @@ static void *longer(void *old, int used, int room, size_t size)
     return made;
 }
 
-static void reserve(struct contact_list *c)
+static void contact_list_reserve(struct contact_list *c)
 {
     if (c->n < c->room) return;
     c->room = 2 * c->room + 1024;
-    c->x = longer(c->x, 6 * c->n, 6 * c->room, sizeof *c->x);
-    c->force = longer(c->force, c->n, c->room, sizeof *c->force);
-    c->depth = longer(c->depth, c->n, c->room, sizeof *c->depth);
-    c->ids = longer(c->ids, 2 * c->n, 2 * c->room, sizeof *c->ids);
-    c->corner = longer(c->corner, 2 * c->n, 2 * c->room, sizeof *c->corner);
-    c->end = longer(c->end, c->n, c->room, sizeof *c->end);
-    c->index = longer(c->index, 2 * c->n, 2 * c->room, sizeof *c->index);
+    c->x = contact_list_longer(c->x, 6 * c->n, 6 * c->room, sizeof *c->x);
+    c->force = contact_list_longer(c->force, c->n, c->room, sizeof *c->force);
+    c->depth = contact_list_longer(c->depth, c->n, c->room, sizeof *c->depth);
+    c->ids = contact_list_longer(c->ids, 2 * c->n, 2 * c->room, sizeof *c->ids);
+    c->corner = contact_list_longer(c->corner, 2 * c->n, 2 * c->room,
+                                    sizeof *c->corner);
+    c->end = contact_list_longer(c->end, c->n, c->room, sizeof *c->end);
+    c->index =
+        contact_list_longer(c->index, 2 * c->n, 2 * c->room, sizeof *c->index);
 }
 
 /* Of particle i with another, or with a wall that has a number below 0. */
@@ -42,13 +44,13 @@ struct meeting {
     double depth, R, m; /* [m], R* [m], m* [kg] */
 };
 
-static void add(struct contact_list *c, const struct meeting *a)
+static void contact_list_add(struct contact_list *c, const struct meeting *a)
 {
     const struct particles *const ps = c->sim->particles;
     const double x[3] = {ps->x[a->i], ps->y[a->i], ps->z[a->i]};
     const struct contact_law *const law = dem_created_with(c->sim->dem)->law;
 
-    reserve(c);
+    contact_list_reserve(c);
     memcpy(&c->x[6 * c->n], x, sizeof x);
     vector_along(x, 1.0, a->d, &c->x[6 * c->n + 3]);
     c->depth[c->n] = a->depth;
@@ -64,24 +66,26 @@ static void add(struct contact_list *c, const struct meeting *a)
     c->n++;
 }
 
-static int material_of(const struct particles *ps, int i)
+static int contact_list_material_of(const struct particles *ps, int i)
 {
     return ps->material != NULL ? ps->material[i] : 0;
 }
 
-static int pair_of(const struct contact_list *c, int a, int b)
+static int contact_list_pair_of(const struct contact_list *c, int a, int b)
 {
     return a * materials_count(c->sim->materials) + b;
 }
 
-static void add_pair(struct contact_list *c, int i, int j, const double x[3])
+static void contact_list_add_pair(struct contact_list *c, int i, int j,
+                                  const double x[3])
 {
     const struct particles *const ps = c->sim->particles;
     const double y[3] = {ps->x[j], ps->y[j], ps->z[j]};
     const double R[2] = {0.5 * ps->d[i], 0.5 * ps->d[j]};
     struct meeting a = {i,
                         j,
-                        pair_of(c, material_of(ps, i), material_of(ps, j)),
+                        contact_list_pair_of(c, contact_list_material_of(ps, i),
+                                             contact_list_material_of(ps, j)),
                         {0.0},
                         0.0,
                         R[0] * R[1] / (R[0] + R[1]),
@@ -90,27 +94,29 @@ static void add_pair(struct contact_list *c, int i, int j, const double x[3])
     for (int k = 0; k < 3; k++)
         a.d[k] = box_domain_nearest(&c->box, k, y[k] - x[k]);
     a.depth = R[0] + R[1] - vector_length(a.d);
-    if (a.depth > 0.0) add(c, &a);
+    if (a.depth > 0.0) contact_list_add(c, &a);
 }
 
 /* With something flat of this material, at `gap` from the centre. */
-static void add_flat(struct contact_list *c, int i, int number, int material,
-                     const double d[3], double gap)
+static void contact_list_add_flat(struct contact_list *c, int i, int number,
+                                  int material, const double d[3], double gap)
 {
     const struct particles *const ps = c->sim->particles;
     const double R = 0.5 * ps->d[i];
-    const struct meeting a = {i,
-                              number,
-                              pair_of(c, material_of(ps, i), material),
-                              {d[0], d[1], d[2]},
-                              R - gap,
-                              R,
-                              ps->m[i]};
+    const struct meeting a = {
+        i,
+        number,
+        contact_list_pair_of(c, contact_list_material_of(ps, i), material),
+        {d[0], d[1], d[2]},
+        R - gap,
+        R,
+        ps->m[i]};
 
-    if (gap < R) add(c, &a);
+    if (gap < R) contact_list_add(c, &a);
 }
 
-static void add_walls(struct contact_list *c, int i, const double x[3])
+static void contact_list_add_walls(struct contact_list *c, int i,
+                                   const double x[3])
 {
     const struct materials *const all = c->sim->materials;
 
@@ -119,12 +125,13 @@ static void add_walls(struct contact_list *c, int i, const double x[3])
         double d[3] = {0.0, 0.0, 0.0};
         d[w / 2] = w % 2 ? gap : -gap;
         if (!c->box.periodic[w / 2])
-            add_flat(c, i, -1 - w, all != NULL ? all->wall : 0, d, gap);
+            contact_list_add_flat(c, i, -1 - w, all != NULL ? all->wall : 0, d,
+                                  gap);
     }
 }
 
 /* The particles as the search for the faces near them wants them. */
-static void fill_rows(struct contact_list *c)
+static void contact_list_fill_rows(struct contact_list *c)
 {
     const struct particles *const ps = c->sim->particles;
     struct bodies *const rows = c->rows;
@@ -139,14 +146,14 @@ static void fill_rows(struct contact_list *c)
 
 /* They are found anew, where the surfaces are now: before the first step, too.
  */
-static void add_surfaces(struct contact_list *c)
+static void contact_list_add_surfaces(struct contact_list *c)
 {
     const struct dem_options *const o = dem_created_with(c->sim->dem);
     const struct surface_scene scene = {o->surfaces, o->n_surfaces, &c->box};
     const struct chunk all = {.end = c->sim->particles->n};
 
     if (o->n_surfaces == 0) return;
-    fill_rows(c);
+    contact_list_fill_rows(c);
     for (int k = 0; k < scene.n; k++)
         c->pose[k] = dem_surface(c->sim->dem, k).pose;
     near_faces_find(c->near, &scene, c->pose, &all, c->rows, 0.0);
@@ -155,8 +162,8 @@ static void add_surfaces(struct contact_list *c)
         const struct surface_contact_point *const at = &c->points->list[q];
         double d[3] = {0.0, 0.0, 0.0};
         vector_along(d, -at->r, at->n, d);
-        add_flat(c, at->owner, -7 - at->surface,
-                 scene.surface[at->surface].material, d, at->r);
+        contact_list_add_flat(c, at->owner, -7 - at->surface,
+                              scene.surface[at->surface].material, d, at->r);
     }
 }
 
@@ -176,11 +183,11 @@ void contact_list_find(struct contact_list *c)
         const int n = link_cells_around(c->cells, x, near);
         for (int k = 0; k < n; k++)
             for (int j = c->cells->head[near[k]]; j >= 0; j = c->cells->next[j])
-                add_pair(c, i, j, x);
-        add_walls(c, i, x);
+                contact_list_add_pair(c, i, j, x);
+        contact_list_add_walls(c, i, x);
         link_cells_add(c->cells, i, x);
     }
-    add_surfaces(c);
+    contact_list_add_surfaces(c);
 }
 
 struct contact_list *contact_list_create(const struct simulation *sim)
@@ -200,7 +207,7 @@ struct contact_list *contact_list_create(const struct simulation *sim)
         c->near = alloc_zeroed(1, sizeof *c->near);
         c->points = alloc_zeroed(1, sizeof *c->points);
     }
-    reserve(c);
+    contact_list_reserve(c);
     return c;
 }
 

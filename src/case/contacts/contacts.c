@@ -18,7 +18,7 @@ struct contacts {
     struct contact_list *found;
 };
 
-static int add_fields(void *part, double t)
+static int contacts_add_fields(void *part, double t)
 {
     struct contacts *const own = part;
     const struct contact_list *const c = own->found;
@@ -35,7 +35,7 @@ static int add_fields(void *part, double t)
            series_add(own->series, t) != 0;
 }
 
-static void release(void *part)
+static void contacts_release(void *part)
 {
     struct contacts *const c = part;
 
@@ -45,7 +45,7 @@ static void release(void *part)
     free(c);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *contacts_create(const struct recorder_view *v, int *failed)
 {
     if (v->sim->dem == NULL || !settings_bool(v->settings, "output.contacts"))
         return NULL;
@@ -57,11 +57,11 @@ static void *create(const struct recorder_view *v, int *failed)
     c->series = field_output_series(v->folder, "contacts", "vtp");
     if (c->series != NULL) return c;
     *failed = 1;
-    release(c);
+    contacts_release(c);
     return NULL;
 }
 
-static void visit(void *part, struct state *s)
+static void contacts_visit(void *part, struct state *s)
 {
     series_state(((struct contacts *)part)->series, s);
 }
@@ -76,8 +76,8 @@ static const struct key keys[] = {
 
 const struct recorder_part contacts_part = {
     .keys = keys,
-    .create = create,
-    .free = release,
-    .fields = add_fields,
-    .state = visit,
+    .create = contacts_create,
+    .free = contacts_release,
+    .fields = contacts_add_fields,
+    .state = contacts_visit,
 };

@@ -49,7 +49,7 @@ static const struct {
     {"effects.electrostatic", "cohesion is not told to LAMMPS"},
     {"", "it has not been divided among ranks yet"}};
 
-static int begins(const char *text, const char *with)
+static int refusal_begins(const char *text, const char *with)
 {
     return strncmp(text, with, strlen(with)) == 0;
 }
@@ -67,7 +67,8 @@ static int is_known(const char *path)
     return 0;
 }
 
-static int refuse(const struct settings *s, const char *path, const char *why)
+static int refusal_refuse(const struct settings *s, const char *path,
+                          const char *why)
 {
     return settings_wrong(s, path,
                           "not on the distributed engine (%s); run on one "
@@ -77,7 +78,7 @@ static int refuse(const struct settings *s, const char *path, const char *why)
 
 /* The first key that the case has and the engine has not; `about` is how those
  * begin that are asked for. */
-static int check_keys(const struct settings *s, const char *about)
+static int refusal_check_keys(const struct settings *s, const char *about)
 {
     const struct key *tables[CASE_FILE_TABLES];
 
@@ -88,10 +89,11 @@ static int check_keys(const struct settings *s, const char *about)
         if (row->type == KEY_PATCH || strchr(path, '<') != NULL ||
             is_known(path) || !settings_has(s, path))
             continue;
-        while (!begins(path, reasons[i].key))
+        while (!refusal_begins(path, reasons[i].key))
             i++;
-        if (begins(path, about) || strstr(reasons[i].why, "cohesion") != NULL)
-            return refuse(s, path, reasons[i].why);
+        if (refusal_begins(path, about) ||
+            strstr(reasons[i].why, "cohesion") != NULL)
+            return refusal_refuse(s, path, reasons[i].why);
     }
     return 0;
 }
@@ -121,7 +123,7 @@ static int check_choices(const struct settings *s)
         const char *const is = settings_text(s, choices[i].key);
         if (strcmp(is, choices[i].value) != 0 &&
             strcmp(is, choices[i].other) != 0)
-            return refuse(s, choices[i].key, choices[i].why);
+            return refusal_refuse(s, choices[i].key, choices[i].why);
     }
     return 0;
 }
@@ -134,12 +136,12 @@ static int check_absent(const struct settings *s)
 
     for (int i = 0; absent[i] != NULL; i++)
         if (settings_has(s, absent[i]))
-            return refuse(s, absent[i], "not divided yet");
+            return refusal_refuse(s, absent[i], "not divided yet");
     if (settings_has(s, "particles") &&
         strcmp(settings_text(s, "particles.list"), "none") == 0)
-        return refuse(s, "particles.list", "LAMMPS looks for contacts");
+        return refusal_refuse(s, "particles.list", "LAMMPS looks for contacts");
     if (s->has.fluid && s->fluid.outer_correctors)
-        return refuse(s, "fluid.outer_correctors", "not divided yet");
+        return refusal_refuse(s, "fluid.outer_correctors", "not divided yet");
     return 0;
 }
 
@@ -154,8 +156,8 @@ static int check_sides(const struct settings *s)
             snprintf(path, sizeof path, "%s.%s", side, words[k]);
             if (settings_has(s, path) &&
                 !(k == 0 && strcmp(settings_text(s, path), "uniform") == 0))
-                return refuse(s, path,
-                              "a rank does not see the whole side of the box");
+                return refusal_refuse(
+                    s, path, "a rank does not see the whole side of the box");
         }
     return 0;
 }
@@ -167,9 +169,9 @@ static int check_grading(const struct settings *s)
     settings_vector(s, "mesh.grading", g);
     for (int k = 0; k < 3; k++)
         if (g[k] != 1.0)
-            return refuse(s, "mesh.grading",
-                          "cells of different width are "
-                          "not divided yet");
+            return refusal_refuse(s, "mesh.grading",
+                                  "cells of different width are "
+                                  "not divided yet");
     return 0;
 }
 
@@ -185,18 +187,19 @@ int refusal_export(const struct settings *s)
         return settings_wrong(s, "particles.materials", "%d at most",
                               WORDS_MATERIALS);
     if (!words_has_law(s))
-        return refuse(s, "particles.contact",
-                      "LAMMPS has Hertz's spring and a linear one");
+        return refusal_refuse(s, "particles.contact",
+                              "LAMMPS has Hertz's spring and a linear one");
     if (materials_check_rolling(s))
-        return refuse(s, "particles.grains.rolling_friction",
-                      "LAMMPS' law of it is another one");
+        return refusal_refuse(s, "particles.grains.rolling_friction",
+                              "LAMMPS' law of it is another one");
     const struct words w = words_of(s, 1.0);
     for (int i = 0; i < n * n; i++)
         if (words_restitution(w.hertz, w.pair[i].damping_n) < 0.0)
-            return refuse(s, grains,
-                          "LAMMPS' dashpot is not as strong as a restitution "
-                          "so small needs");
-    return check_keys(s, "particles");
+            return refusal_refuse(
+                s, grains,
+                "LAMMPS' dashpot is not as strong as a restitution "
+                "so small needs");
+    return refusal_check_keys(s, "particles");
 }
 
 int refusal_engine(const struct settings *s)
@@ -212,7 +215,7 @@ int refusal_engine(const struct settings *s)
                                   i == 0 ? ", or winnow export CASE --to "
                                            "lammps"
                                          : "");
-    if (code == 0) code = check_keys(s, "");
+    if (code == 0) code = refusal_check_keys(s, "");
     if (code == 0) code = check_choices(s);
     if (code == 0) code = check_absent(s);
     if (code == 0) code = check_sides(s);

@@ -54,8 +54,8 @@ struct load {
     double y_plus, area;                       /* [-] the largest; [m^2] */
 };
 
-static void add_face(struct load *l, const struct fluid *fl, int patch, int j,
-                     const double centre[3])
+static void forces_add_face(struct load *l, const struct fluid *fl, int patch,
+                            int j, const double centre[3])
 {
     const struct wall_stress w = wall_stress(fl, patch, j);
     double x[3], arm[3], force[3], torque[3];
@@ -79,15 +79,15 @@ static struct load load_on(const struct body *b, const struct fluid *fl)
 
     for (int i = 0; i < fl->mesh->n_patches; i++)
         for (int j = 0; j < fl->mesh->patches[i].n && b->on[i]; j++)
-            add_face(&l, fl, i, j, b->centre);
+            forces_add_face(&l, fl, i, j, b->centre);
     return l;
 }
 
 /* --- what the case says --------------------------------------------------- */
 
 /* A direction of the case, its length made 1. */
-static void direction(const struct settings *s, int i, const char *key,
-                      double e[3])
+static void forces_direction(const struct settings *s, int i, const char *key,
+                             double e[3])
 {
     settings_item_vector(s, forces_list, i, key, e);
     const double length = vector_length(e);
@@ -133,9 +133,9 @@ static void create_body(const struct settings *s, const struct simulation *sim,
     b->surfaces = surface_loads_create(sim, surfaces, b->centre);
     if (patches == NULL && surfaces != NULL) return;
     mark_patches(fl, patches, b);
-    direction(s, i, "drag", b->drag);
-    direction(s, i, "lift", b->lift);
-    direction(s, i, "axis", b->axis);
+    forces_direction(s, i, "drag", b->drag);
+    forces_direction(s, i, "lift", b->lift);
+    forces_direction(s, i, "axis", b->axis);
     const double U = real_or_0(s, i, "velocity"), A = real_or_0(s, i, "area");
     const double L = real_or_0(s, i, "length");
     const double force = 0.5 * fl->options.rho * U * U * A;
@@ -188,7 +188,7 @@ static void fill_fluid(const struct body *b, const struct fluid *fl,
     row[13] = b->per_torque * vector_dot(l.torque, b->axis);
 }
 
-static int add_row(void *memory)
+static int forces_add_row(void *memory)
 {
     struct forces *const f = memory;
     double *at = f->row;
@@ -206,7 +206,8 @@ static int add_row(void *memory)
     return table_add(f->table, f->row);
 }
 
-static struct table *create_table(const struct forces *f, struct folder *folder)
+static struct table *forces_create_table(const struct forces *f,
+                                         struct folder *folder)
 {
     char(*const text)[COLUMN] =
         alloc_zeroed((size_t)f->n_columns, sizeof *text);
@@ -228,7 +229,7 @@ static struct table *create_table(const struct forces *f, struct folder *folder)
     return t;
 }
 
-static void release(void *memory)
+static void forces_release(void *memory)
 {
     struct forces *const f = memory;
 
@@ -243,7 +244,7 @@ static void release(void *memory)
     free(f);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *forces_create(const struct recorder_view *v, int *failed)
 {
     if (settings_length(v->settings, forces_list) == 0) return NULL;
     struct forces *const f = alloc_zeroed(1, sizeof *f);
@@ -257,10 +258,10 @@ static void *create(const struct recorder_view *v, int *failed)
         f->n_columns += columns_of(&f->body[i]);
     }
     f->row = alloc_doubles(f->n_columns);
-    f->table = create_table(f, v->folder);
+    f->table = forces_create_table(f, v->folder);
     if (f->table != NULL) return f;
     *failed = 1;
-    release(f);
+    forces_release(f);
     return NULL;
 }
 
@@ -294,7 +295,7 @@ static const struct key keys[] = {
      "direction of the torque in its coefficient", "", ""},
     KEY_END};
 
-static void visit(void *part, struct state *s)
+static void forces_visit(void *part, struct state *s)
 {
     struct forces *const f = part;
 
@@ -309,9 +310,9 @@ static void visit(void *part, struct state *s)
 const struct recorder_part forces_part = {
     .keys = keys,
     .check = forces_check,
-    .create = create,
-    .row = add_row,
-    .last_row = add_row,
-    .free = release,
-    .state = visit,
+    .create = forces_create,
+    .row = forces_add_row,
+    .last_row = forces_add_row,
+    .free = forces_release,
+    .state = forces_visit,
 };

@@ -88,7 +88,7 @@ void forces_name(const struct settings *s, int i, char name[FORCES_NAME])
 }
 
 /* Two rows of the same name would have the same columns. */
-static int check_name(const struct settings *s, int i)
+static int forces_check_name(const struct settings *s, int i)
 {
     char name[FORCES_NAME], other[FORCES_NAME];
 
@@ -138,7 +138,8 @@ int forces_check(const struct settings *s)
             return settings_wrong(s, forces_list,
                                   "coefficients need velocity and area, and "
                                   "that of the torque for length besides");
-        if (check_name(s, i) != 0 || check_directions(s, i) != 0) return 2;
+        if (forces_check_name(s, i) != 0 || check_directions(s, i) != 0)
+            return 2;
     }
     return 0;
 }

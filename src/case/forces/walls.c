@@ -64,7 +64,7 @@ static void set_shape(struct walls *w)
     w->shape = (struct vtk_polygons){points, n, w->x, w->corner, w->end};
 }
 
-static void take(struct walls *w)
+static void walls_take(struct walls *w)
 {
     const struct fluid *const fl = w->sim->fluid;
     const struct mesh *const m = fl->mesh;
@@ -83,7 +83,7 @@ static void take(struct walls *w)
         }
 }
 
-static int add_fields(void *memory, double t)
+static int walls_add_fields(void *memory, double t)
 {
     struct walls *const w = memory;
     const struct vtk_array arrays[] = {
@@ -97,13 +97,13 @@ static int add_fields(void *memory, double t)
         {.name = "velocity", .components = 3, .values = w->u, .single = 1}};
     const char *const path = series_next(w->series);
 
-    take(w);
+    walls_take(w);
     return folder_list(w->folder, path) != 0 ||
            vtk_write_polygons(w->writer, path, &w->shape, t, 5, arrays) != 0 ||
            series_add(w->series, t) != 0;
 }
 
-static void release(void *memory)
+static void walls_release(void *memory)
 {
     struct walls *const w = memory;
 
@@ -121,7 +121,7 @@ static void release(void *memory)
     free(w);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *walls_create(const struct recorder_view *v, int *failed)
 {
     if (v->sim->fluid == NULL || !settings_bool(v->settings, "output.walls"))
         return NULL;
@@ -140,7 +140,7 @@ static void *create(const struct recorder_view *v, int *failed)
     w->series = field_output_series(v->folder, "walls", "vtp");
     if (w->series != NULL) return w;
     *failed = 1;
-    release(w);
+    walls_release(w);
     return NULL;
 }
 
@@ -151,15 +151,15 @@ static const struct key keys[] = {
      "", "fluid"},
     KEY_END};
 
-static void visit(void *part, struct state *s)
+static void walls_visit(void *part, struct state *s)
 {
     series_state(((struct walls *)part)->series, s);
 }
 
 const struct recorder_part walls_part = {
     .keys = keys,
-    .create = create,
-    .fields = add_fields,
-    .free = release,
-    .state = visit,
+    .create = walls_create,
+    .fields = walls_add_fields,
+    .free = walls_release,
+    .state = walls_visit,
 };

@@ -18,21 +18,22 @@ struct effect_shares {
 };
 
 /* [N] */
-static double mean(const struct effect_tally *t)
+static double effect_shares_mean(const struct effect_tally *t)
 {
     return t->weight > 0.0 ? t->sum / t->weight : 0.0;
 }
 
 static double over_scale(const struct simulation *sim, double force)
 {
-    return mean(&sim->force_scale) > 0.0 ? force / mean(&sim->force_scale)
-                                         : 0.0;
+    return effect_shares_mean(&sim->force_scale) > 0.0
+               ? force / effect_shares_mean(&sim->force_scale)
+               : 0.0;
 }
 
 /* Mean share of effect i [-]; 0 if it has no force. */
 static double mean_share(const struct simulation *sim, int i)
 {
-    return over_scale(sim, mean(&sim->effects[i].tally));
+    return over_scale(sim, effect_shares_mean(&sim->effects[i].tally));
 }
 
 /* The largest force on one particle over the mean scale [-]. */
@@ -41,7 +42,7 @@ static double largest_share(const struct simulation *sim, int i)
     return over_scale(sim, sim->effects[i].tally.largest);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *effect_shares_create(const struct recorder_view *v, int *failed)
 {
     (void)failed;
     if (v->sim->n_effects == 0) return NULL;
@@ -50,7 +51,7 @@ static void *create(const struct recorder_view *v, int *failed)
     return e;
 }
 
-static void summarize(const void *part, struct summary *f)
+static void effect_shares_summarize(const void *part, struct summary *f)
 {
     const struct simulation *const sim =
         ((const struct effect_shares *)part)->sim;
@@ -80,7 +81,7 @@ static void share_text(double share, char text[32])
              share < 10.0 ? 100.0 * share : share);
 }
 
-static void print(const void *part)
+static void effect_shares_print(const void *part)
 {
     const struct simulation *const sim =
         ((const struct effect_shares *)part)->sim;
@@ -96,5 +97,8 @@ static void print(const void *part)
     }
 }
 
-const struct recorder_part effect_shares_part = {
-    .create = create, .free = free, .summarize = summarize, .print = print};
+const struct recorder_part effect_shares_part = {.create = effect_shares_create,
+                                                 .free = free,
+                                                 .summarize =
+                                                     effect_shares_summarize,
+                                                 .print = effect_shares_print};

@@ -30,7 +30,7 @@ struct probes {
     double *row;
 };
 
-static int check(const struct settings *s)
+static int probes_check(const struct settings *s)
 {
     int code = field_names_check(s, list);
 
@@ -63,7 +63,8 @@ static int create_sensor(const struct recorder_view *v, int i,
     return 0;
 }
 
-static struct table *create_table(const struct probes *p, struct folder *folder)
+static struct table *probes_create_table(const struct probes *p,
+                                         struct folder *folder)
 {
     const char **const names = alloc_zeroed((size_t)p->n + 1, sizeof *names);
 
@@ -75,7 +76,7 @@ static struct table *create_table(const struct probes *p, struct folder *folder)
     return t;
 }
 
-static void release(void *part)
+static void probes_release(void *part)
 {
     struct probes *const p = part;
 
@@ -85,7 +86,7 @@ static void release(void *part)
     free(p);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *probes_create(const struct recorder_view *v, int *failed)
 {
     const int n = settings_length(v->settings, list);
 
@@ -97,13 +98,14 @@ static void *create(const struct recorder_view *v, int *failed)
     p->row = alloc_doubles(n + 1);
     for (int i = 0; i < n && !*failed; i++)
         *failed = create_sensor(v, i, &p->sensor[i]) != 0;
-    if (!*failed) *failed = (p->table = create_table(p, v->folder)) == NULL;
+    if (!*failed)
+        *failed = (p->table = probes_create_table(p, v->folder)) == NULL;
     if (!*failed) return p;
-    release(p);
+    probes_release(p);
     return NULL;
 }
 
-static void visit(void *part, struct state *s)
+static void probes_visit(void *part, struct state *s)
 {
     struct probes *const p = part;
 
@@ -112,7 +114,7 @@ static void visit(void *part, struct state *s)
     state_end(s);
 }
 
-static int add_row(void *part)
+static int probes_add_row(void *part)
 {
     struct probes *const p = part;
 
@@ -137,9 +139,9 @@ static const struct key keys[] = {
     KEY_END};
 
 const struct recorder_part probes_part = {.keys = keys,
-                                          .check = check,
-                                          .create = create,
-                                          .free = release,
-                                          .row = add_row,
-                                          .last_row = add_row,
-                                          .state = visit};
+                                          .check = probes_check,
+                                          .create = probes_create,
+                                          .free = probes_release,
+                                          .row = probes_add_row,
+                                          .last_row = probes_add_row,
+                                          .state = probes_visit};

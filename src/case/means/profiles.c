@@ -34,7 +34,7 @@ static const char *const place[3] = {"x", "height", "z"};
 
 /* The line of a profile; `across` is -1 where the case does not say where it
  * lies. */
-static struct profile_line line_of(const struct settings *s, int i)
+static struct profile_line profiles_line_of(const struct settings *s, int i)
 {
     struct profile_line l = {
         .along = settings_item_text(s, list, i, "along")[0] - 'x',
@@ -55,7 +55,7 @@ static void short_name(const struct settings *s, int i,
                        char name[PROFILES_NAME])
 {
     static const char *const along[3] = {"", "_along_y", "_along_z"};
-    const struct profile_line l = line_of(s, i);
+    const struct profile_line l = profiles_line_of(s, i);
 
     snprintf(name, PROFILES_NAME, "%s%s_%c%gmm",
              settings_item_text(s, list, i, "field"), along[l.along],
@@ -67,7 +67,7 @@ struct name {
     int i; /* [-] of its profile */
 };
 
-static int by_text(const void *a, const void *b)
+static int profiles_by_text(const void *a, const void *b)
 {
     const struct name *const p = a, *const q = b;
     const int order = strcmp(p->text, q->text);
@@ -85,14 +85,14 @@ static struct name *names_of(const struct settings *s)
         short_name(s, i, all[i].text);
         all[i].i = i;
     }
-    qsort(all, (size_t)n, sizeof *all, by_text);
+    qsort(all, (size_t)n, sizeof *all, profiles_by_text);
     for (int k = n - 1; k > 0; k--) {
         char *const text = all[k].text;
         if (strcmp(text, all[k - 1].text) != 0) continue;
         snprintf(text + strlen(text), PROFILES_NAME - strlen(text), "_from%gs",
                  settings_item_real(s, list, all[k].i, "from"));
     }
-    qsort(all, (size_t)n, sizeof *all, by_text);
+    qsort(all, (size_t)n, sizeof *all, profiles_by_text);
     return all;
 }
 
@@ -111,9 +111,9 @@ void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
 
 /* A line has one place, in one of the two directions that it does not follow,
  * and lies within the box. */
-static int check_place(const struct settings *s, int i)
+static int profiles_check_place(const struct settings *s, int i)
 {
-    const struct profile_line l = line_of(s, i);
+    const struct profile_line l = profiles_line_of(s, i);
     const char *const one = place[l.along == 0];
     const char *const two = place[l.along == 2 ? 1 : 2];
     double lo[3], hi[3];
@@ -142,7 +142,7 @@ static int check_place(const struct settings *s, int i)
 }
 
 /* Of two profiles in one file only the last would be left. */
-static int check_names(const struct settings *s)
+static int profiles_check_names(const struct settings *s)
 {
     struct name *const all = names_of(s);
     const struct name *again = NULL;
@@ -162,14 +162,14 @@ static int check_names(const struct settings *s)
     return code;
 }
 
-static int check(const struct settings *s)
+static int profiles_check(const struct settings *s)
 {
     const int n = settings_length(s, list);
     int code = field_names_check(s, list);
 
     for (int i = 0; i < n && code == 0; i++)
-        code = check_place(s, i);
-    return code != 0 ? code : check_names(s);
+        code = profiles_check_place(s, i);
+    return code != 0 ? code : profiles_check_names(s);
 }
 
 /* --- a run ---------------------------------------------------------------- */
@@ -177,7 +177,7 @@ static int check(const struct settings *s)
 static int create_line(const struct recorder_view *v, int i, struct line *line)
 {
     const struct settings *const s = v->settings;
-    const struct profile_line where = line_of(s, i);
+    const struct profile_line where = profiles_line_of(s, i);
     const struct profile_field field =
         field_names_find(v->whole, settings_item_text(s, list, i, "field"));
 
@@ -188,7 +188,7 @@ static int create_line(const struct recorder_view *v, int i, struct line *line)
     return line->profile == NULL;
 }
 
-static void release(void *part)
+static void profiles_release(void *part)
 {
     struct profiles *const l = part;
 
@@ -198,7 +198,7 @@ static void release(void *part)
     free(l);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *profiles_create(const struct recorder_view *v, int *failed)
 {
     const int n = settings_length(v->settings, list);
 
@@ -216,12 +216,12 @@ static void *create(const struct recorder_view *v, int *failed)
         strcpy(l->line[names[k].i].name, names[k].text);
     free(names);
     if (!*failed) return l;
-    release(l);
+    profiles_release(l);
     return NULL;
 }
 
 /* Takes a sample of the snapshot. */
-static int add(void *part)
+static int profiles_add(void *part)
 {
     struct profiles *const l = part;
 
@@ -232,7 +232,7 @@ static int add(void *part)
 
 /* How far each can be trusted: its mirror error and its error by blocks
  * (output/means/profile.h). */
-static void summarize(const void *part, struct summary *to)
+static void profiles_summarize(const void *part, struct summary *to)
 {
     const struct profiles *const l = part;
 
@@ -248,7 +248,7 @@ static void summarize(const void *part, struct summary *to)
     summary_end(to);
 }
 
-static void visit(void *part, struct state *s)
+static void profiles_visit(void *part, struct state *s)
 {
     struct profiles *const l = part;
 
@@ -272,7 +272,7 @@ static int write_line(const struct line *l, struct folder *folder)
     return failed;
 }
 
-static int finish(void *part)
+static int profiles_finish(void *part)
 {
     const struct profiles *const l = part;
     int failed = folder_make(l->folder, "profiles");
@@ -304,10 +304,10 @@ static const struct key keys[] = {
     KEY_END};
 
 const struct recorder_part profiles_part = {.keys = keys,
-                                            .check = check,
-                                            .create = create,
-                                            .free = release,
-                                            .row = add,
-                                            .finish = finish,
-                                            .summarize = summarize,
-                                            .state = visit};
+                                            .check = profiles_check,
+                                            .create = profiles_create,
+                                            .free = profiles_release,
+                                            .row = profiles_add,
+                                            .finish = profiles_finish,
+                                            .summarize = profiles_summarize,
+                                            .state = profiles_visit};

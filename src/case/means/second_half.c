@@ -75,7 +75,7 @@ static void put_bed(const struct second_half *h, double row[N])
     row[LEAN] = (2.0 * x / mass - m->lo[0] - m->hi[0]) / (m->hi[0] - m->lo[0]);
 }
 
-static void grow(struct second_half *h, int capacity)
+static void second_half_grow(struct second_half *h, int capacity)
 {
     double *const time = alloc_doubles(capacity);
     double(*const row)[N] = alloc_zeroed((size_t)capacity, sizeof *row);
@@ -92,7 +92,7 @@ static void grow(struct second_half *h, int capacity)
 void second_half_add(struct second_half *h)
 {
     if (h->sim->fluid == NULL) return;
-    if (h->rows == h->capacity) grow(h, 2 * h->rows + 16);
+    if (h->rows == h->capacity) second_half_grow(h, 2 * h->rows + 16);
     double *const row = h->row[h->rows];
     for (int k = 0; k < N; k++)
         row[k] = 0.0;
@@ -113,7 +113,7 @@ static int first(const struct second_half *h)
     return k;
 }
 
-static double mean(const struct second_half *h, int column)
+static double second_half_mean(const struct second_half *h, int column)
 {
     double sum = 0.0;
 
@@ -137,7 +137,7 @@ static void find_errors(const struct second_half *h, double error[N_BLOCKED])
 
 /* --- as a part of the recorder -------------------------------------------- */
 
-static void visit(void *part, struct state *s)
+static void second_half_visit(void *part, struct state *s)
 {
     struct second_half *const h = part;
 
@@ -146,7 +146,7 @@ static void visit(void *part, struct state *s)
     if (s->loading && !s->failed) {
         const int rows = h->rows;
         h->rows = 0;
-        grow(h, rows + 16);
+        second_half_grow(h, rows + 16);
         h->rows = rows;
     }
     state_reals(s, "time", "s", h->time, h->rows, 1);
@@ -155,24 +155,24 @@ static void visit(void *part, struct state *s)
     state_end(s);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *second_half_part_create(const struct recorder_view *v, int *failed)
 {
     (void)failed;
     return second_half_create(v->sim, settings_real(v->settings, "output.end"));
 }
 
-static void release(void *part)
+static void second_half_release(void *part)
 {
     second_half_free(part);
 }
 
-static int add(void *part)
+static int second_half_add_row(void *part)
 {
     second_half_add(part);
     return 0;
 }
 
-static void summarize(const void *part, struct summary *to)
+static void second_half_summarize(const void *part, struct summary *to)
 {
     const struct second_half *const h = part;
     double error[N_BLOCKED];
@@ -180,34 +180,38 @@ static void summarize(const void *part, struct summary *to)
     if (first(h) == h->rows) return;
     find_errors(h, error);
     summary_begin(to, "second_half");
-    summary_number(to, "mean_pressure_drop", mean(h, DROP));
+    summary_number(to, "mean_pressure_drop", second_half_mean(h, DROP));
     if (h->sim->particles != NULL)
-        summary_number(to, "bed_weight", mean(h, WEIGHT));
+        summary_number(to, "bed_weight", second_half_mean(h, WEIGHT));
     summary_number(to, "mean_pressure_drop_error", error[DROP]);
     if (h->sim->particles != NULL) {
-        summary_number(to, "particle_velocity_rms", sqrt(mean(h, SPEED)));
-        summary_number(to, "horizontal_velocity_rms", sqrt(mean(h, LEVEL)));
-        summary_number(to, "vertical_velocity_rms", sqrt(mean(h, UPRIGHT)));
-        summary_number(to, "lean", mean(h, LEAN));
+        summary_number(to, "particle_velocity_rms",
+                       sqrt(second_half_mean(h, SPEED)));
+        summary_number(to, "horizontal_velocity_rms",
+                       sqrt(second_half_mean(h, LEVEL)));
+        summary_number(to, "vertical_velocity_rms",
+                       sqrt(second_half_mean(h, UPRIGHT)));
+        summary_number(to, "lean", second_half_mean(h, LEAN));
         summary_number(to, "lean_error", error[LEAN]);
     }
     summary_end(to);
 }
 
-static void print(const void *part)
+static void second_half_print(const void *part)
 {
     const struct second_half *const h = part;
 
     if (first(h) == h->rows || h->sim->particles == NULL) return;
     printf("pressure drop %.1f Pa (mean of the second half), weight of the "
            "bed %.1f Pa%s\n",
-           mean(h, DROP), mean(h, WEIGHT),
+           second_half_mean(h, DROP), second_half_mean(h, WEIGHT),
            h->sim->mesh->shape != NULL ? " over the mean section" : "");
 }
 
-const struct recorder_part second_half_part = {.create = create,
-                                               .free = release,
-                                               .row = add,
-                                               .summarize = summarize,
-                                               .print = print,
-                                               .state = visit};
+const struct recorder_part second_half_part = {
+    .create = second_half_part_create,
+    .free = second_half_release,
+    .row = second_half_add_row,
+    .summarize = second_half_summarize,
+    .print = second_half_print,
+    .state = second_half_visit};

@@ -61,7 +61,8 @@ struct key *patch_schema_create(const struct key *table, int n,
     return made;
 }
 
-static const char *wrong(const struct key *const *tables, const char *name)
+static const char *patch_schema_wrong(const struct key *const *tables,
+                                      const char *name)
 {
     if (!isalpha((unsigned char)name[0]))
         return "its name does not begin with a letter";
@@ -82,7 +83,7 @@ int patch_schema_check(const struct key *const *tables,
                        const struct mesh_patch_name *patch)
 {
     for (int i = 0; i < n; i++) {
-        const char *const why = wrong(tables, patch[i].name);
+        const char *const why = patch_schema_wrong(tables, patch[i].name);
         if (why != NULL)
             return source_wrong(at,
                                 "mesh.polymesh: the patch %s cannot be named "

@@ -83,14 +83,14 @@ enum { FIELDS = sizeof fields / sizeof *fields, WORD = 64 };
 
 static const char key[] = "output.particles";
 
-static int number_of(const char *word)
+static int particle_fields_number_of(const char *word)
 {
     for (int i = 0; i < FIELDS; i++)
         if (strcmp(fields[i].name, word) == 0) return i;
     return -1;
 }
 
-static int unknown(const struct settings *s, const char *word)
+static int particle_fields_unknown(const struct settings *s, const char *word)
 {
     struct nearest n;
 
@@ -105,7 +105,7 @@ static int unknown(const struct settings *s, const char *word)
                           best != NULL ? best : "");
 }
 
-static int check(const struct settings *s)
+static int particle_fields_check(const struct settings *s)
 {
     char word[WORD];
     int used, found[FIELDS] = {0};
@@ -113,8 +113,8 @@ static int check(const struct settings *s)
     if (!settings_has(s, key)) return 0;
     for (const char *text = settings_text(s, key);
          sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used) {
-        const int i = number_of(word);
-        if (i < 0) return unknown(s, word);
+        const int i = particle_fields_number_of(word);
+        if (i < 0) return particle_fields_unknown(s, word);
         if (found[i]++)
             return settings_wrong(s, key, "%s is named twice", word);
         if (fields[i].take == take_fluid_force && !settings_has(s, "exchange"))
@@ -133,7 +133,7 @@ struct chosen {
     struct contact_list *contacts; /* NULL unless they are counted */
 };
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *particle_fields_create(const struct recorder_view *v, int *failed)
 {
     const char *text =
         settings_has(v->settings, key) ? settings_text(v->settings, key) : "";
@@ -142,7 +142,7 @@ static void *create(const struct recorder_view *v, int *failed)
     int used;
     (void)failed;
     for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used) {
-        const int i = number_of(word);
+        const int i = particle_fields_number_of(word);
         const int known =
             fields[i].take == take_material && v->sim->particles != NULL &&
             v->sim->particles->material != NULL; /* is written anyway */
@@ -160,7 +160,7 @@ static void *create(const struct recorder_view *v, int *failed)
     return made;
 }
 
-static void release(void *part)
+static void particle_fields_release(void *part)
 {
     struct chosen *const c = part;
 
@@ -181,7 +181,7 @@ static const struct key keys[] = {
 
 const struct recorder_part particle_fields_part = {
     .keys = keys,
-    .check = check,
-    .create = create,
-    .free = release,
+    .check = particle_fields_check,
+    .create = particle_fields_create,
+    .free = particle_fields_release,
 };

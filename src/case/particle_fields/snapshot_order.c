@@ -34,7 +34,7 @@ static void put_materials_in_order(struct snapshot *s)
 }
 
 /* order: pairs of id and place. */
-static void sort(struct snapshot *s)
+static void snapshot_order_sort(struct snapshot *s)
 {
     double *const group[] = {s->x[0], s->x[1], s->x[2], s->v[0],
                              s->v[1], s->v[2], s->w[0], s->w[1],
@@ -59,5 +59,5 @@ static void sort(struct snapshot *s)
 void snapshot_order_by_id(struct snapshot *s)
 {
     s->order = alloc_ints(2 * s->capacity);
-    s->arrange = sort;
+    s->arrange = snapshot_order_sort;
 }

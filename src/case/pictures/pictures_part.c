@@ -16,7 +16,7 @@ struct pictures {
     struct animation *animation; /* NULL: off */
 };
 
-static void release(void *part)
+static void pictures_part_release(void *part)
 {
     struct pictures *const p = part;
 
@@ -24,7 +24,7 @@ static void release(void *part)
     free(p);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *pictures_part_create(const struct recorder_view *v, int *failed)
 {
     struct pictures *const p = alloc_zeroed(1, sizeof *p);
 
@@ -37,7 +37,7 @@ static void *create(const struct recorder_view *v, int *failed)
     p->animation = animation_create(v->folder);
     if (p->animation != NULL) return p;
     *failed = 1;
-    release(p);
+    pictures_part_release(p);
     return NULL;
 }
 
@@ -70,7 +70,7 @@ static int add_frame(void *part, double t)
     return p->animation != NULL && animation_add(p->animation, &now) != 0;
 }
 
-static int draw(void *part)
+static int pictures_part_draw(void *part)
 {
     const struct pictures *const p = part;
     const struct picture last = picture_of(&p->view);
@@ -83,7 +83,7 @@ static int draw(void *part)
     return p->animation != NULL && animation_draw(p->animation, &last) != 0;
 }
 
-static void visit(void *part, struct state *s)
+static void pictures_part_visit(void *part, struct state *s)
 {
     struct pictures *const p = part;
 
@@ -98,8 +98,8 @@ static const struct key keys[] = {
     KEY_END};
 
 const struct recorder_part pictures_part = {.keys = keys,
-                                            .create = create,
-                                            .free = release,
+                                            .create = pictures_part_create,
+                                            .free = pictures_part_release,
                                             .fields = add_frame,
-                                            .finish = draw,
-                                            .state = visit};
+                                            .finish = pictures_part_draw,
+                                            .state = pictures_part_visit};

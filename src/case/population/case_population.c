@@ -26,7 +26,7 @@ static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
  */
 static const double densest = 0.3;
 
-static int has(const struct settings *s, int i, const char *key)
+static int case_population_has(const struct settings *s, int i, const char *key)
 {
     return settings_item_has(s, sources, i, key);
 }
@@ -42,22 +42,24 @@ static void region(const struct settings *s, const char *list, int i,
         settings_item_vector(s, list, i, "to", hi);
 }
 
-static int material_of(const struct settings *s, int i)
+static int case_population_material_of(const struct settings *s, int i)
 {
-    return has(s, i, "material")
+    return case_population_has(s, i, "material")
                ? case_materials_number(
                      s, settings_item_text(s, sources, i, "material"))
                : 0;
 }
 
 /* Without a file; sizes and list come after. */
-static struct insertion_options options(const struct settings *s, int i)
+static struct insertion_options
+case_population_options(const struct settings *s, int i)
 {
     struct insertion_options o = {
         .diameter = settings_item_real_or(s, sources, i, "diameter", 0.0),
-        .material = material_of(s, i),
-        .count =
-            has(s, i, "count") ? settings_item_int(s, sources, i, "count") : 0,
+        .material = case_population_material_of(s, i),
+        .count = case_population_has(s, i, "count")
+                     ? settings_item_int(s, sources, i, "count")
+                     : 0,
         .rate = settings_item_real_or(s, sources, i, "rate", 0.0),
         .start = settings_item_real(s, sources, i, "start"),
         .seed = (unsigned long)settings_item_int(s, sources, i, "seed")};
@@ -70,7 +72,7 @@ static struct insertion_options options(const struct settings *s, int i)
 
 static struct sizes *sizes_of(const struct settings *s, int i)
 {
-    return has(s, i, "sizes")
+    return case_population_has(s, i, "sizes")
                ? case_sizes_create(s,
                                    settings_item_text(s, sources, i, "sizes"))
                : NULL;
@@ -89,13 +91,13 @@ static struct box_domain box_of(const struct settings *s)
 /* One source whole; non-zero after a message if its file is wrong. */
 static int create_source(const struct settings *s, int i, struct insertion *in)
 {
-    *in = (struct insertion){.options = options(s, i),
+    *in = (struct insertion){.options = case_population_options(s, i),
                              .own_sizes = sizes_of(s, i)};
     in->options.sizes = in->own_sizes;
     char path[SETTINGS_PATH];
     double offset[3];
 
-    if (!has(s, i, "file")) return 0;
+    if (!case_population_has(s, i, "file")) return 0;
     settings_beside(s, settings_item_text(s, sources, i, "file"), path,
                     sizeof path);
     in->own_list = grain_table_read(path, &in->options.count);
@@ -117,29 +119,30 @@ static void free_source(struct insertion *in)
 
 /* --- checks -------------------------------------------------------------- */
 
-static int check_names(const struct settings *s, int i)
+static int case_population_check_names(const struct settings *s, int i)
 {
-    if (has(s, i, "sizes") &&
+    if (case_population_has(s, i, "sizes") &&
         case_sizes_check_name(s, sources,
                               settings_item_text(s, sources, i, "sizes")) != 0)
         return 2;
-    if (has(s, i, "material"))
+    if (case_population_has(s, i, "material"))
         return materials_check_name(
             s, sources, settings_item_text(s, sources, i, "material"));
     return 0;
 }
 
-static int check_given(const struct settings *s, int i)
+static int case_population_check_given(const struct settings *s, int i)
 {
-    const int file = has(s, i, "file");
-    const int sized = has(s, i, "diameter") + has(s, i, "sizes");
+    const int file = case_population_has(s, i, "file");
+    const int sized = case_population_has(s, i, "diameter") +
+                      case_population_has(s, i, "sizes");
 
-    if (file && (sized > 0 || has(s, i, "count")))
+    if (file && (sized > 0 || case_population_has(s, i, "count")))
         return settings_wrong(s, sources,
                               "source %d: a file says how many there are and "
                               "how large; leave out count, diameter and sizes",
                               i);
-    if (!file && !has(s, i, "count"))
+    if (!file && !case_population_has(s, i, "count"))
         return settings_wrong(s, sources, "source %d needs count or file", i);
     if (!file && sized != 1)
         return settings_wrong(s, sources,
@@ -167,9 +170,9 @@ static struct source_sizes sizes_of_source(const struct insertion_options *o)
 }
 
 /* Spheres of a list that come at once do not overlap: the second would wait. */
-static int check_no_contacts(const struct settings *s, int i,
-                             const struct insertion_options *o,
-                             const struct box_domain *box)
+static int case_population_check_no_contacts(const struct settings *s, int i,
+                                             const struct insertion_options *o,
+                                             const struct box_domain *box)
 {
     int who[2];
 
@@ -181,8 +184,8 @@ static int check_no_contacts(const struct settings *s, int i,
         i, who[0], who[1]);
 }
 
-static int check_list(const struct settings *s, int i,
-                      const struct insertion_options *o)
+static int case_population_check_list(const struct settings *s, int i,
+                                      const struct insertion_options *o)
 {
     const struct box_domain box = box_of(s);
 
@@ -200,7 +203,7 @@ static int check_list(const struct settings *s, int i,
                     "centre is inside",
                     i, q, x[0], x[1], x[2], d);
         }
-    return check_no_contacts(s, i, o, &box);
+    return case_population_check_no_contacts(s, i, o, &box);
 }
 
 static int check_region(const struct settings *s, int i,
@@ -209,7 +212,7 @@ static int check_region(const struct settings *s, int i,
     const struct source_sizes c = sizes_of_source(o);
     double lo[3], hi[3], volume = 1.0;
 
-    if (o->list != NULL) return check_list(s, i, o);
+    if (o->list != NULL) return case_population_check_list(s, i, o);
     case_mesh_ends(s, lo, hi);
     for (int k = 0; k < 3; k++) {
         volume *= o->hi[k] - o->lo[k];
@@ -232,9 +235,9 @@ static int check_region(const struct settings *s, int i,
 static int check_source(const struct settings *s, int i)
 {
     struct insertion in;
-    int code = check_names(s, i);
+    int code = case_population_check_names(s, i);
 
-    if (code == 0) code = check_given(s, i);
+    if (code == 0) code = case_population_check_given(s, i);
     if (code != 0) return code;
     code = create_source(s, i, &in) != 0 ? 2 : check_region(s, i, &in.options);
     free_source(&in);
@@ -275,7 +278,8 @@ struct case_diameters case_population_diameters(const struct settings *s,
 
     for (int i = 0; i < settings_length(s, sources); i++) {
         struct insertion in;
-        if (material >= 0 && material_of(s, i) != material) continue;
+        if (material >= 0 && case_population_material_of(s, i) != material)
+            continue;
         if (create_source(s, i, &in) == 0) {
             const struct source_sizes c = sizes_of_source(&in.options);
             all.min = all.min > 0.0 ? fmin(all.min, c.min) : c.min;

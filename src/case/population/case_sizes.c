@@ -17,7 +17,7 @@ static double given(const struct settings *s, int i, const char *key)
 }
 
 /* The points are to be released with free(). */
-static struct sizes_options options(const struct settings *s, int i)
+static struct sizes_options case_sizes_options(const struct settings *s, int i)
 {
     struct sizes_options o = {
         .law = sizes_law_named(settings_item_text(s, list, i, "distribution")),
@@ -47,7 +47,7 @@ int case_sizes_check(const struct settings *s)
 {
     for (int i = 0; i < settings_length(s, list); i++) {
         const char *const name = settings_item_text(s, list, i, "name");
-        const struct sizes_options o = options(s, i);
+        const struct sizes_options o = case_sizes_options(s, i);
         const char *const wrong = sizes_wrong(&o);
 
         free((void *)o.point);
@@ -78,7 +78,7 @@ int case_sizes_check_name(const struct settings *s, const char *key,
 struct sizes *case_sizes_create(const struct settings *s, const char *name)
 {
     const struct sizes_options o =
-        options(s, settings_item_named(s, list, name));
+        case_sizes_options(s, settings_item_named(s, list, name));
     struct sizes *const made = sizes_create(&o);
 
     free((void *)o.point);

@@ -41,12 +41,13 @@ static const struct history_column columns[] = {
     {"fluid_replaced [kg]", replaced, HISTORY_COUPLING},
     {NULL, NULL, 0}};
 
-static int applies(const struct simulation *sim)
+static int history_population_applies(const struct simulation *sim)
 {
     return sim->population != NULL;
 }
 
-static void summarize(const struct simulation *sim, struct summary *f)
+static void history_population_summarize(const struct simulation *sim,
+                                         struct summary *f)
 {
     if (sim->population == NULL) return;
     summary_count(f, "particles_in", sim->population->totals.inserted);
@@ -54,4 +55,5 @@ static void summarize(const struct simulation *sim, struct summary *f)
     summary_count(f, "particles_waiting", sim->population->totals.waiting);
 }
 
-const struct history_table history_population = {columns, applies, summarize};
+const struct history_table history_population = {
+    columns, history_population_applies, history_population_summarize};

@@ -29,8 +29,8 @@ static const double few = 6.0;
 /* With weights at the centres of cells the bandwidth has to reach from one
  * large cell to the next; otherwise the small cells beside it receive its
  * share. */
-static void print_bandwidth(const struct mesh *m, double b, double S_c,
-                            double widths)
+static void case_averaging_print_bandwidth(const struct mesh *m, double b,
+                                           double S_c, double widths)
 {
     double V, least, mean;
 
@@ -93,7 +93,8 @@ void case_averaging_print(const struct settings *s,
 
     puts("Averaging");
     if (o.bandwidth > 0.0)
-        print_bandwidth(m, o.bandwidth, k->S_c, method->uniform_widths);
+        case_averaging_print_bandwidth(m, o.bandwidth, k->S_c,
+                                       method->uniform_widths);
     if (b > 0.0) {
         print_smearing(s, b, k);
         print_depth(m, b);

@@ -20,9 +20,9 @@
 #include "coupling/effects.h"
 
 /* tau_p [s] of spheres of diameter d [m] at the solids fraction eps_s. */
-static double relaxation_time(const struct settings *s,
-                              const struct drag_scales *k, double d,
-                              double eps_s)
+static double case_drag_relaxation_time(const struct settings *s,
+                                        const struct drag_scales *k, double d,
+                                        double eps_s)
 {
     const struct drag_law law = build_drag_law(s);
 
@@ -33,7 +33,7 @@ static double relaxation_time(const struct settings *s,
 
 /* The diameter [m] of a sphere of the mean volume of the bed: all sizes of a
  * mixture have the same backflow. */
-static double mean_diameter(const struct settings *s)
+static double case_drag_mean_diameter(const struct settings *s)
 {
     struct bed_options b = particle_options_bed(s);
     const double volume = bed_range(&b).volume;
@@ -75,7 +75,7 @@ static void print_fluidization(const struct settings *s,
     particle_options_gravity(s, g);
     const double u = fluidization_velocity(
         eps_mf, s->fluid.rho, settings_real(s, "particles.grains.density"),
-        s->fluid.mu, mean_diameter(s), vector_length(g));
+        s->fluid.mu, case_drag_mean_diameter(s), vector_length(g));
     if (u <= 0.0) return;
     snprintf(remark, sizeof remark,
              "minimum fluidization, Ergun at eps_s = %g; the inlet has %.3g "
@@ -85,12 +85,13 @@ static void print_fluidization(const struct settings *s,
 }
 
 /* What the effects of the case add to the mass of a sphere of mean size. */
-static struct added_mass added_mass(const struct settings *s, double dt)
+static struct added_mass case_drag_added_mass(const struct settings *s,
+                                              double dt)
 {
     struct effect_scales k = {.rho_f = s->fluid.rho,
                               .mu = s->fluid.mu,
                               .dt = dt,
-                              .d = mean_diameter(s)};
+                              .d = case_drag_mean_diameter(s)};
     struct added_mass sum = {0};
 
     for (int i = 0; effects[i] != NULL; i++) {
@@ -108,13 +109,14 @@ static struct added_mass added_mass(const struct settings *s, double dt)
 /* The criteria for a bed: (20.6), (20.12), (20.13). */
 static void print_bed(const struct settings *s, const struct drag_scales *k)
 {
-    const struct added_mass added = added_mass(s, k->dt);
+    const struct added_mass added = case_drag_added_mass(s, k->dt);
     const int implicit =
         strcmp(settings_text(s, "exchange.treatment"), "semi-implicit") == 0;
     const double rho_s = settings_real(s, "particles.grains.density");
     const double rho_f = s->fluid.rho;
     const double longest = stability_longest_step(
-        1.0 - k->eps_s, relaxation_time(s, k, mean_diameter(s), k->eps_s));
+        1.0 - k->eps_s,
+        case_drag_relaxation_time(s, k, case_drag_mean_diameter(s), k->eps_s));
     const double densest =
         stability_max_solid_fraction(&added, rho_s / rho_f, implicit);
 
@@ -141,11 +143,11 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
 void case_drag_print(const struct settings *s, const struct drag_scales *k)
 {
     const int asked = settings_int(s, "exchange.substeps");
-    const double bed = relaxation_time(s, k, k->d, k->eps_s);
+    const double bed = case_drag_relaxation_time(s, k, k->d, k->eps_s);
 
     puts("Drag");
     check_line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
-    check_line("tau_p", relaxation_time(s, k, k->d, 0.0), "s",
+    check_line("tau_p", case_drag_relaxation_time(s, k, k->d, 0.0), "s",
                "of a lone particle");
     check_line(
         "sub-steps", asked > 0 ? asked : coupling_needed_substeps(k->dt / bed),

@@ -27,17 +27,17 @@ static const char *verdict(int named, const struct effect_estimate *e)
                               : "off, CALLED FOR";
 }
 
-static void line(const char *name, double value, const char *unit,
-                 const char *verdict_or_remark, const char *remark)
+static void case_effects_line(const char *name, double value, const char *unit,
+                              const char *verdict_or_remark, const char *remark)
 {
     printf("  %-38s %10.4g %-4s %s%s%s\n", name, value, unit, verdict_or_remark,
            remark[0] != '\0' ? ": " : "", remark);
 }
 
 /* The attraction of an effect among those of the case, or NULL. */
-static const struct attraction *pair_of(const struct effect *e,
-                                        const double *numbers,
-                                        const struct attraction *all, int n)
+static const struct attraction *
+case_effects_pair_of(const struct effect *e, const double *numbers,
+                     const struct attraction *all, int n)
 {
     static const double none = 0.0;
     const struct attraction_scene scene = {.charge = &none};
@@ -50,7 +50,8 @@ static const struct attraction *pair_of(const struct effect *e,
 }
 
 /* 1 if the case has what the effect needs. */
-static int applies(const struct settings *s, const struct effect *e)
+static int case_effects_applies(const struct settings *s,
+                                const struct effect *e)
 {
     return strstr(e->keys[0]->needs, "fluid") == NULL ||
            settings_has(s, "exchange");
@@ -70,8 +71,8 @@ static int is_replaced(const struct settings *s, const struct effect *e)
 }
 
 /* The time of the effect over that of the whole run without it [-]. */
-static double cost_of(const struct effect *e, const struct case_scales *in,
-                      int flow)
+static double case_effects_cost_of(const struct effect *e,
+                                   const struct case_scales *in, int flow)
 {
     const double each =
         e->cost.particle + e->cost.particle_step * in->dem_steps;
@@ -86,7 +87,8 @@ static void effect_line(const struct effect *e, double cost, const char *words,
     char told[160];
 
     snprintf(told, sizeof told, "%7.3g %%   %s", 100.0 * cost, words);
-    line(e->name, 100.0 * estimate->share, "%", told, estimate->remark);
+    case_effects_line(e->name, 100.0 * estimate->share, "%", told,
+                      estimate->remark);
 }
 
 static void print_effects(const struct settings *s, struct effect_scales *k,
@@ -100,17 +102,19 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
         const int named = settings_has(s, e->keys[0]->path);
         double numbers[16] = {0.0};
 
-        if (!applies(s, e) || (e->estimate == NULL && !named)) continue;
+        if (!case_effects_applies(s, e) || (e->estimate == NULL && !named))
+            continue;
         if (e->estimate == NULL) {
             printf("  %-38s %10s %-4s %7.3g %%   named; no estimate\n", e->name,
-                   "-", "", 100.0 * cost_of(e, in, k->rho_f > 0.0));
+                   "-", "",
+                   100.0 * case_effects_cost_of(e, in, k->rho_f > 0.0));
             continue;
         }
         if (named) table_numbers(s, e->keys[0], numbers, 16);
         k->numbers = named ? numbers : NULL;
-        k->pair = named ? pair_of(e, numbers, all, n) : NULL;
+        k->pair = named ? case_effects_pair_of(e, numbers, all, n) : NULL;
         const struct effect_estimate estimate = e->estimate(k);
-        effect_line(e, cost_of(e, in, k->rho_f > 0.0),
+        effect_line(e, case_effects_cost_of(e, in, k->rho_f > 0.0),
                     is_replaced(s, e) ? "off, replaced"
                                       : verdict(named, &estimate),
                     &estimate);
@@ -146,12 +150,13 @@ static void print_ways(const struct settings *s, int needed)
         [4] = "exchange.coupling = \"two-way\", and a particles.list"};
     const int has = ways_of(s);
 
-    line("ways of the coupling", needed, "-",
-         has == needed  ? "as it is"
-         : has == 0     ? "contacts without a reaction on the fluid; CALLED FOR"
-         : has > needed ? "more than is called for; enough would be"
-                        : "CALLED FOR",
-         has == needed ? "" : only[needed]);
+    case_effects_line(
+        "ways of the coupling", needed, "-",
+        has == needed  ? "as it is"
+        : has == 0     ? "contacts without a reaction on the fluid; CALLED FOR"
+        : has > needed ? "more than is called for; enough would be"
+                       : "CALLED FOR",
+        has == needed ? "" : only[needed]);
 }
 
 static void print_coupling(const struct settings *s,
@@ -159,13 +164,15 @@ static void print_coupling(const struct settings *s,
 {
     const int needed = ways_called_for(k->eps_s, particles);
 
-    line("solids fraction", k->eps_s, "-",
-         k->eps_s > 1e-3   ? "over 1e-3: particles collide"
-         : k->eps_s > 1e-6 ? "1e-6 to 1e-3: particles act on the fluid"
-                           : "below 1e-6: particles do not act on the fluid",
-         "");
-    line("mass loading", stability_loading(k->rho_s, k->eps_s, k->rho_f), "-",
-         "of the particles over the fluid where they are", "");
+    case_effects_line("solids fraction", k->eps_s, "-",
+                      k->eps_s > 1e-3 ? "over 1e-3: particles collide"
+                      : k->eps_s > 1e-6
+                          ? "1e-6 to 1e-3: particles act on the fluid"
+                          : "below 1e-6: particles do not act on the fluid",
+                      "");
+    case_effects_line("mass loading",
+                      stability_loading(k->rho_s, k->eps_s, k->rho_f), "-",
+                      "of the particles over the fluid where they are", "");
     print_ways(s, needed);
 }
 

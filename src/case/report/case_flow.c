@@ -98,8 +98,8 @@ static void add_inlet(const struct settings *s, const struct mesh *m,
 }
 
 /* A wall that moves with u takes the cells beside it with it. */
-static void add_wall(const struct mesh *m, const struct patch *p,
-                     const double u[3], struct rates *r)
+static void case_flow_add_wall(const struct mesh *m, const struct patch *p,
+                               const double u[3], struct rates *r)
 {
     r->wall = fmax(r->wall, vector_length(u));
     if (m->face_centre == NULL) r->courant = fmax(r->courant, fill_rate(m, u));
@@ -130,7 +130,7 @@ static void add_rotation(const struct settings *s, const struct mesh *m,
             vector_along(u, 0.0, u, fastest);
     }
     if (m->face_centre == NULL) {
-        add_wall(m, p, fastest, r);
+        case_flow_add_wall(m, p, fastest, r);
         return;
     }
     for (int f = p->first; f < p->first + p->n; f++) {
@@ -156,11 +156,11 @@ static void add_patch(const struct settings *s, const struct mesh *m,
     snprintf(path, sizeof path, "%s.wall", side);
     if (!settings_has(s, path)) return;
     settings_vector(s, path, u);
-    add_wall(m, p, u, r);
+    case_flow_add_wall(m, p, u, r);
 }
 
 /* How many directions have more than one cell [-]. */
-static int directions_of(const struct box *b)
+static int case_flow_directions_of(const struct box *b)
 {
     return (b->n[0] > 1) + (b->n[1] > 1) + (b->n[2] > 1);
 }
@@ -178,16 +178,17 @@ static struct rates rates_of(const struct settings *s)
         r.mean = vector_length(u);
         r.courant = fmax(r.courant, fill_rate(m, u));
     }
-    const int directions = directions_of(&m->box); /* 0 of polyhedra */
-    if (directions != 1)                           /* nothing is split in one */
+    const int directions =
+        case_flow_directions_of(&m->box); /* 0 of polyhedra */
+    if (directions != 1)                  /* nothing is split in one */
         r.viscous = s->fluid.mu / s->fluid.rho * mesh_diffusion_rate(m) /
                     (directions > 0 ? 2.0 * directions : 6.0);
     mesh_free(m);
     return r;
 }
 
-static void line(const char *name, double value, const char *unit,
-                 const char *remark)
+static void case_flow_line(const char *name, double value, const char *unit,
+                           const char *remark)
 {
     printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
 }
@@ -206,7 +207,7 @@ static void print_viscous(const struct settings *s, double number)
         remark, sizeof remark,
         "HIGH: pressure, forces on walls to %.1g; fluid.piso_tolerance = %.0e",
         part, pow(10.0, floor(log10(1e-3 / number))));
-    line("nu dt / h^2", number, "-", remark);
+    case_flow_line("nu dt / h^2", number, "-", remark);
 }
 
 void case_flow_print(const struct settings *s, double dt, double eps_s)
@@ -216,16 +217,19 @@ void case_flow_print(const struct settings *s, double dt, double eps_s)
     char remark[64] = "of the flow as it enters, or as a wall moves it";
 
     puts("Flow");
-    line("step", dt, "s", "");
-    if (r.inlet > 0.0) line("inlet", r.inlet, "m/s", "superficial, largest");
-    if (r.wall > 0.0) line("moving walls", r.wall, "m/s", "the fastest");
-    if (r.mean > 0.0) line("mean flow", r.mean, "m/s", "superficial");
+    case_flow_line("step", dt, "s", "");
+    if (r.inlet > 0.0)
+        case_flow_line("inlet", r.inlet, "m/s", "superficial, largest");
+    if (r.wall > 0.0)
+        case_flow_line("moving walls", r.wall, "m/s", "the fastest");
+    if (r.mean > 0.0) case_flow_line("mean flow", r.mean, "m/s", "superficial");
     print_viscous(s, r.viscous * dt);
     if (rate <= 0.0) return;
     if (eps_s > 0.0)
         snprintf(remark, sizeof remark, "between grains at eps_s = %g", eps_s);
-    line("CFL", rate * dt, "-", remark);
-    line("step at CFL = 1", 1.0 / rate, "s",
-         rate * dt <= 1.0 ? "the step is below: accurate in time"
-                          : "the step is above: stable, not accurate");
+    case_flow_line("CFL", rate * dt, "-", remark);
+    case_flow_line("step at CFL = 1", 1.0 / rate, "s",
+                   rate * dt <= 1.0
+                       ? "the step is below: accurate in time"
+                       : "the step is above: stable, not accurate");
 }

@@ -64,7 +64,7 @@ static double shear_of_walls(const struct settings *s)
     return fastest / fmin(size[0], fmin(size[1], size[2]));
 }
 
-static double volume(const struct effect_scales *k)
+static double effect_scales_volume(const struct effect_scales *k)
 {
     return M_PI / 6.0 * gsl_pow_3(k->d);
 }
@@ -75,7 +75,7 @@ static double drag_at(const struct settings *s, const struct effect_scales *k,
 {
     const struct drag_law law = build_drag_law(s);
 
-    return volume(k) * w *
+    return effect_scales_volume(k) * w *
            drag_resistance(&law, 1.0 - eps_s, k->rho_f, k->mu, k->d, w);
 }
 
@@ -83,7 +83,8 @@ static double drag_at(const struct settings *s, const struct effect_scales *k,
 static double terminal(const struct settings *s, const struct effect_scales *k,
                        double eps_s)
 {
-    const double pull = fabs(k->rho_s - k->rho_f) * volume(k) * k->gravity;
+    const double pull =
+        fabs(k->rho_s - k->rho_f) * effect_scales_volume(k) * k->gravity;
     double low = 0.0, high = 1e3;
 
     for (int i = 0; i < 100; i++) {
@@ -145,7 +146,7 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     double lo[3], size[3];
 
     case_mesh_ends(s, lo, size);
-    k->eps_s = in->particles * volume(k) / case_extent_volume(s);
+    k->eps_s = in->particles * effect_scales_volume(k) / case_extent_volume(s);
     k->slip = fmax(in->inlet, p->speed);
     if (k->gravity > 0.0)
         k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
@@ -182,7 +183,8 @@ static int is_crowd(const struct settings *s, const struct effect_scales *k,
     const double crowd = 0.05; /* [-] of the whole mesh */
 
     return in->inlet > 0.0 && k->gravity > 0.0 &&
-           in->particles * volume(k) > crowd * case_extent_volume(s);
+           in->particles * effect_scales_volume(k) >
+               crowd * case_extent_volume(s);
 }
 
 struct effect_scales case_effects_scales(const struct settings *s,
@@ -196,7 +198,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
                               : p.d,
         .gravity = particle_options_gravity(s, g) ? vector_length(g) : 0.0};
 
-    k.weight = k.rho_s * volume(&k) * k.gravity;
+    k.weight = k.rho_s * effect_scales_volume(&k) * k.gravity;
     if (settings_has(s, "exchange")) {
         if (s->fluid.has_mean_gradient) {
             memcpy(g, s->fluid.mean_gradient, sizeof g);
@@ -210,7 +212,9 @@ struct effect_scales case_effects_scales(const struct settings *s,
         else
             dilute_scales(s, &k, in, &p);
         k.drag = drag_at(s, &k, k.eps_s, k.slip);
-        k.tau = k.slip > 0.0 ? k.rho_s * volume(&k) * k.slip / k.drag : 0.0;
+        k.tau = k.slip > 0.0
+                    ? k.rho_s * effect_scales_volume(&k) * k.slip / k.drag
+                    : 0.0;
         settle_time(&k);
     }
     k.force = fmax(k.weight, k.drag);

@@ -28,7 +28,7 @@ int equation_index_is_key(const char *word)
 
 /* 1 if the letters are the same, whatever their case, and a colon for a blank.
  */
-static int same(char a, char b)
+static int equation_index_same(char a, char b)
 {
     return (a == ':' ? ' ' : tolower((unsigned char)a)) ==
            tolower((unsigned char)b);
@@ -38,12 +38,12 @@ static int same(char a, char b)
 static const char *left_of(const char *wanted, const char *key)
 {
     for (; *wanted != '\0'; wanted++, key++)
-        if (!same(*wanted, *key)) return NULL;
+        if (!equation_index_same(*wanted, *key)) return NULL;
     return key;
 }
 
 /* 1 if the key is the wanted one, or a part of it: 5a, if 5 is wanted. */
-static int is_wanted(const char *wanted, const char *key)
+static int equation_index_is_wanted(const char *wanted, const char *key)
 {
     const char *const left = left_of(wanted, key);
 
@@ -82,7 +82,7 @@ static void print_eval(const char *key)
     struct equation e;
 
     for (int i = 0; equations_at(i, &e); i++)
-        if (is_wanted(e.key, key)) print_eval_of(&e);
+        if (equation_index_is_wanted(e.key, key)) print_eval_of(&e);
 }
 
 static void print_formula(const char *key, int indent)
@@ -90,10 +90,11 @@ static void print_formula(const char *key, int indent)
     struct equation e;
 
     for (int i = 0; equations_at(i, &e); i++)
-        if (is_wanted(e.key, key)) printf("%*s%s\n", indent, "", e.formula);
+        if (equation_index_is_wanted(e.key, key))
+            printf("%*s%s\n", indent, "", e.formula);
 }
 
-static const struct equation_index_row *row_of(const char *key)
+static const struct equation_index_row *equation_index_row_of(const char *key)
 {
     const struct equation_index_row *r = equation_index_rows;
 
@@ -106,7 +107,7 @@ static void print_equation(const struct equation_index_row *r)
 {
     printf("%s: %s\n", r->key, r->name);
     if (is_of(r + 1, r->key) && r[1].kind == EQUATION_INDEX_AS) {
-        r = row_of(r[1].name);
+        r = equation_index_row_of(r[1].name);
         printf("  %-13s %s: %s\n", "the same as", r->key, r->name);
     }
     print_formula(r->key, 2);
@@ -118,7 +119,7 @@ static void print_equation(const struct equation_index_row *r)
     print_eval(r->key);
 }
 
-static int unknown(const char *key)
+static int equation_index_unknown(const char *key)
 {
     struct nearest n;
 
@@ -186,7 +187,7 @@ void equation_index_explain_function(const char *name)
         if (strcmp(r->file, file) != 0) printf("%s, %s\n", name, r->file);
         file = r->file;
         printf("  %-13s %s: %s\n", found++ == 0 ? "computes" : "", r->key,
-               row_of(r->key)->name);
+               equation_index_row_of(r->key)->name);
         print_formula(r->key, 18);
     }
 }
@@ -200,7 +201,8 @@ int equation_index_explain(const char *key)
     if (is_document(key)) return list_document(key);
     for (const struct equation_index_row *r = equation_index_rows;
          r->key != NULL; r++)
-        if (r->kind == EQUATION_INDEX_SAYS && is_wanted(key, r->key)) {
+        if (r->kind == EQUATION_INDEX_SAYS &&
+            equation_index_is_wanted(key, r->key)) {
             if (found++ > 0) putchar('\n');
             print_equation(r);
         }
@@ -209,5 +211,5 @@ int equation_index_explain(const char *key)
         print_eval_of(&e);
         return 0;
     }
-    return found > 0 ? 0 : unknown(key);
+    return found > 0 ? 0 : equation_index_unknown(key);
 }

@@ -43,7 +43,7 @@ static double syamlal_beta(const double *x)
                      x[4]);
 }
 
-static double relaxation_time(const double *x)
+static double equations_relaxation_time(const double *x)
 {
     return drag_relaxation_time(drag_law_named("syamlal-obrien"), x[0], x[1],
                                 x[2], x[3], x[4], x[5]);
@@ -119,7 +119,7 @@ static const struct equation others[] = {
     {"XS11:3.17", "time in which drag would stop a particle, Syamlal-O'Brien",
      "tau_p = rho_s eps_s / beta",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]",
-     "tau_p", "s", "drag_relaxation_time", relaxation_time},
+     "tau_p", "s", "drag_relaxation_time", equations_relaxation_time},
     {"XS11:4.1", "velocity of a particle that is released from rest in a fluid",
      "du/dt = (u_f - u) / tau_p, tau_p of XS11:3.17 at u_r = |u_f - u|, u = 0 "
      "at t = 0",

@@ -38,7 +38,8 @@ static int unknown_key(const char *key)
 }
 
 /* Says what is wrong with an input, and what the equation takes. */
-static int refuse(const struct equation *e, const char *input, const char *why)
+static int eval_refuse(const struct equation *e, const char *input,
+                       const char *why)
 {
     fprintf(stderr, "winnow: eval %s: %s %s; it takes %s\n", e->key, input, why,
             e->inputs);
@@ -46,8 +47,8 @@ static int refuse(const struct equation *e, const char *input, const char *why)
 }
 
 /* Fills x from the inputs; each must be there once. */
-static int read_inputs(const struct equation *e, int n,
-                       const char *const *inputs, double *x)
+static int eval_read_inputs(const struct equation *e, int n,
+                            const char *const *inputs, double *x)
 {
     int given[EQUATIONS_INPUTS] = {0};
     char name[EQUATIONS_TEXT];
@@ -59,16 +60,16 @@ static int read_inputs(const struct equation *e, int n,
         char *end;
 
         if (k < 0 || *text != '=')
-            return refuse(e, inputs[i], "is not one of its inputs");
-        if (given[k]++) return refuse(e, inputs[i], "is given twice");
+            return eval_refuse(e, inputs[i], "is not one of its inputs");
+        if (given[k]++) return eval_refuse(e, inputs[i], "is given twice");
         x[k] = strtod(text + 1, &end);
         if (end == text + 1 || *end != '\0' || !isfinite(x[k]))
-            return refuse(e, inputs[i], "is not a number");
+            return eval_refuse(e, inputs[i], "is not a number");
     }
     for (int k = 0; k < equations_inputs(e); k++)
         if (!given[k]) {
             equations_name(e, k, name);
-            return refuse(e, name, "is missing");
+            return eval_refuse(e, name, "is missing");
         }
     return 0;
 }
@@ -79,7 +80,7 @@ int eval_print(const char *key, int n, const char *const *inputs)
     double x[EQUATIONS_INPUTS];
 
     if (!equations_named(key, &e)) return unknown_key(key);
-    if (read_inputs(&e, n, inputs, x) != 0) return 2;
+    if (eval_read_inputs(&e, n, inputs, x) != 0) return 2;
     const double value = equations_value(&e, x);
     if (!isfinite(value)) {
         fprintf(stderr, "winnow: eval %s: %s has no value for these inputs\n",
@@ -90,7 +91,7 @@ int eval_print(const char *key, int n, const char *const *inputs)
     return 0;
 }
 
-static int act(const struct command_line *l)
+static int eval_act(const struct command_line *l)
 {
     if (l->n_words > 0)
         return eval_print(l->words[0], l->n_words - 1, l->words + 1);
@@ -99,5 +100,5 @@ static int act(const struct command_line *l)
 }
 
 const struct command command_eval = {
-    "eval", "[KEY name=value ...]", "the value of one equation", "", 0, -1,
-    act};
+    "eval",  "[KEY name=value ...]", "the value of one equation", "", 0, -1,
+    eval_act};

@@ -140,7 +140,7 @@ static int explain_models(const char *word)
 static const char accepted[] =
     "CASE [-s path.to.key=value]... | KEY | MODEL | FUNCTION | COMMAND";
 
-static const struct command *command_named(const char *word)
+static const struct command *explain_command_named(const char *word)
 {
     for (const struct command *const *c = commands; *c != NULL; c++)
         if (strcmp((*c)->name, word) == 0) return *c;
@@ -174,7 +174,7 @@ static void offer_last_names(struct nearest *n, const struct key *const *tables)
 
 /* Says what explain accepts, with the known word that is nearest to this one.
  */
-static int unknown(const char *word)
+static int explain_unknown(const char *word)
 {
     const struct key *tables[CASE_FILE_TABLES];
     char path[SCHEMA_TEXT];
@@ -202,7 +202,7 @@ static int unknown(const char *word)
 /* A word that names no file. */
 static int explain_word(const char *word)
 {
-    const struct command *const command = command_named(word);
+    const struct command *const command = explain_command_named(word);
 
     if (is_case_key(word)) return explain_case_key(word);
     if (models_kind(word) != NULL) return list_models(word);
@@ -212,12 +212,12 @@ static int explain_word(const char *word)
     else if (n == 0 && command != NULL)
         printf("winnow %s %s\n  %s\n", word, command->arguments, command->what);
     else if (n == 0)
-        return unknown(word);
+        return explain_unknown(word);
     return 0;
 }
 
 /* 1 if the word is meant as the name of a file, which need not be there. */
-static int is_file_name(const char *word)
+static int explain_is_file_name(const char *word)
 {
     const char *const dot = strrchr(word, '.');
     struct stat file;
@@ -226,13 +226,13 @@ static int is_file_name(const char *word)
            (stat(word, &file) == 0 && S_ISREG(file.st_mode));
 }
 
-static int act(const struct command_line *l)
+static int explain_act(const struct command_line *l)
 {
     const char *const word = l->words[0];
     int code;
 
     if (equation_index_is_key(word)) return equation_index_explain(word);
-    if (!is_file_name(word)) return explain_word(word);
+    if (!explain_is_file_name(word)) return explain_word(word);
 
     struct settings *const s = command_settings(l, &code);
 
@@ -250,4 +250,4 @@ const struct command command_explain = {
     "s",
     1,
     1,
-    act};
+    explain_act};

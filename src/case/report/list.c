@@ -146,7 +146,7 @@ int list_models(const char *name)
     return 0;
 }
 
-static int wrong_word(const char *word)
+static int list_wrong_word(const char *word)
 {
     fprintf(stderr,
             "winnow: %s: one argument too many\n"
@@ -155,11 +155,11 @@ static int wrong_word(const char *word)
     return 2;
 }
 
-static int act(const struct command_line *l)
+static int list_act(const struct command_line *l)
 {
     if (l->n_words > 1 && strcmp(l->words[0], "keys") == 0)
         return list_keys(l->words[1]);
-    if (l->n_words > 1) return wrong_word(l->words[1]);
+    if (l->n_words > 1) return list_wrong_word(l->words[1]);
     if (l->n_words > 0 && strcmp(l->words[0], "cases") == 0)
         return shipped_list();
     if (l->n_words > 0) return list_models(l->words[0]);
@@ -175,4 +175,4 @@ const struct command command_list = {
     "",
     0,
     2,
-    act};
+    list_act};

@@ -233,7 +233,7 @@ int report_case(const struct settings *s)
     return case_scales_check(s); /* as a run is refused */
 }
 
-static int act(const struct command_line *l)
+static int report_act(const struct command_line *l)
 {
     int code;
     struct settings *const s = command_settings(l, &code);
@@ -250,4 +250,4 @@ const struct command command_check = {
     "s",
     1,
     1,
-    act};
+    report_act};

@@ -23,8 +23,8 @@ static void line_by(const char *name, double time, const char *of, double by)
 }
 
 /* A factor of two in a size, of that order. */
-static void line(const char *name, double time, const char *of, double order,
-                 int finer)
+static void report_accuracy_line(const char *name, double time, const char *of,
+                                 double order, int finer)
 {
     line_by(name, time, of, pow(2.0, finer ? order : -order));
 }
@@ -52,10 +52,10 @@ static void print_fluid(const struct settings *s, const struct case_scales *k)
     if (order == 1.0)
         check_line("fluid.time = bdf2", 1.0, "-",
                    "times the time; the error of the step of order 2, not 1");
-    line("fluid.step halved", time_with(k, 1, 2.0, 1.0, 1.0),
-         "the error of the step", order, 1);
-    line("fluid.step doubled", time_with(k, 1, 0.5, 1.0, 1.0),
-         "the error of the step", order, 0);
+    report_accuracy_line("fluid.step halved", time_with(k, 1, 2.0, 1.0, 1.0),
+                         "the error of the step", order, 1);
+    report_accuracy_line("fluid.step doubled", time_with(k, 1, 0.5, 1.0, 1.0),
+                         "the error of the step", order, 0);
 }
 
 /* Two of the convection schemes are of first order. */
@@ -68,7 +68,8 @@ static double order_of_cells(const struct settings *s)
 }
 
 /* Directions that have more than one cell, and the product of their numbers. */
-static int directions_of(const struct settings *s, double *cells)
+static int report_accuracy_directions_of(const struct settings *s,
+                                         double *cells)
 {
     int n[3], directions = 0;
 
@@ -147,7 +148,7 @@ static struct carried carried_in(const struct settings *s,
                                  const struct case_scales *k, int only)
 {
     double cells, L[3];
-    const int directions = directions_of(s, &cells);
+    const int directions = report_accuracy_directions_of(s, &cells);
 
     if (only < 0 || !has_end(s, only, "inlet") || k->inlet == 0.0)
         return (struct carried){0, pow(cells, 1.0 / directions) / 4.0};
@@ -181,7 +182,9 @@ static int only_direction(const struct settings *s)
     double cells;
     int n[3];
 
-    if (directions_of(s, &cells) != 1 || settings_has(s, "exchange")) return -1;
+    if (report_accuracy_directions_of(s, &cells) != 1 ||
+        settings_has(s, "exchange"))
+        return -1;
     settings_counts(s, "mesh.cells", n);
     return n[0] > 1 ? 0 : n[1] > 1 ? 1 : 2;
 }
@@ -196,7 +199,8 @@ static void print_convection(const struct settings *s,
 
     while (from < scheme_costs + SCHEME_COSTS && strcmp(from->name, name) != 0)
         from++;
-    if (directions_of(s, &cells) == 0 || from == scheme_costs + SCHEME_COSTS ||
+    if (report_accuracy_directions_of(s, &cells) == 0 ||
+        from == scheme_costs + SCHEME_COSTS ||
         (only >= 0 && carries_nothing(s, only)))
         return;
     const struct carried c = carried_in(s, k, only);
@@ -245,25 +249,27 @@ static void print_correctors(const struct settings *s,
 static void print_cells(const struct settings *s, const struct case_scales *k)
 {
     double n;
-    const int directions = directions_of(s, &n);
+    const int directions = report_accuracy_directions_of(s, &n);
     const double cells = pow(2.0, directions);
 
     if (directions == 0) return;
-    line("mesh.cells doubled, fluid.step halved",
-         time_with(k, 1, 2.0, 1.0, cells), "that of the cells",
-         order_of_cells(s), 1);
-    line("mesh.cells halved, fluid.step doubled",
-         time_with(k, 1, 0.5, 1.0, 1.0 / cells), "that of the cells",
-         order_of_cells(s), 0);
+    report_accuracy_line("mesh.cells doubled, fluid.step halved",
+                         time_with(k, 1, 2.0, 1.0, cells), "that of the cells",
+                         order_of_cells(s), 1);
+    report_accuracy_line("mesh.cells halved, fluid.step doubled",
+                         time_with(k, 1, 0.5, 1.0, 1.0 / cells),
+                         "that of the cells", order_of_cells(s), 0);
 }
 
 /* Smoothing reduces a wave by a share proportional to the square of the
  * bandwidth. The diffusion takes the same time for any bandwidth. */
-static void print_bandwidth(const struct settings *s)
+static void report_accuracy_print_bandwidth(const struct settings *s)
 {
     if (strcmp(settings_text(s, "averaging.method"), "diffusion") != 0) return;
-    line("averaging.bandwidth halved", 1.0, "the damping of a wave", 2.0, 1);
-    line("averaging.bandwidth doubled", 1.0, "the damping of a wave", 2.0, 0);
+    report_accuracy_line("averaging.bandwidth halved", 1.0,
+                         "the damping of a wave", 2.0, 1);
+    report_accuracy_line("averaging.bandwidth doubled", 1.0,
+                         "the damping of a wave", 2.0, 0);
 }
 
 /* A sub-step asks for the drag of each particle once, which was seen to cost as
@@ -279,11 +285,11 @@ static void print_substeps(const struct settings *s,
     one.dem_steps = n;
     one.cells = 0;
     const double more = case_cost_of(&one, 0) / case_cost_of(k, 1);
-    line("exchange.substeps doubled", 1.0 + more, "the error of the drag", 1.0,
-         1);
+    report_accuracy_line("exchange.substeps doubled", 1.0 + more,
+                         "the error of the drag", 1.0, 1);
     if (n > 1)
-        line("exchange.substeps halved", 1.0 - 0.5 * more,
-             "the error of the drag", 1.0, 0);
+        report_accuracy_line("exchange.substeps halved", 1.0 - 0.5 * more,
+                             "the error of the drag", 1.0, 0);
 }
 
 /* The force of a dashpot jumps when a contact begins and ends. Without one, e =
@@ -295,10 +301,12 @@ static void print_particles(const struct settings *s,
     const double order =
         settings_has(s, e) && settings_real(s, e) == 1.0 ? 2.0 : 1.0;
 
-    line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),
-         "the error of an impact", order, 1);
-    line("particles.step doubled", time_with(k, flow, 1.0, 0.5, 1.0),
-         "the error of an impact", order, 0);
+    report_accuracy_line("particles.step halved",
+                         time_with(k, flow, 1.0, 2.0, 1.0),
+                         "the error of an impact", order, 1);
+    report_accuracy_line("particles.step doubled",
+                         time_with(k, flow, 1.0, 0.5, 1.0),
+                         "the error of an impact", order, 0);
 }
 
 void report_accuracy(const struct settings *s, const struct case_scales *k)
@@ -311,7 +319,7 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     if (flow) print_convection(s, k);
     if (flow) print_tolerance(s, k);
     if (flow) print_correctors(s, k);
-    if (settings_has(s, "averaging")) print_bandwidth(s);
+    if (settings_has(s, "averaging")) report_accuracy_print_bandwidth(s);
     if (settings_has(s, "exchange")) print_substeps(s, k);
     if (k->particles > 0 && !case_limits_no_contacts(s))
         print_particles(s, k, flow);

@@ -22,7 +22,7 @@ enum { PATH_TEXT = 4096, CASE_TEXT = 1 << 16, LINE_TEXT = 200 };
 
 /* The cases that are installed with the program, or lie beside its build, or
  * here. Non-zero if there are none. */
-static int find(glob_t *found)
+static int shipped_find(glob_t *found)
 {
     static const char *const folders[] = {"/../share/winnow/cases", "/../cases",
                                           "./cases"};
@@ -49,7 +49,7 @@ static int none(void)
 }
 
 /* "small-bed" of "there/small-bed.cfg". */
-static void name_of(const char *path, char name[LINE_TEXT])
+static void shipped_name_of(const char *path, char name[LINE_TEXT])
 {
     const char *const slash = strrchr(path, '/');
 
@@ -58,7 +58,7 @@ static void name_of(const char *path, char name[LINE_TEXT])
 }
 
 /* The text of a file, a string; -1 after a message. */
-static int read_text(const char *path, char text[CASE_TEXT])
+static int shipped_read_text(const char *path, char text[CASE_TEXT])
 {
     FILE *const f = fopen(path, "r");
     size_t n = 0;
@@ -92,13 +92,13 @@ static void purpose(const char *text, char line[LINE_TEXT])
     line[n] = '\0';
 }
 
-static void print_case(const char *path, const struct settings *s,
-                       const char *text)
+static void shipped_print_case(const char *path, const struct settings *s,
+                               const char *text)
 {
     const struct case_scales k = case_scales_of(s);
     char name[LINE_TEXT], line[LINE_TEXT];
 
-    name_of(path, name);
+    shipped_name_of(path, name);
     purpose(text, line);
     printf("%-22s %6d cells %6d particles  %s%s%s\n", name, k.cells,
            k.particles, settings_text(s, "title"),
@@ -111,12 +111,13 @@ int shipped_list(void)
     glob_t found;
     int code = 0;
 
-    if (find(&found) != 0) return none();
+    if (shipped_find(&found) != 0) return none();
     for (size_t i = 0; i < found.gl_pathc && code == 0; i++) {
         const char *const path = found.gl_pathv[i];
         struct settings *const s = case_file_read(path, 0, NULL, &code);
 
-        if (s != NULL && read_text(path, text) == 0) print_case(path, s, text);
+        if (s != NULL && shipped_read_text(path, text) == 0)
+            shipped_print_case(path, s, text);
         settings_free(s);
     }
     globfree(&found);
@@ -130,11 +131,11 @@ static int find_named(const char *name, char path[PATH_TEXT])
     struct nearest n;
     glob_t found;
 
-    if (find(&found) != 0) return none();
+    if (shipped_find(&found) != 0) return none();
     nearest_init(&n, name);
     path[0] = '\0';
     for (size_t i = 0; i < found.gl_pathc; i++) {
-        name_of(found.gl_pathv[i], other);
+        shipped_name_of(found.gl_pathv[i], other);
         nearest_offer(&n, other);
         if (strcmp(name, other) == 0)
             snprintf(path, PATH_TEXT, "%s", found.gl_pathv[i]);
@@ -184,7 +185,7 @@ static int write_new(const char *path, const char *text)
     return 4;
 }
 
-static int act(const struct command_line *l)
+static int shipped_act(const struct command_line *l)
 {
     const char *const name = l->words[0];
     const char *const from = l->n_words > 1 ? l->words[1] : FIRST;
@@ -193,7 +194,7 @@ static int act(const struct command_line *l)
     int code = find_named(from, path);
 
     if (code != 0) return code;
-    if (read_text(path, text) != 0) return 4;
+    if (shipped_read_text(path, text) != 0) return 4;
     if (names_a_file(path, text, other)) {
         fprintf(stderr, "winnow: %s needs %s beside it: copy both from %.*s\n",
                 from, other, (int)(strrchr(path, '/') - path), path);
@@ -214,4 +215,4 @@ const struct command command_new = {
     "",
     1,
     2,
-    act};
+    shipped_act};

@@ -34,7 +34,7 @@ const struct solid_bodies *bodies_record_of(const struct simulation *sim)
 
 /* --- columns of the history ----------------------------------------------- */
 
-static double force(const struct simulation *sim, int k)
+static double bodies_record_force(const struct simulation *sim, int k)
 {
     const struct solid_bodies *const b = bodies_record_of(sim);
     double sum = 0.0;
@@ -46,17 +46,17 @@ static double force(const struct simulation *sim, int k)
 
 static double force_x(const struct simulation *sim)
 {
-    return force(sim, 0);
+    return bodies_record_force(sim, 0);
 }
 
 static double force_y(const struct simulation *sim)
 {
-    return force(sim, 1);
+    return bodies_record_force(sim, 1);
 }
 
 static double force_z(const struct simulation *sim)
 {
-    return force(sim, 2);
+    return bodies_record_force(sim, 2);
 }
 
 static double mean_flow_x(const struct simulation *sim)
@@ -85,12 +85,12 @@ static double held_cells(const struct simulation *sim)
     return bodies_record_of(sim)->held;
 }
 
-static double contacts(const struct simulation *sim)
+static double bodies_record_contacts(const struct simulation *sim)
 {
     return bodies_record_of(sim)->dem_report.contacts;
 }
 
-static double overlap(const struct simulation *sim)
+static double bodies_record_overlap(const struct simulation *sim)
 {
     return bodies_record_of(sim)->dem_report.max_overlap;
 }
@@ -103,8 +103,8 @@ static const struct history_column columns[] = {
     {"mean_flow_y [m/s]", mean_flow_y, 0},
     {"mean_flow_z [m/s]", mean_flow_z, 0},
     {"held_cells [-]", held_cells, 0},
-    {"contacts_of_bodies [-]", contacts, 0},
-    {"max_overlap_of_bodies [-]", overlap, 0},
+    {"contacts_of_bodies [-]", bodies_record_contacts, 0},
+    {"max_overlap_of_bodies [-]", bodies_record_overlap, 0},
     {NULL, NULL, 0}};
 
 /* --- files ---------------------------------------------------------------- */
@@ -112,7 +112,8 @@ static const struct history_column columns[] = {
 /* Then the orientation, if there are outlines; then the means around it. */
 enum { COLUMNS = 17, TURN = 4, AROUND = 6 };
 
-static struct table *create_table(const struct record *r, struct folder *folder)
+static struct table *bodies_record_create_table(const struct record *r,
+                                                struct folder *folder)
 {
     static const char *const names[COLUMNS] = {
         "time [s]",      "body [-]",    "x [m]",          "y [m]",
@@ -147,7 +148,7 @@ static struct series *create_series(struct folder *folder)
     return made;
 }
 
-static void release(void *record)
+static void bodies_record_release(void *record)
 {
     struct record *const r = record;
 
@@ -159,7 +160,7 @@ static void release(void *record)
     free(r);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *bodies_record_create(const struct recorder_view *v, int *failed)
 {
     static const char width[] = "bodies.filter";
 
@@ -172,12 +173,12 @@ static void *create(const struct recorder_view *v, int *failed)
     if (settings_has(v->settings, width))
         r->filter = surroundings_create(r->bodies, v->sim->fluid,
                                         settings_real(v->settings, width));
-    r->table = create_table(r, v->folder);
+    r->table = bodies_record_create_table(r, v->folder);
     r->pictures = r->table != NULL ? create_series(v->folder) : NULL;
     r->writer = vtk_file_create();
     r->d = alloc_doubles(r->bodies->ps->n);
     if (r->pictures != NULL) return r;
-    release(r);
+    bodies_record_release(r);
     *failed = 1;
     return NULL;
 }
@@ -191,7 +192,7 @@ static void add_surroundings(const struct record *r, int i, double *row)
     memcpy(row, values, sizeof values);
 }
 
-static int add_row(void *record)
+static int bodies_record_add_row(void *record)
 {
     const struct record *const r = record;
     const struct solid_bodies *const b = r->bodies;
@@ -245,7 +246,7 @@ static int add_picture(void *record, double t)
 }
 
 /* Of the first body, and the sum over all. */
-static void summarize(const void *record, struct summary *f)
+static void bodies_record_summarize(const void *record, struct summary *f)
 {
     const struct record *const r = record;
     static const char *const names[3] = {"force_x", "force_y", "force_z"};
@@ -255,14 +256,16 @@ static void summarize(const void *record, struct summary *f)
     summary_count(f, "held_cells", r->bodies->held);
     summary_number(f, "largest_overlap", r->bodies->deepest);
     for (int k = 0; k < 3; k++)
-        summary_number(f, names[k], force(r->sim, k));
+        summary_number(f, names[k], bodies_record_force(r->sim, k));
     summary_end(f);
 }
 
-static void print(const void *record)
+static void bodies_record_print(const void *record)
 {
     const struct record *const r = record;
-    const double F[3] = {force(r->sim, 0), force(r->sim, 1), force(r->sim, 2)};
+    const double F[3] = {bodies_record_force(r->sim, 0),
+                         bodies_record_force(r->sim, 1),
+                         bodies_record_force(r->sim, 2)};
     char gap[BODY_SEAL_TEXT];
     double flow[3];
 
@@ -280,7 +283,7 @@ static void print(const void *record)
            F[0], F[1], F[2], flow[0], flow[1], flow[2], folder_name(r->folder));
 }
 
-static void visit(void *record, struct state *s)
+static void bodies_record_visit(void *record, struct state *s)
 {
     struct record *const r = record;
 
@@ -290,12 +293,13 @@ static void visit(void *record, struct state *s)
     state_end(s);
 }
 
-const struct recorder_part bodies_record = {.create = create,
-                                            .free = release,
-                                            .row = add_row,
-                                            .last_row = add_row,
+const struct recorder_part bodies_record = {.create = bodies_record_create,
+                                            .free = bodies_record_release,
+                                            .row = bodies_record_add_row,
+                                            .last_row = bodies_record_add_row,
                                             .fields = add_picture,
                                             .columns = columns,
-                                            .summarize = summarize,
-                                            .print = print,
-                                            .state = visit};
+                                            .summarize =
+                                                bodies_record_summarize,
+                                            .print = bodies_record_print,
+                                            .state = bodies_record_visit};

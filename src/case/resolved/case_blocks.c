@@ -91,8 +91,9 @@ struct body_outline *case_blocks_outline(const struct settings *s,
 /* Of one that is so wide [m] in each direction, and reaches that far from its
  * centre. What reaches through the box has no ends there. One that is narrower
  * than a cell may hold none. */
-static int check_place(const struct settings *s, const char *list, int i,
-                       const double width[3], const double extent[3])
+static int case_blocks_check_place(const struct settings *s, const char *list,
+                                   int i, const double width[3],
+                                   const double extent[3])
 {
     const int fixed = case_bodies_is(s, list, i, "fixed");
     double lo[3], hi[3], h[3], x[3];
@@ -117,7 +118,8 @@ static int check_place(const struct settings *s, const char *list, int i,
 }
 
 /* One along an axis of the box has its length there. */
-static void width_of(const struct body_shape *shape, double width[3])
+static void case_blocks_width_of(const struct body_shape *shape,
+                                 double width[3])
 {
     const double d = 2.0 * shape->half[0], length = 2.0 * shape->half[1];
 
@@ -128,7 +130,8 @@ static void width_of(const struct body_shape *shape, double width[3])
                                                 : fmin(d, length);
 }
 
-static int check_one(const struct settings *s, const char *list, int i)
+static int case_blocks_check_one(const struct settings *s, const char *list,
+                                 int i)
 {
     double extent[3], width[3], axis[3];
 
@@ -142,8 +145,8 @@ static int check_one(const struct settings *s, const char *list, int i)
         return case_outlines_check_one(s, list, i);
     const struct body_shape shape = case_blocks_shape(s, list, i);
     body_shape_extent(&shape, extent);
-    width_of(&shape, width);
-    return check_place(s, list, i, width, extent);
+    case_blocks_width_of(&shape, width);
+    return case_blocks_check_place(s, list, i, width, extent);
 }
 
 int case_blocks_check(const struct settings *s)
@@ -153,6 +156,6 @@ int case_blocks_check(const struct settings *s)
 
     for (int l = 0; l < 2; l++)
         for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
-            code = check_one(s, lists[l], i);
+            code = case_blocks_check_one(s, lists[l], i);
     return code;
 }

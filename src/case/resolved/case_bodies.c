@@ -27,8 +27,8 @@
 
 static const char *const list = case_bodies_spheres;
 
-static enum body_motion motion_of(const struct settings *s, const char *of,
-                                  int i)
+static enum body_motion case_bodies_motion_of(const struct settings *s,
+                                              const char *of, int i)
 {
     return case_bodies_is(s, of, i, "free")         ? BODY_FREE
            : case_bodies_is(s, of, i, "prescribed") ? BODY_PRESCRIBED
@@ -36,8 +36,9 @@ static enum body_motion motion_of(const struct settings *s, const char *of,
                                                     : BODY_FIXED;
 }
 
-static struct dem_options contacts(const struct settings *s,
-                                   const struct case_bodies_contact *c)
+static struct dem_options
+case_bodies_contacts(const struct settings *s,
+                     const struct case_bodies_contact *c)
 {
     struct dem_options o = {
         .law = &contact_linear,
@@ -55,7 +56,7 @@ static struct dem_options contacts(const struct settings *s,
 static void add_one(const struct settings *s, const char *of, int i,
                     const struct body_shape *shape, struct solid_bodies *b)
 {
-    const enum body_motion motion = motion_of(s, of, i);
+    const enum body_motion motion = case_bodies_motion_of(s, of, i);
     const int has_mass = motion == BODY_FREE || motion == BODY_SPRING;
     double x[3], v[3], w[3], k[3];
 
@@ -99,7 +100,7 @@ static int add_outlines(const struct settings *s, const char *of,
     return 0;
 }
 
-static int add_all(const struct settings *s, struct solid_bodies *b)
+static int case_bodies_add_all(const struct settings *s, struct solid_bodies *b)
 {
     for (int i = 0; i < settings_length(s, list); i++) {
         const struct body_shape shape =
@@ -132,10 +133,10 @@ static struct squeeze_film gaps(const struct settings *s)
                      : 0.0};
 }
 
-static struct solid_bodies *create(const struct settings *s)
+static struct solid_bodies *case_bodies_create(const struct settings *s)
 {
     const struct case_bodies_contact contact = case_bodies_contact(s);
-    const struct dem_options dem = contacts(s, &contact);
+    const struct dem_options dem = case_bodies_contacts(s, &contact);
     struct solid_bodies_options o = {
         .method = body_method_named(settings_text(s, "bodies.method")),
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
@@ -151,13 +152,14 @@ static struct solid_bodies *create(const struct settings *s)
     particle_options_gravity(s, o.gravity);
     struct solid_bodies *const b = solid_bodies_create(
         n, cells[0] * cells[1] * cells[2], s->fluid.rho, &o);
-    if (add_all(s, b) == 0) return b;
+    if (case_bodies_add_all(s, b) == 0) return b;
     solid_bodies_free(b);
     return NULL;
 }
 
 /* Non-zero after a message. */
-static int overlap(const struct settings *s, const struct solid_bodies *b)
+static int case_bodies_overlap(const struct settings *s,
+                               const struct solid_bodies *b)
 {
     int pair[2];
     const double depth = body_gaps_deepest(b, pair);
@@ -180,7 +182,7 @@ static int sealed(const struct settings *s, const struct solid_bodies *b)
         return settings_wrong(s, "bodies",
                               "they cover all of the mesh, and no fluid is "
                               "left; sizes are in m");
-    if (overlap(s, b) != 0) return 2;
+    if (case_bodies_overlap(s, b) != 0) return 2;
     if (b->seal.inlet)
         return settings_wrong(
             s, "bodies", "they cut an inlet off from every outlet: %s", way);
@@ -211,7 +213,7 @@ static double way_left(const struct solid_bodies *b, int i, double t)
 
 int case_bodies_start(const struct settings *s, struct case_bodies_first *first)
 {
-    struct solid_bodies *const b = create(s);
+    struct solid_bodies *const b = case_bodies_create(s);
 
     if (b == NULL) return 2;
     struct mesh *const m = case_mesh_create(s);
@@ -247,7 +249,7 @@ int case_bodies_check_start(const struct settings *s)
     return case_bodies_start(s, &first);
 }
 
-static int has_room(const void *state, const double x[3], double R)
+static int case_bodies_has_room(const void *state, const double x[3], double R)
 {
     const struct simulation *const sim = state;
     return among_grains_has_room(effects_memory(sim, &among_effect), x, R);
@@ -278,13 +280,13 @@ int case_bodies_complete(const struct settings *s, struct simulation *sim,
                          struct dem_options *o)
 {
     if (!settings_has(s, "bodies")) return 0;
-    struct solid_bodies *const b = create(s);
+    struct solid_bodies *const b = case_bodies_create(s);
 
     if (b == NULL) return 2;
     effects_add(sim, &among_effect, b);
     among_grains_create(b, o->n_surfaces);
     join_surfaces(sim, b, o);
-    sim->region.has_room = has_room;
+    sim->region.has_room = case_bodies_has_room;
     return 0;
 }
 
@@ -294,7 +296,7 @@ int case_bodies_add(const struct settings *s, struct simulation *sim)
     struct solid_bodies *b = effects_memory(sim, &among_effect);
 
     if (b == NULL) {
-        b = create(s);
+        b = case_bodies_create(s);
         if (b == NULL) return 2;
         effects_add(sim, &bodies_effect, b);
     } else

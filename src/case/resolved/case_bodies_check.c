@@ -169,7 +169,7 @@ static int check_motions(const struct settings *s)
     return code;
 }
 
-static int any_moves(const struct settings *s)
+static int case_bodies_check_any_moves(const struct settings *s)
 {
     const char *const *const lists = case_bodies_lists;
 
@@ -181,7 +181,7 @@ static int any_moves(const struct settings *s)
 
 /* Bodies among particles: a body in the way of a method that sets velocities by
  * solid fractions, a cell that a body enters, and what knows no surfaces. */
-static int check_particles(const struct settings *s)
+static int case_bodies_check_particles(const struct settings *s)
 {
     static const char *const pulls[] = {"effects.van_der_waals",
                                         "effects.capillary"};
@@ -194,7 +194,7 @@ static int check_particles(const struct settings *s)
         return settings_wrong(s, case_outlines_clumps,
                               "clumps do not touch particles; give the body as "
                               "a closed surface, in bodies.surfaces");
-    if (settings_has(s, "exchange") && any_moves(s) &&
+    if (settings_has(s, "exchange") && case_bodies_check_any_moves(s) &&
         s->fluid.continuity != CONTINUITY_MIXTURE)
         return settings_wrong(s, "fluid.continuity",
                               "among particles a body that moves asks for "
@@ -240,7 +240,8 @@ int case_bodies_check(const struct settings *s)
         return settings_wrong(s, "bodies",
                               "there is no body; give spheres, boxes, "
                               "cylinders, clumps or surfaces");
-    if (settings_has(s, "particles") && code == 0) code = check_particles(s);
+    if (settings_has(s, "particles") && code == 0)
+        code = case_bodies_check_particles(s);
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
     if (code == 0) code = check_motions(s);

@@ -48,7 +48,8 @@ struct extremes {
 };
 
 /* [m]; HUGE_VAL if its file cannot be read. */
-static double width_of(const struct settings *s, const char *of, int i)
+static double case_bodies_report_width_of(const struct settings *s,
+                                          const char *of, int i)
 {
     double R[2], width = HUGE_VAL;
 
@@ -92,8 +93,8 @@ static void look_at_free(const struct settings *s, const char *of, int i,
     e->C_v = fmax(e->C_v, C_v);
 }
 
-static void look_at(const struct settings *s, const char *of,
-                    struct extremes *e)
+static void case_bodies_report_look_at(const struct settings *s, const char *of,
+                                       struct extremes *e)
 {
     for (int i = 0; i < settings_length(s, of); i++) {
         const int free = case_bodies_is(s, of, i, "free");
@@ -102,7 +103,7 @@ static void look_at(const struct settings *s, const char *of,
         e->speed = fmax(e->speed, vector_length(v));
         if (!free && (of == case_blocks_boxes || of == case_outlines_surfaces))
             continue; /* parts of walls, often */
-        const double width = width_of(s, of, i);
+        const double width = case_bodies_report_width_of(s, of, i);
         e->d = fmin(e->d, width);
         e->cells = fmin(e->cells, width / cell_width(s, of, i));
         if (free) look_at_free(s, of, i, e);
@@ -205,7 +206,7 @@ void case_bodies_report(const struct settings *s,
     const double dt = s->fluid.dt, nu = s->fluid.mu / s->fluid.rho,
                  narrowest = fmin(h[0], fmin(h[1], h[2]));
     for (int l = 0; case_bodies_lists[l] != NULL; l++)
-        look_at(s, case_bodies_lists[l], &e);
+        case_bodies_report_look_at(s, case_bodies_lists[l], &e);
     puts("Bodies");
     report_counts(s);
     if (e.cells < HUGE_VAL)

@@ -23,7 +23,7 @@ static const char *const list = case_bodies_spheres;
  * the fluid has to follow the rebound. */
 static const double steps_an_impact = 8.0;
 
-static double volume(double d)
+static double case_body_mass_volume(double d)
 {
     return M_PI / 6.0 * d * d * d;
 }
@@ -67,8 +67,9 @@ double case_bodies_virtual_mass(const struct settings *s, const char *of, int i)
 
 static double contact_volume(const struct settings *s, const char *of, int i)
 {
-    return of == list ? volume(settings_item_real(s, of, i, "diameter"))
-                      : case_outlines_contact_volume(s, of, i);
+    return of == list
+               ? case_body_mass_volume(settings_item_real(s, of, i, "diameter"))
+               : case_outlines_contact_volume(s, of, i);
 }
 
 /* What a contact of number i of a list has to stop [kg]. */

@@ -21,8 +21,8 @@
 const char case_outlines_clumps[] = "bodies.clumps",
            case_outlines_surfaces[] = "bodies.surfaces";
 
-static void path_of(const struct settings *s, const char *list, int i,
-                    char path[SETTINGS_PATH])
+static void case_outlines_path_of(const struct settings *s, const char *list,
+                                  int i, char path[SETTINGS_PATH])
 {
     settings_beside(s, settings_item_text(s, list, i, "file"), path,
                     SETTINGS_PATH);
@@ -35,7 +35,7 @@ static struct body_ball *read_balls(const struct settings *s, int i, long *n)
         settings_item_real(s, case_outlines_clumps, i, "scale");
     char path[SETTINGS_PATH];
 
-    path_of(s, case_outlines_clumps, i, path);
+    case_outlines_path_of(s, case_outlines_clumps, i, path);
     struct insertion_sphere *const list = grain_table_read(path, n);
     if (list == NULL) return NULL;
     struct body_ball *const ball = alloc_zeroed((size_t)*n, sizeof *ball);
@@ -80,7 +80,7 @@ static struct body_outline *read_surface(const struct settings *s, int i)
     const char *trouble;
     struct stl stl;
 
-    path_of(s, case_outlines_surfaces, i, path);
+    case_outlines_path_of(s, case_outlines_surfaces, i, path);
     if (stl_read(path, &stl) != 0) return NULL;
     for (int c = 0; c < 9 * stl.n; c++)
         stl.corner[c / 9][c / 3 % 3][c % 3] *= scale;
@@ -126,7 +126,8 @@ double case_outlines_contact_volume(const struct settings *s, const char *list,
 /* --- checks --------------------------------------------------------------- */
 
 /* The box around the shape as it was given [m]. */
-static void ends_of(const struct body_outline *o, double lo[3], double hi[3])
+static void case_outlines_ends_of(const struct body_outline *o, double lo[3],
+                                  double hi[3])
 {
     for (int k = 0; k < 3; k++) {
         lo[k] = HUGE_VAL;
@@ -170,8 +171,8 @@ static double reach_of(const struct body_outline *o)
     return most;
 }
 
-static int check_place(const struct settings *s, const char *list, int i,
-                       const struct body_outline *o)
+static int case_outlines_check_place(const struct settings *s, const char *list,
+                                     int i, const struct body_outline *o)
 {
     const int fixed = case_bodies_is(s, list, i, "fixed");
     double lo[3], hi[3], from[3], to[3], h[3], x[3];
@@ -181,7 +182,7 @@ static int check_place(const struct settings *s, const char *list, int i,
     case_mesh_periodic(s, periodic);
     case_bodies_cell_widths(s, h);
     settings_item_vector(s, list, i, "position", x);
-    ends_of(o, from, to);
+    case_outlines_ends_of(o, from, to);
     const double thin = thinnest(list, o, from, to);
     for (int k = 0; k < 3; k++) {
         const double L = hi[k] - lo[k];
@@ -253,7 +254,7 @@ int case_outlines_check_one(const struct settings *s, const char *list, int i)
         return settings_wrong(s, list,
                               "number %d is moved and asks for its density", i);
     struct body_outline *const o = case_outlines_read(s, list, i);
-    int code = o == NULL ? 2 : check_place(s, list, i, o);
+    int code = o == NULL ? 2 : case_outlines_check_place(s, list, i, o);
 
     if (code == 0 && list == case_outlines_surfaces)
         code = check_thickness(s, i, o);

@@ -15,7 +15,7 @@ static const struct history_column columns[] = {{"bodies_left [-]", left, 0},
                                                 {NULL, NULL, 0}};
 
 /* NULL where none can leave: then there is no column. */
-static void *create(const struct recorder_view *v, int *failed)
+static void *exit_record_create(const struct recorder_view *v, int *failed)
 {
     const struct solid_bodies *const b = bodies_record_of(v->sim);
     (void)failed;
@@ -23,10 +23,11 @@ static void *create(const struct recorder_view *v, int *failed)
 }
 
 /* It has nothing of its own. */
-static void release(void *exits)
+static void exit_record_release(void *exits)
 {
     (void)exits;
 }
 
-const struct recorder_part exit_record = {
-    .create = create, .free = release, .columns = columns};
+const struct recorder_part exit_record = {.create = exit_record_create,
+                                          .free = exit_record_release,
+                                          .columns = columns};

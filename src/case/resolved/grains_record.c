@@ -13,7 +13,7 @@ static struct solid_bodies *among(const struct simulation *sim)
 }
 
 /* Of the particles on the bodies, mean of the last step. */
-static double push(const struct simulation *sim, int k)
+static double grains_record_push(const struct simulation *sim, int k)
 {
     const struct solid_bodies *const b = among(sim);
     double sum = 0.0;
@@ -25,17 +25,17 @@ static double push(const struct simulation *sim, int k)
 
 static double push_x(const struct simulation *sim)
 {
-    return push(sim, 0);
+    return grains_record_push(sim, 0);
 }
 
 static double push_y(const struct simulation *sim)
 {
-    return push(sim, 1);
+    return grains_record_push(sim, 1);
 }
 
 static double push_z(const struct simulation *sim)
 {
-    return push(sim, 2);
+    return grains_record_push(sim, 2);
 }
 
 /* Cells whose solids found no open cell (mirrors.h). */
@@ -53,17 +53,18 @@ static const struct history_column columns[] = {
     {NULL, NULL, 0}};
 
 /* NULL without such bodies: then there are no columns. */
-static void *create(const struct recorder_view *v, int *failed)
+static void *grains_record_create(const struct recorder_view *v, int *failed)
 {
     (void)failed;
     return among(v->sim);
 }
 
 /* It has nothing of its own. */
-static void release(void *bodies)
+static void grains_record_release(void *bodies)
 {
     (void)bodies;
 }
 
-const struct recorder_part grains_record = {
-    .create = create, .free = release, .columns = columns};
+const struct recorder_part grains_record = {.create = grains_record_create,
+                                            .free = grains_record_release,
+                                            .columns = columns};

@@ -26,7 +26,7 @@ struct outlines {
     int *number, *end;          /* [-] points of the triangles */
 };
 
-static void release(void *record)
+static void outlines_record_release(void *record)
 {
     struct outlines *const r = record;
 
@@ -50,7 +50,7 @@ static int balls_of(const struct body_outline *o)
     return o->n_triangles == 0 ? o->n_balls : 0;
 }
 
-static void count(struct outlines *r)
+static void outlines_record_count(struct outlines *r)
 {
     for (int i = 0; i < r->bodies->ps->n; i++) {
         const struct body_outline *const o = r->bodies->shape[i].outline;
@@ -60,7 +60,7 @@ static void count(struct outlines *r)
     }
 }
 
-static void make_room(struct outlines *r)
+static void outlines_record_make_room(struct outlines *r)
 {
     for (int k = 0; k < 3; k++)
         r->x[k] = alloc_doubles(r->n_balls);
@@ -76,7 +76,7 @@ static void make_room(struct outlines *r)
         r->end[t] = 3 * (t + 1);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *outlines_record_create(const struct recorder_view *v, int *failed)
 {
     const struct solid_bodies *const b = bodies_record_of(v->sim);
     if (b == NULL || b->turn == NULL) return NULL;
@@ -84,8 +84,8 @@ static void *create(const struct recorder_view *v, int *failed)
     r->bodies = b;
     r->folder = v->folder;
     r->writer = vtk_file_create();
-    count(r);
-    make_room(r);
+    outlines_record_count(r);
+    outlines_record_make_room(r);
     if (r->n_balls > 0)
         r->clumps = field_output_series(v->folder, "body_clumps", "vtp");
     if (r->n_triangles > 0)
@@ -94,12 +94,12 @@ static void *create(const struct recorder_view *v, int *failed)
         (r->n_triangles == 0 || r->surfaces != NULL))
         return r;
     *failed = 1;
-    release(r);
+    outlines_record_release(r);
     return NULL;
 }
 
 /* Where the balls and the triangles are now. */
-static void place(struct outlines *r)
+static void outlines_record_place(struct outlines *r)
 {
     const struct particles *const ps = r->bodies->ps;
     int ball = 0, triangle = 0;
@@ -139,7 +139,7 @@ static int add_clumps(struct outlines *r, double t)
            series_add(r->clumps, t) != 0;
 }
 
-static int add_surfaces(struct outlines *r, double t)
+static int outlines_record_add_surfaces(struct outlines *r, double t)
 {
     const struct vtk_polygons shape = {3 * r->n_triangles, r->n_triangles,
                                        r->corner, r->number, r->end};
@@ -152,16 +152,16 @@ static int add_surfaces(struct outlines *r, double t)
            series_add(r->surfaces, t) != 0;
 }
 
-static int add(void *record, double t)
+static int outlines_record_add(void *record, double t)
 {
     struct outlines *const r = record;
 
-    place(r);
+    outlines_record_place(r);
     return (r->clumps != NULL && add_clumps(r, t) != 0) ||
-           (r->surfaces != NULL && add_surfaces(r, t) != 0);
+           (r->surfaces != NULL && outlines_record_add_surfaces(r, t) != 0);
 }
 
-static void visit(void *record, struct state *s)
+static void outlines_record_visit(void *record, struct state *s)
 {
     struct outlines *const r = record;
 
@@ -171,5 +171,7 @@ static void visit(void *record, struct state *s)
     state_end(s);
 }
 
-const struct recorder_part outlines_record = {
-    .create = create, .free = release, .fields = add, .state = visit};
+const struct recorder_part outlines_record = {.create = outlines_record_create,
+                                              .free = outlines_record_release,
+                                              .fields = outlines_record_add,
+                                              .state = outlines_record_visit};

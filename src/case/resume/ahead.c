@@ -80,7 +80,7 @@ int ahead_is_other(struct ahead *a, int tell)
 /* --- the file ------------------------------------------------------------- */
 
 /* With the bed, or only the case if b is NULL. Non-zero after a message. */
-static int save(struct ahead *a, struct bed_settling *b)
+static int ahead_save(struct ahead *a, struct bed_settling *b)
 {
     struct state_file *const f = state_file_create();
     char *const path = folder_early_file(a->folder);
@@ -119,7 +119,7 @@ static void forget_found(struct ahead *a)
 }
 
 /* The exit code, after a message if it is not 0. */
-static int load(struct ahead *a, struct bed_settling *b)
+static int ahead_load(struct ahead *a, struct bed_settling *b)
 {
     struct state *const s = state_file_state(a->found);
 
@@ -135,7 +135,7 @@ static int load(struct ahead *a, struct bed_settling *b)
 static int interrupted(struct ahead *a, struct bed_settling *b)
 {
     a->stays = 1;
-    if (save(a, b) != 0) return NOT_WRITTEN;
+    if (ahead_save(a, b) != 0) return NOT_WRITTEN;
     fprintf(stderr,
             "winnow: interrupted while the bed settled, at t = %g s; --resume "
             "goes on in %s\n",
@@ -148,13 +148,13 @@ int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_stage when)
     const double every = settings_real(a->settings, "output.checkpoint");
 
     if (when == BED_STAGE_START) a->due = clock_now() + fmin(least_time, every);
-    if (when == BED_STAGE_START) return has_bed(a) ? load(a, b) : 0;
+    if (when == BED_STAGE_START) return has_bed(a) ? ahead_load(a, b) : 0;
     if (interrupt_arrived()) return interrupted(a, b);
     const int asked = interrupt_save_requested();
     const int is_due =
         when == BED_STAGE_END ? a->is_there : clock_now() >= a->due;
     if (!asked && !is_due) return 0;
-    if (save(a, b) != 0) return NOT_WRITTEN;
+    if (ahead_save(a, b) != 0) return NOT_WRITTEN;
     if (asked)
         fprintf(stderr, "%s: saved at t = %g s of settling\n", a->path,
                 bed_settling_time(b));
@@ -168,7 +168,7 @@ int ahead_replaces(struct ahead *a, const char *checkpoint)
     forget_found(a);
     a->stays = 1;
     if (a->is_there || access(checkpoint, F_OK) != 0) return 0;
-    return save(a, NULL);
+    return ahead_save(a, NULL);
 }
 
 void ahead_is_over(struct ahead *a)

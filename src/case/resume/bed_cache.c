@@ -87,7 +87,7 @@ static int cache_of(char *path, size_t room)
     return 1;
 }
 
-static int path_of(const struct settings *s, char *path, size_t room)
+static int bed_cache_path_of(const struct settings *s, char *path, size_t room)
 {
     if (!settings_has(s, "particles.bed") ||
         settings_has(s, "particles.bed.file") ||
@@ -105,14 +105,14 @@ void bed_cache_forget(const struct settings *s)
 {
     char path[SETTINGS_PATH];
 
-    if (path_of(s, path, sizeof path)) unlink(path);
+    if (bed_cache_path_of(s, path, sizeof path)) unlink(path);
 }
 
 int bed_cache_file(const struct settings *s, char *path, size_t room)
 {
     char folder[SETTINGS_PATH];
 
-    if (!path_of(s, path, room)) return 0;
+    if (!bed_cache_path_of(s, path, room)) return 0;
     if (access(path, R_OK) == 0) return 1;
     cache_of(folder, sizeof folder);
     mkdir(folder, 0777);

@@ -113,8 +113,8 @@ static void put_contents(FILE *out, const struct settings *s, const char *path,
 
 /* --- lines ---------------------------------------------------------------- */
 
-static void put_lines(FILE *out, const struct settings *s,
-                      const config_setting_t *at, const char *path)
+static void case_text_put_lines(FILE *out, const struct settings *s,
+                                const config_setting_t *at, const char *path)
 {
     for (int i = 0; i < config_setting_length(at); i++) {
         const config_setting_t *const one =
@@ -126,7 +126,7 @@ static void put_lines(FILE *out, const struct settings *s,
         snprintf(below, sizeof below, "%s%s%s", path,
                  path[0] != '\0' ? "." : "", name != NULL ? name : number);
         if (has_groups(one)) {
-            put_lines(out, s, one, below);
+            case_text_put_lines(out, s, one, below);
         } else if (is_file(below)) {
             put_contents(out, s, below, config_setting_get_string(one));
         } else {
@@ -137,7 +137,7 @@ static void put_lines(FILE *out, const struct settings *s,
     }
 }
 
-static int by_text(const void *a, const void *b)
+static int case_text_by_text(const void *a, const void *b)
 {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
@@ -155,7 +155,7 @@ static char *sorted(char *text)
     n = 0;
     for (char *next = strtok(text, "\n"); next; next = strtok(NULL, "\n"))
         line[n++] = next;
-    qsort(line, n, sizeof *line, by_text);
+    qsort(line, n, sizeof *line, case_text_by_text);
     for (size_t i = 0; i < n; i++)
         at += (size_t)sprintf(result + at, "%s\n", line[i]);
     free(line);
@@ -169,7 +169,7 @@ char *case_text_lines(const struct settings *s)
     size_t length = 0;
     FILE *const out = open_memstream(&text, &length);
 
-    put_lines(out, s, settings_root(s), "");
+    case_text_put_lines(out, s, settings_root(s), "");
     fputs("step_of_the_loop = ", out);
     put_real(out, case_steps_length(s));
     fputc('\n', out);
@@ -197,7 +197,8 @@ static size_t line_length(const char *line)
 }
 
 /* The line of the same key, or NULL. */
-static const char *line_of(const char *lines, const char *key, size_t length)
+static const char *case_text_line_of(const char *lines, const char *key,
+                                     size_t length)
 {
     for (; *lines != '\0'; lines += line_length(lines) + 1)
         if (strncmp(lines, key, length) == 0 &&
@@ -208,7 +209,7 @@ static const char *line_of(const char *lines, const char *key, size_t length)
 
 char *case_text_value(const char *lines, const char *key)
 {
-    const char *const line = line_of(lines, key, strlen(key));
+    const char *const line = case_text_line_of(lines, key, strlen(key));
 
     if (line == NULL) return NULL;
     return strndup(line + strlen(key) + 3, line_length(line) - strlen(key) - 3);
@@ -219,7 +220,7 @@ static const char *first_missing(const char *a, const char *b)
 {
     for (; *a != '\0'; a += line_length(a) + 1) {
         const size_t key = strcspn(a, " ");
-        const char *const other = line_of(b, a, key);
+        const char *const other = case_text_line_of(b, a, key);
         const size_t n = line_length(a) + 1;
 
         if (!may_change(a) && (other == NULL || strncmp(a, other, n) != 0))
@@ -235,8 +236,8 @@ int case_text_differs(const char *was, const char *is, const char *path)
     if (line == NULL) line = first_missing(was, is);
     if (line == NULL || path == NULL) return line != NULL;
     const int n = (int)strcspn(line, " ");
-    const char *const a = line_of(was, line, (size_t)n);
-    const char *const b = line_of(is, line, (size_t)n);
+    const char *const a = case_text_line_of(was, line, (size_t)n);
+    const char *const b = case_text_line_of(is, line, (size_t)n);
 
     fprintf(stderr,
             "winnow: %.*s is %.*s in this case, and %.*s in that of %s; to "

@@ -81,7 +81,7 @@ static int write_copy(struct resume *r)
     return state_file_write(&r->image, r->path, r->before);
 }
 
-static int save(struct resume *r)
+static int resume_save(struct resume *r)
 {
     return copy_state(r) != 0 || write_copy(r) != 0;
 }
@@ -133,7 +133,7 @@ static int is_after_end(const struct resume *r)
 
 /* Finds what the run goes on from: a state of this case or, if there is none, a
  * bed of this case that settles. Non-zero after a message. */
-static int find(struct resume *r)
+static int resume_find(struct resume *r)
 {
     int damaged;
 
@@ -181,7 +181,7 @@ struct resume *resume_create(const struct settings *s, struct folder *folder,
     if (o->fresh) bed_cache_forget(s);
     r->copy = case_copy_create(s, o);
     r->ahead = ahead_create(s, folder, o, r->lines);
-    if (!o->resume || find(r) == 0) return r;
+    if (!o->resume || resume_find(r) == 0) return r;
     *code = 2;
     resume_free(r);
     return NULL;
@@ -204,7 +204,7 @@ int resume_before(struct resume *r)
 
 /* --- the run -------------------------------------------------------------- */
 
-static int load(struct resume *r)
+static int resume_load(struct resume *r)
 {
     r->written = clock_now();
     if (visit_all(r, r->found) != 0 || state_file_all_visited(r->found) != 0)
@@ -218,7 +218,7 @@ static int load(struct resume *r)
 }
 
 /* Lists a file before it is written. */
-static int list(const struct resume *r, const char *name)
+static int resume_list(const struct resume *r, const char *name)
 {
     char *const path = folder_file(r->folder, name);
 
@@ -233,14 +233,15 @@ int resume_begin(struct resume *r, struct simulation *sim,
 
     r->sim = sim;
     r->recorder = recorder;
-    if (goes_on && load(r) != 0) return 1;
+    if (goes_on && resume_load(r) != 0) return 1;
     r->sampled = sim->steps;
     const int failed =
         goes_on ? case_copy_restore(r->copy, folder_name(r->folder)) != 0 ||
                       copy_state(r) != 0
                 : case_copy_write(r->copy, r->folder) != 0 ||
-                      list(r, RESUME_FILE) != 0 ||
-                      list(r, RESUME_FILE_BEFORE) != 0 || save(r) != 0;
+                      resume_list(r, RESUME_FILE) != 0 ||
+                      resume_list(r, RESUME_FILE_BEFORE) != 0 ||
+                      resume_save(r) != 0;
     if (!failed) ahead_is_over(r->ahead);
     return failed;
 }
@@ -252,11 +253,11 @@ int resume_after_step(struct resume *r)
 
     r->sampled = r->sim->steps;
     if (interrupt_save_requested()) {
-        if (save(r) != 0) return 1;
+        if (resume_save(r) != 0) return 1;
         fprintf(stderr, "%s: saved at t = %g s\n", r->path, r->sim->t);
         return 0;
     }
-    if (now - r->written >= every) return save(r);
+    if (now - r->written >= every) return resume_save(r);
     if (now - r->copied < fmax(shortest_interval, least_ratio * r->cost))
         return 0;
     return copy_state(r);
@@ -266,5 +267,6 @@ int resume_after_step(struct resume *r)
 int resume_end(struct resume *r, int broke_down)
 {
     if (r->image.bytes == NULL) return 0;
-    return !broke_down && r->sampled == r->sim->steps ? save(r) : write_copy(r);
+    return !broke_down && r->sampled == r->sim->steps ? resume_save(r)
+                                                      : write_copy(r);
 }

@@ -21,7 +21,7 @@
 #include "output/manifest/ownership.h"
 
 /* What others wrote is shown without control characters. */
-static void line(const char *name, const char *value)
+static void status_line(const char *name, const char *value)
 {
     printf("%-11s ", name);
     text_put(stdout, value, TEXT_PLAIN);
@@ -90,14 +90,14 @@ static char *override_of(struct state_file *f, int i)
     return NULL;
 }
 
-static void print_case(struct state_file *f)
+static void status_print_case(struct state_file *f)
 {
     static const char *const texts[][2] = {{"program", "program"},
                                            {"case", "case_file"}};
 
     for (int i = 0; i < 2; i++) {
         char *const text = state_file_text(f, texts[i][1]);
-        line(texts[i][0], text);
+        status_line(texts[i][0], text);
         free(text);
     }
     for (int i = 1;; i++) {
@@ -136,11 +136,11 @@ static void print_end(const char *dir, const char *reason)
 {
     if (print_holder(dir)) return;
     if (reason == NULL)
-        line("ended", "before it began");
+        status_line("ended", "before it began");
     else if (strcmp(reason, "running") == 0)
-        line("ended", "killed, or the machine stopped");
+        status_line("ended", "killed, or the machine stopped");
     else
-        line("ended", reason);
+        status_line("ended", reason);
 }
 
 /* The command that continues the run; t of the saved state, if there is one. */
@@ -186,13 +186,13 @@ static int print_ahead(const char *dir)
 
     if (!open_state(dir, RESUME_FILE_AHEAD, &f)) return 0;
     char *const bed = state_file_text(f.file, RESUME_SETTLING);
-    print_case(f.file);
+    status_print_case(f.file);
     print_holder(dir);
     if (strcmp(bed, "yes") == 0)
         printf("%-11s its bed settles, at t = %g s; the run has not begun\n",
                "reached", state_file_number(f.file, "/settling/time"));
     else
-        line("reached", "the run has not begun");
+        status_line("reached", "the run has not begun");
     print_beginning(dir, f.file);
     free(bed);
     state_file_free(f.file);
@@ -250,13 +250,13 @@ static int print_folder(const char *dir)
         return 0;
     }
     if (ahead) puts("\nThe run before it:");
-    if (f.file != NULL) print_case(f.file);
+    if (f.file != NULL) status_print_case(f.file);
     print_end(dir, reason);
     if (f.file != NULL) {
         printf("%-11s t = %g of %g s\n", "reached", f.t, end_of(f.file));
         print_state(dir, name, f.t);
     } else {
-        line("state", "none: nothing can be resumed");
+        status_line("state", "none: nothing can be resumed");
     }
     print_what_next(dir, &f, reason != NULL && strcmp(reason, "done") == 0);
     state_file_free(f.file);
@@ -264,7 +264,7 @@ static int print_folder(const char *dir)
     return 0;
 }
 
-static int act(const struct command_line *l)
+static int status_act(const struct command_line *l)
 {
     const char *const dir = l->words[0];
     char *const manifest = file_join(dir, "manifest.txt");
@@ -289,4 +289,4 @@ const struct command command_status = {
     "",
     1,
     1,
-    act};
+    status_act};

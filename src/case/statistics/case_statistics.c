@@ -31,7 +31,7 @@ static const char *const columns[1 + STATISTICS_SCALARS] = {
 };
 
 /* The axis that gravity has most of; the way up, y, without it. */
-static int axis_of(const double g[3])
+static int case_statistics_axis_of(const double g[3])
 {
     int axis = 1;
 
@@ -48,7 +48,7 @@ static int begins_after_end(const struct settings *s)
                settings_real(s, "output.end");
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *case_statistics_create(const struct recorder_view *v, int *failed)
 {
     (void)failed; /* nothing is written before the end */
     if (!settings_has(v->settings, group)) return NULL;
@@ -72,7 +72,7 @@ static void *create(const struct recorder_view *v, int *failed)
     self->plateau = settings_real(v->settings, "output.statistics.plateau");
     self->blocks = settings_int(v->settings, "output.statistics.blocks");
     self->dt = (double)case_steps_between_rows(v->settings) * v->sim->dt;
-    self->axis = axis_of(v->sim->gravity);
+    self->axis = case_statistics_axis_of(v->sim->gravity);
     self->rows = (int)rows;
     self->first = -1;
     self->series = alloc_doubles((1 + STATISTICS_SCALARS) * self->rows);
@@ -91,7 +91,7 @@ static void *create(const struct recorder_view *v, int *failed)
     return self;
 }
 
-static void release(void *memory)
+static void case_statistics_release(void *memory)
 {
     struct case_statistics *const self = memory;
 
@@ -135,7 +135,7 @@ static void sample_scalars(struct case_statistics *self, double *row)
     if (sim->fluid != NULL) row[5] = history_pressure_drop(sim);
 }
 
-static int add(void *memory)
+static int case_statistics_add(void *memory)
 {
     struct case_statistics *const self = memory;
     const int stride = 1 + self->n_scalars;
@@ -149,7 +149,7 @@ static int add(void *memory)
     return 0;
 }
 
-static void visit(void *memory, struct state *s)
+static void case_statistics_visit(void *memory, struct state *s)
 {
     struct case_statistics *const self = memory;
 
@@ -163,7 +163,7 @@ static void visit(void *memory, struct state *s)
     state_end(s);
 }
 
-static int finish(void *memory)
+static int case_statistics_finish(void *memory)
 {
     return statistics_files_write(memory);
 }
@@ -194,8 +194,9 @@ void case_statistics_print(const struct settings *s)
                    "s", "they begin after the end: there are no samples");
 }
 
-const struct recorder_part case_statistics_output = {.create = create,
-                                                     .free = release,
-                                                     .row = add,
-                                                     .finish = finish,
-                                                     .state = visit};
+const struct recorder_part case_statistics_output = {
+    .create = case_statistics_create,
+    .free = case_statistics_release,
+    .row = case_statistics_add,
+    .finish = case_statistics_finish,
+    .state = case_statistics_visit};

@@ -29,7 +29,7 @@ void grain_series_free(struct grain_series *g)
     free(g);
 }
 
-static double slip_of(const struct simulation *sim, int i)
+static double grain_series_slip_of(const struct simulation *sim, int i)
 {
     const struct particles *const ps = sim->particles;
     const double *const u = &sim->coupling->u_f[3 * i];
@@ -58,7 +58,8 @@ void grain_series_add(struct grain_series *g, const struct simulation *sim)
     if (g->changed || ps->n == 0) return;
     for (int i = 0; i < ps->n; i++) {
         const int id = ps->id[i];
-        const double w = slip_of(sim, i), eps = cp->eps[i], d = ps->d[i];
+        const double w = grain_series_slip_of(sim, i), eps = cp->eps[i],
+                     d = ps->d[i];
         g->eps[id] = eps;
         g->Re[id] = coefficient_reynolds(eps, o->rho, o->mu, d, w);
         g->Cd[(long)id * g->rows + g->n_rows] =

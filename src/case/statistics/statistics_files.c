@@ -78,7 +78,7 @@ static double correlate(const struct case_statistics *self, int lags,
 }
 
 /* All coefficients side by side; how many. */
-static int gather(const struct grain_series *g, double *x)
+static int statistics_files_gather(const struct grain_series *g, double *x)
 {
     int n = 0;
 
@@ -119,7 +119,7 @@ static int write_grains(const struct case_statistics *self, struct summary *f)
     double *const rows = alloc_doubles(3 * lags);
     double *const x = alloc_doubles(g->n * g->n_rows);
     const double T = correlate(self, lags, rows);
-    const int n = gather(g, x);
+    const int n = statistics_files_gather(g, x);
 
     summary_begin(f, "drag_coefficient");
     summary_count(f, "samples", g->n_rows);

@@ -19,7 +19,8 @@ static const char list[] = "particles.surfaces",
                   prescribed[] = "particles.prescribed";
 static const char *const directions[] = {"normal", "axis"};
 
-static struct motion motion_of(const struct settings *s, const char *of, int i)
+static struct motion case_surfaces_motion_of(const struct settings *s,
+                                             const char *of, int i)
 {
     struct motion m = {.from = settings_item_real(s, of, i, "from"),
                        .until = settings_item_real_or(s, of, i, "until", 0.0),
@@ -35,8 +36,8 @@ static struct motion motion_of(const struct settings *s, const char *of, int i)
     return m;
 }
 
-static void direction(const struct settings *s, int i, const char *key,
-                      double n[3])
+static void case_surfaces_direction(const struct settings *s, int i,
+                                    const char *key, double n[3])
 {
     settings_item_vector(s, list, i, key, n);
     const double length = vector_length(n);
@@ -44,7 +45,8 @@ static void direction(const struct settings *s, int i, const char *key,
         n[k] /= length;
 }
 
-static const struct surface_shape *shape_of(const struct settings *s, int i)
+static const struct surface_shape *
+case_surfaces_shape_of(const struct settings *s, int i)
 {
     return surface_shape_named(settings_item_text(s, list, i, "shape"));
 }
@@ -80,26 +82,27 @@ static struct triangles *read_triangles(const struct settings *s, int i,
     return made;
 }
 
-static int material_of(const struct settings *s, int i)
+static int case_surfaces_material_of(const struct settings *s, int i)
 {
     if (!settings_item_has(s, list, i, "material")) return 0;
     return case_materials_number(s, settings_item_text(s, list, i, "material"));
 }
 
 /* The members of struct surface that the shape reads, and its own numbers. */
-static int fill(const struct settings *s, int i, struct surface *one)
+static int case_surfaces_fill(const struct settings *s, int i,
+                              struct surface *one)
 {
-    const struct surface_shape *const shape = shape_of(s, i);
+    const struct surface_shape *const shape = case_surfaces_shape_of(s, i);
     int n = 0;
 
     *one = (struct surface){.name = settings_item_text(s, list, i, "name"),
                             .shape = shape,
-                            .material = material_of(s, i),
-                            .motion = motion_of(s, list, i)};
+                            .material = case_surfaces_material_of(s, i),
+                            .motion = case_surfaces_motion_of(s, list, i)};
     settings_item_vector(s, list, i, "point", one->point);
     for (int k = 0; k < 2; k++)
         if (reads(shape, directions[k]))
-            direction(s, i, directions[k], one->normal);
+            case_surfaces_direction(s, i, directions[k], one->normal);
     if (reads(shape, "radius"))
         one->radius = settings_item_real(s, list, i, "radius");
     if (reads(shape, "particles"))
@@ -132,7 +135,7 @@ struct surface *case_surfaces_create(const struct settings *s, int *code)
     if (n == 0) return NULL;
     struct surface *const made = alloc_zeroed((size_t)n, sizeof *made);
     for (int i = 0; i < listed && *code == 0; i++)
-        if (fill(s, i, &made[i]) != 0) *code = 2;
+        if (case_surfaces_fill(s, i, &made[i]) != 0) *code = 2;
     if (listed < n) made[listed] = case_walls_surface(s);
     if (*code == 0) return made;
     case_surfaces_free(made, n);
@@ -160,14 +163,14 @@ case_surfaces_create_prescribed(const struct settings *s)
         alloc_zeroed((size_t)n, sizeof *made);
     for (int i = 0; i < n; i++) {
         made[i].id = settings_item_int(s, prescribed, i, "id");
-        made[i].motion = motion_of(s, prescribed, i);
+        made[i].motion = case_surfaces_motion_of(s, prescribed, i);
     }
     return made;
 }
 
 /* --- checks --------------------------------------------------------------- */
 
-static int check_name(const struct settings *s, int i)
+static int case_surfaces_check_name(const struct settings *s, int i)
 {
     const char *const name = settings_item_text(s, list, i, "name");
 
@@ -188,9 +191,9 @@ static int check_name(const struct settings *s, int i)
 }
 
 /* Each key belongs to the shapes that read it, and a direction has a length. */
-static int check_shape(const struct settings *s, int i)
+static int case_surfaces_check_shape(const struct settings *s, int i)
 {
-    const struct surface_shape *const shape = shape_of(s, i);
+    const struct surface_shape *const shape = case_surfaces_shape_of(s, i);
     const char *const name = settings_item_text(s, list, i, "name");
 
     for (int other = 0; surface_shapes[other] != NULL; other++)
@@ -220,9 +223,9 @@ static int check_plane(const struct settings *s, int i)
     int periodic[3];
     double n[3];
 
-    if (shape_of(s, i) != &surface_plane) return 0;
+    if (case_surfaces_shape_of(s, i) != &surface_plane) return 0;
     case_mesh_periodic(s, periodic);
-    direction(s, i, "normal", n);
+    case_surfaces_direction(s, i, "normal", n);
     for (int k = 0; k < 3; k++)
         if (periodic[k] && fabs(n[k]) > 1e-9)
             return settings_wrong(
@@ -235,7 +238,7 @@ static int check_plane(const struct settings *s, int i)
 
 static int check_motion(const struct settings *s, const char *of, int i)
 {
-    const struct motion m = motion_of(s, of, i);
+    const struct motion m = case_surfaces_motion_of(s, of, i);
 
     if (m.until > 0.0 && m.until <= m.from)
         return settings_wrong(s, of,
@@ -256,7 +259,7 @@ static int check_driven(const struct settings *s, int i)
         if (settings_item_int(s, prescribed, k, "id") == id)
             return settings_wrong(s, prescribed, "particle %d is given twice",
                                   id);
-    const struct motion m = motion_of(s, prescribed, i);
+    const struct motion m = case_surfaces_motion_of(s, prescribed, i);
     if (vector_length(m.spin) > 0.0 &&
         !settings_item_has(s, prescribed, i, "centre"))
         return settings_wrong(s, prescribed,
@@ -285,8 +288,8 @@ int case_surfaces_check(const struct settings *s)
     int code = check_others(s);
 
     for (int i = 0; i < settings_length(s, list) && code == 0; i++) {
-        code = check_name(s, i);
-        if (code == 0) code = check_shape(s, i);
+        code = case_surfaces_check_name(s, i);
+        if (code == 0) code = case_surfaces_check_shape(s, i);
         if (code == 0) code = check_plane(s, i);
         if (code == 0) code = check_motion(s, list, i);
     }

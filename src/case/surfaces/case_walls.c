@@ -27,7 +27,7 @@ static int corners_of(const struct mesh *m, int b, const int **corner)
 }
 
 /* The side of the box that boundary face b lies in, 2 k + upper; or -1. */
-static int side_of(const struct mesh *m, int b)
+static int case_walls_side_of(const struct mesh *m, int b)
 {
     const int *corner;
     const int n = corners_of(m, b, &corner);
@@ -80,7 +80,7 @@ static int all_triangles(const struct mesh *m, double (*made)[3][3])
     int n = 0;
 
     for (int b = 0; b < m->n_faces - m->n_internal; b++)
-        if (side_of(m, b) < 0)
+        if (case_walls_side_of(m, b) < 0)
             n += triangles_of(m, b, made != NULL ? &made[n] : NULL);
     return n;
 }
@@ -118,7 +118,7 @@ void case_walls_ends(const struct settings *s, double lo[3], double hi[3])
     case_mesh_periodic(s, periodic);
     if (m == NULL) return;
     for (int b = 0; b < m->n_faces - m->n_internal; b++)
-        if (side_of(m, b) >= 0) has[side_of(m, b)] = 1;
+        if (case_walls_side_of(m, b) >= 0) has[case_walls_side_of(m, b)] = 1;
     for (int k = 0; k < 3; k++) {
         /* farther than any sphere that the mesh holds can reach */
         const double away = 0.5 * (hi[k] - lo[k]);

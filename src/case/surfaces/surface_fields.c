@@ -24,7 +24,7 @@ struct surface_fields {
     struct vtk_file *writer;
 };
 
-static void release(void *part)
+static void surface_fields_release(void *part)
 {
     struct surface_fields *const p = part;
 
@@ -34,7 +34,7 @@ static void release(void *part)
     free(p);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *surface_fields_create(const struct recorder_view *v, int *failed)
 {
     if (v->sim->n_surfaces == 0) return NULL;
     struct surface_fields *const p = alloc_zeroed(1, sizeof *p);
@@ -46,11 +46,11 @@ static void *create(const struct recorder_view *v, int *failed)
     p->series = field_output_series(v->folder, "surfaces", "vtp");
     if (p->series != NULL) return p;
     *failed = 1;
-    release(p);
+    surface_fields_release(p);
     return NULL;
 }
 
-static int any_moves(const struct simulation *sim)
+static int surface_fields_any_moves(const struct simulation *sim)
 {
     int moves = 0;
 
@@ -59,7 +59,7 @@ static int any_moves(const struct simulation *sim)
     return moves;
 }
 
-static void draw(struct surface_fields *p, double t)
+static void surface_fields_draw(struct surface_fields *p, double t)
 {
     const struct simulation *const sim = p->sim;
     const struct mesh *const m = sim->mesh;
@@ -74,7 +74,7 @@ static int put_section(void *part)
     struct surface_fields *const p = part;
     const struct mesh *const m = p->sim->mesh;
 
-    draw(p, p->last->t);
+    surface_fields_draw(p, p->last->t);
     if (folder_make(p->folder, "picture") != 0) return 1;
     struct file *const f = picture_open(p->folder, "picture/walls.txt");
     if (f == NULL) return 1;
@@ -86,13 +86,14 @@ static int put_section(void *part)
 }
 
 /* Writes them once, if none of them moves. */
-static int add(void *part, double t)
+static int surface_fields_add(void *part, double t)
 {
     struct surface_fields *const p = part;
     const struct outline *const o = &p->outline;
 
-    if (series_count(p->series) > 0 && !any_moves(p->sim)) return 0;
-    draw(p, t);
+    if (series_count(p->series) > 0 && !surface_fields_any_moves(p->sim))
+        return 0;
+    surface_fields_draw(p, t);
     const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
                                        o->corner, o->end};
     const struct vtk_array of = {
@@ -103,14 +104,15 @@ static int add(void *part, double t)
            series_add(p->series, t) != 0;
 }
 
-static void visit(void *part, struct state *s)
+static void surface_fields_visit(void *part, struct state *s)
 {
     struct surface_fields *const p = part;
     series_state(p->series, s);
 }
 
-const struct recorder_part surface_fields_part = {.create = create,
-                                                  .free = release,
-                                                  .fields = add,
-                                                  .finish = put_section,
-                                                  .state = visit};
+const struct recorder_part surface_fields_part = {
+    .create = surface_fields_create,
+    .free = surface_fields_release,
+    .fields = surface_fields_add,
+    .finish = put_section,
+    .state = surface_fields_visit};

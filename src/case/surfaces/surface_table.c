@@ -23,8 +23,8 @@ struct surface_table {
     double *row;
 };
 
-static struct table *create_table(const struct simulation *sim,
-                                  struct folder *folder)
+static struct table *surface_table_create_table(const struct simulation *sim,
+                                                struct folder *folder)
 {
     static const char *const what[EACH] = {
         "force_x [N]",    "force_y [N]",    "force_z [N]", "torque_x [N m]",
@@ -47,7 +47,7 @@ static struct table *create_table(const struct simulation *sim,
     return made;
 }
 
-static void release(void *part)
+static void surface_table_release(void *part)
 {
     struct surface_table *const t = part;
 
@@ -57,7 +57,7 @@ static void release(void *part)
     free(t);
 }
 
-static void *create(const struct recorder_view *v, int *failed)
+static void *surface_table_create(const struct recorder_view *v, int *failed)
 {
     if (v->sim->n_surfaces == 0) return NULL;
     struct surface_table *const t = alloc_zeroed(1, sizeof *t);
@@ -66,15 +66,15 @@ static void *create(const struct recorder_view *v, int *failed)
     t->t = -1.0;
     t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
     t->row = alloc_doubles(1 + EACH * v->sim->n_surfaces);
-    t->table = create_table(v->sim, v->folder);
+    t->table = surface_table_create_table(v->sim, v->folder);
     if (t->table != NULL) return t;
     *failed = 1;
-    release(t);
+    surface_table_release(t);
     return NULL;
 }
 
 /* The rows so far, and the sums at the last of them. */
-static void visit(void *part, struct state *s)
+static void surface_table_visit(void *part, struct state *s)
 {
     struct surface_table *const t = part;
     struct dem_surface *const all = t->before;
@@ -88,7 +88,7 @@ static void visit(void *part, struct state *s)
     state_end(s);
 }
 
-static int add_row(void *part)
+static int surface_table_add_row(void *part)
 {
     struct surface_table *const t = part;
     const double passed = t->t >= 0.0 ? t->sim->t - t->t : 0.0;
@@ -109,8 +109,9 @@ static int add_row(void *part)
     return table_add(t->table, t->row);
 }
 
-const struct recorder_part surface_table_part = {.create = create,
-                                                 .free = release,
-                                                 .row = add_row,
-                                                 .last_row = add_row,
-                                                 .state = visit};
+const struct recorder_part surface_table_part = {.create = surface_table_create,
+                                                 .free = surface_table_release,
+                                                 .row = surface_table_add_row,
+                                                 .last_row =
+                                                     surface_table_add_row,
+                                                 .state = surface_table_visit};

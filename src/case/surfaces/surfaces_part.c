@@ -78,7 +78,8 @@ void surfaces_part_print(const struct settings *s, const struct case_scales *k)
 
 /* --- in a simulation ------------------------------------------------------ */
 
-static int has_room(const void *state, const double x[3], double R)
+static int surfaces_part_has_room(const void *state, const double x[3],
+                                  double R)
 {
     const struct simulation *const sim = state;
     return case_walls_has_room(sim->walls, x, R);
@@ -90,7 +91,7 @@ static int start_wrong(const void *state, const struct particles *ps)
     return surface_start_wrong(ps, sim->surfaces, sim->n_surfaces, "");
 }
 
-static void take_names(struct simulation *sim)
+static void surfaces_part_take_names(struct simulation *sim)
 {
     sim->surface_names =
         alloc_zeroed((size_t)sim->n_surfaces, sizeof *sim->surface_names);
@@ -107,12 +108,12 @@ int surfaces_part_complete(const struct settings *s, struct simulation *sim,
     o->surfaces = sim->surfaces = case_surfaces_create(s, &code);
     if (code != 0) return code;
     sim->n_surfaces = o->n_surfaces;
-    take_names(sim);
+    surfaces_part_take_names(sim);
     sim->walls = case_walls_create(
         s, case_walls_count(s) > 0 ? &sim->surfaces[o->n_surfaces - 1] : NULL);
     o->surfaces_checksum = surfaces_checksum(o);
     sim->region = (struct placement_region){
-        .has_room = sim->walls != NULL ? has_room : NULL,
+        .has_room = sim->walls != NULL ? surfaces_part_has_room : NULL,
         .start_wrong = start_wrong,
         .state = sim};
     return 0;

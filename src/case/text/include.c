@@ -65,8 +65,8 @@ static int included(const char *line, char name[PATH])
            closing == '"';
 }
 
-static int check(const char *file, const char *folder, struct place at,
-                 int depth);
+static int include_check(const char *file, const char *folder, struct place at,
+                         int depth);
 
 /* Looks at the files that a text includes. */
 static int check_text(const char *text, const char *file, const char *folder,
@@ -82,7 +82,7 @@ static int check_text(const char *text, const char *file, const char *folder,
         if (begins && *text == '@' && included(text, name)) {
             snprintf(path, sizeof path, "%s%s%s", folder != NULL ? folder : "",
                      folder != NULL ? "/" : "", name);
-            code = check(path, folder, at, depth + 1);
+            code = include_check(path, folder, at, depth + 1);
         }
         if (*text != ' ' && *text != '\t') begins = *text == '\n';
         for (; text < next; text++)
@@ -91,8 +91,8 @@ static int check_text(const char *text, const char *file, const char *folder,
     return code;
 }
 
-static int check(const char *file, const char *folder, struct place at,
-                 int depth)
+static int include_check(const char *file, const char *folder, struct place at,
+                         int depth)
 {
     const char *why;
     size_t length;
@@ -109,7 +109,7 @@ static int check(const char *file, const char *folder, struct place at,
 
 int include_check_file(const char *file, const char *folder)
 {
-    return check(file, folder, (struct place){NULL, 0}, 0);
+    return include_check(file, folder, (struct place){NULL, 0}, 0);
 }
 
 const char *include_check_value(const char *value)

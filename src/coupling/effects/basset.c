@@ -92,7 +92,7 @@ static void basset_free(void *memory)
     free(self);
 }
 
-static double *term(const struct basset *self, int k, int i)
+static double *basset_term(const struct basset *self, int k, int i)
 {
     return &self->E[k / TERMS_A_ROW][ROW * i + 3 * (k % TERMS_A_ROW)];
 }
@@ -101,7 +101,7 @@ static double *term(const struct basset *self, int k, int i)
 static const double before = 2.0 * M_SQRT2 - 2.0;
 
 /* The added mass [kg] of a sphere of diameter d [m] in a step dt [s]. */
-static double mass_of(double dt, double rho, double mu, double d)
+static double basset_mass_of(double dt, double rho, double mu, double d)
 {
     return 4.0 / 3.0 * sqrt(dt) * basset_coefficient(rho, mu, d);
 }
@@ -109,7 +109,7 @@ static double mass_of(double dt, double rho, double mu, double d)
 static double mass(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
-    return mass_of(sim->dt, o->rho, o->mu, sim->particles->d[i]);
+    return basset_mass_of(sim->dt, o->rho, o->mu, sim->particles->d[i]);
 }
 
 /* The held force over the added mass [m/s^2]: component a of particle i, whose
@@ -123,7 +123,7 @@ static double known_part(const struct basset *self,
     double older = 0.0;
 
     for (int k = 0; k < self->kernel.n; k++)
-        older += self->kernel.c[k] * self->gain[k] * term(self, k, i)[a];
+        older += self->kernel.c[k] * self->gain[k] * basset_term(self, k, i)[a];
     return du / dt + before * self->change[3 * i + a] / dt +
            0.75 * (older / sqrt(dt) + 2.0 * w_0 / dt);
 }
@@ -157,7 +157,7 @@ static void update_history(struct basset *self, int i, int a, double dw,
                            double w_0)
 {
     for (int k = 0; k < self->kernel.n; k++) {
-        double *const E = term(self, k, i);
+        double *const E = basset_term(self, k, i);
         E[a] = self->decay[k] *
                (E[a] + self->gain[k] * self->change[3 * i + a] + w_0);
     }
@@ -195,7 +195,7 @@ static void basset_after_particles(void *memory, struct simulation *sim)
 
 /* C (2 sqrt(t)) dw/dt for as long as the slip develops, but no longer than it
  * takes to. */
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate basset_estimate(const struct effect_scales *k)
 {
     const double C = basset_coefficient(k->rho_f, k->mu, k->d);
 
@@ -208,10 +208,11 @@ static struct effect_estimate estimate(const struct effect_scales *k)
         0};
 }
 
-static void added_mass(const struct effect_scales *k, struct added_mass *sum)
+static void basset_added_mass(const struct effect_scales *k,
+                              struct added_mass *sum)
 {
     const double m_f = k->rho_f * M_PI / 6.0 * gsl_pow_3(k->d);
-    const double C = mass_of(k->dt, k->rho_f, k->mu, k->d) / m_f;
+    const double C = basset_mass_of(k->dt, k->rho_f, k->mu, k->d) / m_f;
 
     sum->C += C;
     sum->C_history += before * C;
@@ -235,7 +236,7 @@ const struct effect basset_effect = {
     .before_particles = basset_before_particles,
     .after_particles = basset_after_particles,
     .free = basset_free,
-    .estimate = estimate,
-    .added_mass = added_mass,
+    .estimate = basset_estimate,
+    .added_mass = basset_added_mass,
     .cost = {212.0, 0.0, 11.0},
 };

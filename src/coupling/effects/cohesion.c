@@ -39,8 +39,8 @@ static void *create_capillary(struct simulation *sim, const double *parameters)
 
 /* The force of two that touch, F [N] if the effect is not named: then it has no
  * strength, and F is that of ordinary materials. */
-static struct effect_estimate touching(const struct effect_scales *k, double F,
-                                       const char *remark)
+static struct effect_estimate cohesion_touching(const struct effect_scales *k,
+                                                double F, const char *remark)
 {
     const double R = 0.5 * k->d;
 
@@ -55,21 +55,22 @@ static struct effect_estimate
 estimate_electrostatic(const struct effect_scales *k)
 {
     const double q = 1e-5 * M_PI * k->d * k->d;
-    return touching(k, electrostatic_force(q, q, 1.0, k->d),
-                    "if they touch and are charged to 1e-5 C/m^2");
+    return cohesion_touching(k, electrostatic_force(q, q, 1.0, k->d),
+                             "if they touch and are charged to 1e-5 C/m^2");
 }
 
 static struct effect_estimate
 estimate_van_der_waals(const struct effect_scales *k)
 {
-    return touching(k, van_der_waals_force(1e-19, 1e-7, 4e-10),
-                    "if they touch by asperities of 0.1 um, A = 1e-19 J");
+    return cohesion_touching(
+        k, van_der_waals_force(1e-19, 1e-7, 4e-10),
+        "if they touch by asperities of 0.1 um, A = 1e-19 J");
 }
 
 static struct effect_estimate estimate_capillary(const struct effect_scales *k)
 {
-    return touching(k, capillary_force(0.072, 0.5 * k->d),
-                    "if they touch and are wet");
+    return cohesion_touching(k, capillary_force(0.072, 0.5 * k->d),
+                             "if they touch and are wet");
 }
 
 static struct attraction electrostatic_of(const double *p,

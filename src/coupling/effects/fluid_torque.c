@@ -42,7 +42,8 @@ static void fluid_torque_before_substep(void *memory, struct simulation *sim)
     }
 }
 
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate
+fluid_torque_estimate(const struct effect_scales *k)
 {
     const double rate =
         spin_decay_rate(k->rho_f, k->mu, k->d, k->rho_s, k->spin);
@@ -68,6 +69,6 @@ const struct effect fluid_torque_effect = {
     .before_particles = vorticity_update,
     .before_substep = fluid_torque_before_substep,
     .free = vorticity_free,
-    .estimate = estimate,
+    .estimate = fluid_torque_estimate,
     .cost = {36.0, 66.0, 0.0},
 };

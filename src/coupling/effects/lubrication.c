@@ -18,7 +18,8 @@ double lubrication_coefficient(double mu, double R_star, double z, double z_min,
            (1.0 / fmax(z, z_min) - 1.0 / z_out);
 }
 
-static double damping(const struct attraction *a, double R_star, double gap)
+static double lubrication_damping(const struct attraction *a, double R_star,
+                                  double gap)
 {
     if (gap < 0.0) return 0.0;
     return lubrication_coefficient(a->strength, R_star, gap, a->closest,
@@ -26,7 +27,7 @@ static double damping(const struct attraction *a, double R_star, double gap)
 }
 
 static const struct attraction_law law = {.name = "lubrication",
-                                          .damping = damping};
+                                          .damping = lubrication_damping};
 
 static struct attraction
 lubrication_attraction(const double *p, const struct attraction_scene *scene)
@@ -48,7 +49,8 @@ static void *lubrication_create(struct simulation *sim,
 /* A pair that closes with the slip loses ln(z_out/z_min), about 7, times 6 pi
  * mu R*^2/m* of its speed on the way through the gap: all of it at St = rho_s u
  * d/(9 mu) of about 10. */
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate
+lubrication_estimate(const struct effect_scales *k)
 {
     const double St = k->rho_s * k->slip * k->d / (9.0 * k->mu);
 
@@ -87,6 +89,6 @@ const struct effect lubrication_effect = {
     .free = pair_share_free,
     .attraction = lubrication_attraction,
     .wrong = lubrication_wrong,
-    .estimate = estimate,
+    .estimate = lubrication_estimate,
     .cost = {35.0, 1.0, 81.0},
 };

@@ -29,7 +29,7 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
     }
 }
 
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate magnus_estimate(const struct effect_scales *k)
 {
     const double Re = k->rho_f * k->slip * k->d / k->mu;
     const double Re_r = spin_reynolds(k->rho_f, k->mu, k->d, k->spin);
@@ -56,6 +56,6 @@ const struct effect magnus_effect = {
     .before_particles = vorticity_update,
     .before_substep = magnus_before_substep,
     .free = vorticity_free,
-    .estimate = estimate,
+    .estimate = magnus_estimate,
     .cost = {89.0, 65.0, 0.0},
 };

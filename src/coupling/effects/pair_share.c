@@ -53,7 +53,7 @@ static void position(const struct particles *ps, int i, double x[3])
     x[2] = ps->z[i];
 }
 
-static void sort(struct pair_share *self, const struct particles *ps)
+static void pair_share_sort(struct pair_share *self, const struct particles *ps)
 {
     double widest = 0.0, x[3];
 
@@ -67,8 +67,9 @@ static void sort(struct pair_share *self, const struct particles *ps)
 }
 
 /* The force [N] between i and j; x [m] from j to i. */
-static double force(const struct pair_share *self, const struct simulation *sim,
-                    int i, int j, const double x[3])
+static double pair_share_force(const struct pair_share *self,
+                               const struct simulation *sim, int i, int j,
+                               const double x[3])
 {
     const struct attraction *const a = self->attraction;
     const struct particles *const ps = sim->particles;
@@ -90,8 +91,8 @@ static double force(const struct pair_share *self, const struct simulation *sim,
 }
 
 /* Raises the strongest force of i by those of the walls of the box. */
-static void add_walls(struct pair_share *self, const struct simulation *sim,
-                      int i)
+static void pair_share_add_walls(struct pair_share *self,
+                                 const struct simulation *sim, int i)
 {
     const struct attraction *const a = self->attraction;
     const struct particles *const ps = sim->particles;
@@ -113,8 +114,8 @@ static void add_walls(struct pair_share *self, const struct simulation *sim,
 }
 
 /* Raises the strongest forces of i and of its partners with a larger index. */
-static void add_partners(struct pair_share *self, const struct simulation *sim,
-                         int i)
+static void pair_share_add_partners(struct pair_share *self,
+                                    const struct simulation *sim, int i)
 {
     const struct particles *const ps = sim->particles;
     int cell[LINK_CELLS_AROUND];
@@ -129,7 +130,7 @@ static void add_partners(struct pair_share *self, const struct simulation *sim,
             position(ps, j, y);
             for (int k = 0; k < 3; k++)
                 y[k] = box_domain_nearest(&self->cells->box, k, x[k] - y[k]);
-            const double F = force(self, sim, i, j, y);
+            const double F = pair_share_force(self, sim, i, j, y);
             self->strongest[i] = fmax(self->strongest[i], F);
             self->strongest[j] = fmax(self->strongest[j], F);
         }
@@ -142,10 +143,10 @@ void pair_share_after_step(void *memory, struct simulation *sim)
 
     if (self == NULL || sim->steps % MEASURED != 1) return;
     memset(self->strongest, 0, (size_t)n * sizeof *self->strongest);
-    sort(self, sim->particles);
+    pair_share_sort(self, sim->particles);
     for (int i = 0; i < n; i++) {
-        add_walls(self, sim, i);
-        add_partners(self, sim, i);
+        pair_share_add_walls(self, sim, i);
+        pair_share_add_partners(self, sim, i);
     }
     for (int i = 0; i < n; i++) {
         const double f[3] = {self->strongest[i], 0.0, 0.0};

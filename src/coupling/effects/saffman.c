@@ -72,7 +72,7 @@ static void saffman_before_substep(void *memory, struct simulation *sim)
     }
 }
 
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate saffman_estimate(const struct effect_scales *k)
 {
     const double w[3] = {k->slip, 0.0, 0.0}, curl[3] = {0.0, 0.0, k->shear};
     double F[3];
@@ -97,6 +97,6 @@ const struct effect saffman_effect = {
     .before_particles = vorticity_update,
     .before_substep = saffman_before_substep,
     .free = vorticity_free,
-    .estimate = estimate,
+    .estimate = saffman_estimate,
     .cost = {46.0, 63.0, 0.0},
 };

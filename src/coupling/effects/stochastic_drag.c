@@ -108,7 +108,7 @@ static double normal_of(const struct stochastic_drag *self,
     return random_normal(self->seed, ps->id[i], step, 0);
 }
 
-static double slip_of(const struct simulation *sim, int i)
+static double stochastic_drag_slip_of(const struct simulation *sim, int i)
 {
     double w[3];
 
@@ -121,7 +121,7 @@ static double random_coefficient(const struct stochastic_drag *self,
                                  const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
-    const double d = sim->particles->d[i], w = slip_of(sim, i);
+    const double d = sim->particles->d[i], w = stochastic_drag_slip_of(sim, i);
     const double eps = sim->coupling->eps[i];
     const double Re = coefficient_reynolds(eps, o->rho, o->mu, d, w);
     const double C = stochastic_drag_sigma(&self->sigma, Re) * self->y[i];
@@ -150,12 +150,14 @@ static void stochastic_drag_drag(void *memory, struct simulation *sim,
 }
 
 /* The sizes of the forces, after the cut. */
-static void report(const struct stochastic_drag *self, struct simulation *sim)
+static void stochastic_drag_report(const struct stochastic_drag *self,
+                                   struct simulation *sim)
 {
     for (int i = 0; i < sim->particles->n; i++) {
         const double part = fabs(random_coefficient(self, sim, i));
         const double f[3] = {
-            fmin(part * slip_of(sim, i), transfer_drag(sim, i)), 0.0, 0.0};
+            fmin(part * stochastic_drag_slip_of(sim, i), transfer_drag(sim, i)),
+            0.0, 0.0};
         effects_report(sim, f, 1.0);
     }
 }
@@ -166,7 +168,7 @@ static void stochastic_drag_after_particles(void *memory,
 {
     struct stochastic_drag *const self = memory;
 
-    report(self, sim);
+    stochastic_drag_report(self, sim);
     const double a = stochastic_drag_memory(sim->dt, self->T);
     const int n = sim->particles->n;
 
@@ -186,8 +188,8 @@ static void stochastic_drag_state(void *memory, struct state *s)
 }
 
 /* Sigma goes from one Reynolds number up to another. */
-static const char *wrong(const double *parameters,
-                         const struct attraction_scene *scene)
+static const char *stochastic_drag_wrong(const double *parameters,
+                                         const struct attraction_scene *scene)
 {
     (void)scene;
     return parameters[3] < parameters[2] ? "Re_high is below Re_low" : NULL;
@@ -195,7 +197,8 @@ static const char *wrong(const double *parameters,
 
 /* sqrt(2 / pi) of sigma over C_d, on average. Where the case gives no sigma,
  * that of EW18's liquid bed, whose Re_p went from 3 to 10.5. */
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate
+stochastic_drag_estimate(const struct effect_scales *k)
 {
     static const struct stochastic_drag_sigma liquid = {93.5, 13.43, 3.0, 10.5,
                                                         0};
@@ -257,7 +260,7 @@ const struct effect stochastic_drag_effect = {
     .drag = stochastic_drag_drag,
     .counts = stochastic_drag_counts,
     .state = stochastic_drag_state,
-    .wrong = wrong,
-    .estimate = estimate,
+    .wrong = stochastic_drag_wrong,
+    .estimate = stochastic_drag_estimate,
     .cost = {69.0, 0.0, 0.0},
 };

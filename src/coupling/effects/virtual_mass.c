@@ -150,7 +150,8 @@ static void virtual_mass_state(void *memory, struct state *s)
     state_reals(s, "u_past", "m/s", self->past, self->n_cells, 3);
 }
 
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate
+virtual_mass_estimate(const struct effect_scales *k)
 {
     const double C = k->numbers != NULL ? k->numbers[0] : 0.5;
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
@@ -159,7 +160,8 @@ static struct effect_estimate estimate(const struct effect_scales *k)
         C * k->rho_f * V * k->acceleration / k->force, "", 0};
 }
 
-static void added_mass(const struct effect_scales *k, struct added_mass *sum)
+static void virtual_mass_added_mass(const struct effect_scales *k,
+                                    struct added_mass *sum)
 {
     sum->C += k->numbers[0];
 }
@@ -183,7 +185,7 @@ const struct effect virtual_mass_effect = {
     .after_particles = virtual_mass_after_particles,
     .state = virtual_mass_state,
     .free = virtual_mass_free,
-    .estimate = estimate,
-    .added_mass = added_mass,
+    .estimate = virtual_mass_estimate,
+    .added_mass = virtual_mass_added_mass,
     .cost = {23.0, 37.0, 11.0},
 };

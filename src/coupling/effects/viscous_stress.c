@@ -135,7 +135,8 @@ static void viscous_stress_before_particles(void *memory,
 
 /* V mu lap u, of a velocity that changes by the slip over the length; the
  * stress of a driven flow balances the push in the end. */
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate
+viscous_stress_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
 
@@ -160,6 +161,6 @@ const struct effect viscous_stress_effect = {
     .create = viscous_stress_create,
     .before_particles = viscous_stress_before_particles,
     .free = viscous_stress_free,
-    .estimate = estimate,
+    .estimate = viscous_stress_estimate,
     .cost = {17.0, 64.0, 0.0},
 };

@@ -64,7 +64,7 @@ static void whole_drag_before_particles(void *memory, struct simulation *sim)
 }
 
 /* What it adds to the drag, and the buoyancy. */
-static struct effect_estimate estimate(const struct effect_scales *k)
+static struct effect_estimate whole_drag_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * gsl_pow_3(k->d);
 
@@ -91,6 +91,6 @@ const struct effect whole_drag_effect = {
     .create = whole_drag_create,
     .before_particles = whole_drag_before_particles,
     .drag = whole_drag_drag,
-    .estimate = estimate,
+    .estimate = whole_drag_estimate,
     .cost = {10.0, 0.0, 0.0},
 };

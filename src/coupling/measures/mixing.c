@@ -39,22 +39,22 @@ struct mixing {
     double *all, *some; /* [-] particles of each sample, and marked ones */
 };
 
-static double along(const struct particles *ps, int i, const double e[3])
+static double mixing_along(const struct particles *ps, int i, const double e[3])
 {
     return ps->x[i] * e[0] + ps->y[i] * e[1] + ps->z[i] * e[2];
 }
 
-static void mark(struct mixing *self, const struct particles *ps,
-                 const double e[3])
+static void mixing_mark(struct mixing *self, const struct particles *ps,
+                        const double e[3])
 {
     double *const s = alloc_doubles(ps->n);
 
     for (int i = 0; i < ps->n; i++)
-        s[i] = along(ps, i, e);
+        s[i] = mixing_along(ps, i, e);
     gsl_sort(s, 1, (size_t)ps->n);
     const double median = ps->n > 0 ? s[ps->n / 2] : 0.0;
     for (int i = 0; i < ps->n; i++)
-        self->marked[ps->id[i]] = along(ps, i, e) >= median;
+        self->marked[ps->id[i]] = mixing_along(ps, i, e) >= median;
     free(s);
 }
 
@@ -66,7 +66,7 @@ static void *mixing_create(struct simulation *sim, const double *parameters)
 
     self->labels = sim->particles->next_id;
     self->marked = alloc_ints(self->labels);
-    mark(self, sim->particles, &parameters[1]);
+    mixing_mark(self, sim->particles, &parameters[1]);
     for (int k = 0; k < 3; k++) {
         const double n = (m->hi[k] - m->lo[k]) / parameters[0];
         self->n[k] = number_clamped(n + 0.5, 1, 1000);
@@ -101,7 +101,7 @@ static int sample_at(const struct mixing *self, const struct mesh *m,
     return at[0] + self->n[0] * (at[1] + self->n[1] * at[2]);
 }
 
-static void count(struct mixing *self, const struct simulation *sim)
+static void mixing_count(struct mixing *self, const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const size_t samples =
@@ -126,7 +126,7 @@ static int mixing_row(void *memory, const struct simulation *sim,
     const int samples = self->n[0] * self->n[1] * self->n[2];
     double N = 0.0, K = 0.0, marked = 0.0, S2 = 0.0;
 
-    count(self, sim);
+    mixing_count(self, sim);
     for (int k = 0; k < samples; k++) {
         N += self->all[k];
         K += self->all[k] > 0.0;

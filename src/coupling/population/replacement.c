@@ -13,7 +13,7 @@
 
 /* Of the first particles that are inserted or removed; coupling_free releases
  * it. */
-static void create(struct coupling *cp, int n_cells)
+static void replacement_create(struct coupling *cp, int n_cells)
 {
     struct replacement *const r = alloc_zeroed(
         1, sizeof *r + 4 * (size_t)n_cells * sizeof *r->eps_before);
@@ -30,7 +30,7 @@ static void collect_unpaid(struct simulation *sim)
     double *const impulse = cp->smooth; /* not in use between two steps */
 
     if (!cp->options.two_way) return;
-    if (cp->replacement == NULL) create(cp, sim->mesh->n_cells);
+    if (cp->replacement == NULL) replacement_create(cp, sim->mesh->n_cells);
     struct replacement *const r = cp->replacement;
     for (int i = 0; i < sim->particles->n; i++)
         for (int k = 0; k < 3; k++) {
@@ -104,7 +104,7 @@ int replacement_apply(struct simulation *sim, int first)
     const int n_cells = sim->mesh->n_cells;
     struct coupling *const cp = sim->coupling;
 
-    if (cp->replacement == NULL) create(cp, n_cells);
+    if (cp->replacement == NULL) replacement_create(cp, n_cells);
     double *const eps_before = cp->replacement->eps_before;
     start_velocity(sim, first);
     memcpy(eps_before, sim->fluid->eps, (size_t)n_cells * sizeof *eps_before);
@@ -131,7 +131,7 @@ void replacement_momentum(const struct simulation *sim, double brought[3])
 
 /* Removes and inserts particles before the step. With coupling, the averaged
  * fields and the drag terms are then those of the new particles. */
-static int step(struct simulation *sim)
+static int replacement_step(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
     struct population *const population = sim->population;
@@ -145,4 +145,4 @@ static int step(struct simulation *sim)
 }
 
 const struct population_functions replacement_functions = {
-    step, population_state, population_free};
+    replacement_step, population_state, population_free};

@@ -18,8 +18,8 @@ double capillary_force(double tension, double R_star)
     return -2.0 * M_PI * R_star * tension; /* [LS 4.15] */
 }
 
-static double pair(const struct attraction *a, int of_i, int of_j, double R_i,
-                   double R_j, double gap)
+static double capillary_pair(const struct attraction *a, int of_i, int of_j,
+                             double R_i, double R_j, double gap)
 {
     (void)of_i, (void)of_j, (void)gap;
     return capillary_force(a->strength, a->harmonic
@@ -27,11 +27,11 @@ static double pair(const struct attraction *a, int of_i, int of_j, double R_i,
                                             : capillary_mean(R_i, R_j));
 }
 
-static double wall(const struct attraction *a, double R, double gap)
+static double capillary_wall(const struct attraction *a, double R, double gap)
 {
     (void)gap;
     return capillary_force(a->strength, 2.0 * R);
 }
 
 const struct attraction_law capillary = {
-    .name = "capillary", .pair = pair, .wall = wall};
+    .name = "capillary", .pair = capillary_pair, .wall = capillary_wall};

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-static int material_of(const struct bodies *b, int i)
+static int attraction_loop_material_of(const struct bodies *b, int i)
 {
     return b->material != NULL ? b->material[i] : 0;
 }
@@ -28,7 +28,7 @@ static void add_pairs(struct chunk *s, const struct bodies *b,
                       const struct attraction *a, int i)
 {
     const struct neighbour_list *const v = &s->pairs;
-    const int own = i - s->begin, of_i = material_of(b, i);
+    const int own = i - s->begin, of_i = attraction_loop_material_of(b, i);
     const double *const x = b->position_radius[i];
 
     for (int q = v->start[own]; q < v->start[own + 1]; q++) {
@@ -46,7 +46,8 @@ static void add_pairs(struct chunk *s, const struct bodies *b,
         if (gap > a->range) continue;
         double F = 0.0;
         if (a->law->pair != NULL)
-            F = a->law->pair(a, of_i, material_of(b, j), x[3], y[3], gap);
+            F = a->law->pair(a, of_i, attraction_loop_material_of(b, j), x[3],
+                             y[3], gap);
         if (a->law->damping != NULL) F += damped(b, a, i, j, dx, r, gap);
         for (int k = 0; k < 3; k++) {
             s->load[own][k] += F / r * dx[k];
@@ -56,8 +57,8 @@ static void add_pairs(struct chunk *s, const struct bodies *b,
 }
 
 /* Adds the forces of the six sides of the box. */
-static void add_walls(struct chunk *s, const struct bodies *b,
-                      const struct attraction *a, int i)
+static void attraction_loop_add_walls(struct chunk *s, const struct bodies *b,
+                                      const struct attraction *a, int i)
 {
     const struct neighbour_list *const v = &s->walls;
     const int own = i - s->begin;
@@ -85,6 +86,6 @@ void attraction_loop_add(struct chunk *s, const struct bodies *b,
     for (int i = s->begin; i < s->end; i++) {
         add_pairs(s, b, a, i);
         if (a->law->wall != NULL || a->law->damping != NULL)
-            add_walls(s, b, a, i);
+            attraction_loop_add_walls(s, b, a, i);
     }
 }

@@ -16,7 +16,7 @@ static double added_mass_energy(const struct bodies *b)
     return sum;
 }
 
-static void add(struct energy *e, const struct chunk_energy *part)
+static void budget_add(struct energy *e, const struct chunk_energy *part)
 {
     e->normal += part->normal;
     e->tangential += part->tangential;
@@ -37,8 +37,9 @@ struct energy budget_collect(const struct neighbours *nb)
     for (int s = 0; s < nb->n_chunks; s++) {
         const struct chunk *const own = &nb->chunks[s];
         e.kinetic += own->measures.translation + own->measures.rotation;
-        add(&e, &own->energy);
-        if (nb->surfaces != NULL) add(&e, surfaces_energy(nb->surfaces, s));
+        budget_add(&e, &own->energy);
+        if (nb->surfaces != NULL)
+            budget_add(&e, surfaces_energy(nb->surfaces, s));
     }
     if (nb->surfaces != NULL) e.walls += surfaces_work(nb->surfaces);
     return e;

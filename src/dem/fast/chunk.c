@@ -126,7 +126,7 @@ static int load_of(const struct chunk *s, int j, int n)
     return j < s->begin ? j - s->begin + n : j - s->begin;
 }
 
-static int larger(int a, int b)
+static int chunk_larger(int a, int b)
 {
     return a > b ? a : b;
 }
@@ -140,7 +140,8 @@ void chunk_finish_lists(struct chunk *s, int n)
 
     chunk_begin_owner(s, s->end);
     for (int q = 0; q < s->pairs.n; q++)
-        s->window = larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
+        s->window =
+            chunk_larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
     if (s->load == NULL || s->window > s->load_capacity) {
         free(s->load);
         s->load_capacity = roomy(s->window);
@@ -241,15 +242,15 @@ static void split_into_blocks(const struct chunk *s, int n,
         at.pairs = full_lanes(c, 0, q, c->n_pairs, at.end);
         at.walls = full_lanes(c, c->n_pairs, at.walls, c->n_pairs + c->n_walls,
                               at.end);
-        at.n_loads = larger(at.n_loads, at.end - s->begin);
+        at.n_loads = chunk_larger(at.n_loads, at.end - s->begin);
         if (at.walls > c->n_pairs)
             at.n_loads =
-                larger(at.n_loads, c->owner[at.walls - 1] - s->begin + 1);
+                chunk_larger(at.n_loads, c->owner[at.walls - 1] - s->begin + 1);
         for (; q < at.pairs;
              q++) { /* across a period a partner has a lower index */
-            const int last = larger(load_of(s, c->partner[q], n),
-                                    load_of(s, c->owner[q], n));
-            at.n_loads = larger(at.n_loads, last + 1);
+            const int last = chunk_larger(load_of(s, c->partner[q], n),
+                                          load_of(s, c->owner[q], n));
+            at.n_loads = chunk_larger(at.n_loads, last + 1);
         }
         if (k + 1 == s->n_blocks) at.n_loads = s->window;
         blocks[k] = at;
@@ -364,7 +365,7 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
     }
 }
 
-static int touching(const struct chunk *s, const struct bodies *b)
+static int chunk_touching(const struct chunk *s, const struct bodies *b)
 {
     const struct chunk_contacts *const c = &s->contacts;
     int n = 0;
@@ -379,7 +380,7 @@ void chunk_measure(struct chunk *s, const struct bodies *b)
 {
     struct chunk_measures *const m = &s->measures;
 
-    *m = (struct chunk_measures){touching(s, b), 0.0, 0.0, 0.0};
+    *m = (struct chunk_measures){chunk_touching(s, b), 0.0, 0.0, 0.0};
     for (int i = s->begin; i < s->end; i++) {
         const double *const v = b->velocity[i];
         const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];

@@ -8,8 +8,8 @@
 #include "base/alloc.h"
 
 /* Makes room for a loaded list by adding its pairs anew. */
-static void add_partners(struct chunk *c, struct neighbour_list *v, int n,
-                         const int *partner)
+static void chunk_state_add_partners(struct chunk *c, struct neighbour_list *v,
+                                     int n, const int *partner)
 {
     if (v == &c->pairs)
         chunk_add_pairs(c, n, partner);
@@ -34,7 +34,7 @@ static void partners_state(struct chunk *c, struct neighbour_list *v, int most,
     state_demand(s, state_rises(v->start, owners, 0, n),
                  "lists that do not follow each other");
     if (!s->loading) return;
-    if (!s->failed) add_partners(c, v, n, partner);
+    if (!s->failed) chunk_state_add_partners(c, v, n, partner);
     free(partner);
 }
 
@@ -63,7 +63,8 @@ static int are_listed(const struct chunk *c)
     return 1;
 }
 
-static void contacts_state(struct chunk *c, int n_spheres, struct state *s)
+static void chunk_state_contacts(struct chunk *c, int n_spheres,
+                                 struct state *s)
 {
     static const char *const xi[] = {"xi_x", "xi_y", "xi_z"};
     static const char *const roll[] = {"roll_x", "roll_y", "roll_z"};
@@ -105,7 +106,7 @@ static void lists_state(struct chunk *c, int n, struct state *s)
     state_begin(s, "walls");
     list_histories_state(&c->walls, s);
     state_end(s);
-    contacts_state(c, n, s);
+    chunk_state_contacts(c, n, s);
     state_wholes_of(s, "block_end", "-", &c->blocks->end, size, c->n_blocks, 1);
     state_wholes_of(s, "block_pairs", "-", &c->blocks->pairs, size, c->n_blocks,
                     1);
@@ -118,7 +119,8 @@ static void lists_state(struct chunk *c, int n, struct state *s)
     if (c->window > 0) state_reals(s, "load", "N", c->load[0], c->window, 8);
 }
 
-static void histories_state(struct chunk *c, int n_spheres, struct state *s)
+static void chunk_state_histories(struct chunk *c, int n_spheres,
+                                  struct state *s)
 {
     int n = c->n_history;
 
@@ -151,7 +153,7 @@ void chunk_state(struct chunk *c, int n, int capacity, struct state *s)
 
     state_whole(s, "listed", "-", &listed);
     if (listed) lists_state(c, n, s);
-    histories_state(c, capacity, s);
+    chunk_state_histories(c, capacity, s);
     state_real(s, "deep_overlap", "-", &c->deep.overlap);
     state_whole(s, "deep_id", "-", &c->deep.id);
     state_whole(s, "deep_other", "-", &c->deep.other);

@@ -8,9 +8,10 @@
 
 /* Sets the velocities of prescribed particles; their work on others and the
  * energy that they gain come from outside. */
-static void set_prescribed(const struct neighbours *nb, struct chunk *own,
-                           int begin, int end, double (*load)[8],
-                           const struct step_parameters *by)
+static void chunk_step_set_prescribed(const struct neighbours *nb,
+                                      struct chunk *own, int begin, int end,
+                                      double (*load)[8],
+                                      const struct step_parameters *by)
 {
     if (nb->prescribed == NULL || !by->prescribed) return;
     own->energy.prescribed +=
@@ -20,12 +21,13 @@ static void set_prescribed(const struct neighbours *nb, struct chunk *own,
         nb->prescribed, nb->bodies, nb->ps, begin, end, load, by->t, by->drift);
 }
 
-static void advance(const struct neighbours *nb, struct chunk *own, int begin,
-                    int end, const struct step_parameters *by)
+static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
+                               int begin, int end,
+                               const struct step_parameters *by)
 {
     double(*const load)[8] = own->load + (begin - own->begin);
 
-    set_prescribed(nb, own, begin, end, load, by);
+    chunk_step_set_prescribed(nb, own, begin, end, load, by);
     if (nb->bodies->implicit_drag == NULL)
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
                        own->max_speed_now);
@@ -76,8 +78,9 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
 
 /* Adds the attractions, and their power to the budget; the particles have not
  * moved yet. */
-static void add_attractions(const struct bodies *b, struct chunk *own,
-                            const struct step_parameters *by)
+static void chunk_step_add_attractions(const struct bodies *b,
+                                       struct chunk *own,
+                                       const struct step_parameters *by)
 {
     const int counted = by->budget && by->n_attractions > 0;
     const double before = counted ? chunk_power(own, b) : 0.0;
@@ -97,7 +100,7 @@ static void load_others(struct neighbours *nb, int s,
     if (nb->surfaces != NULL)
         surfaces_add_loads(nb->surfaces, s, own, nb->bodies, by->sweep,
                            by->constants, by->dt);
-    add_attractions(nb->bodies, own, by);
+    chunk_step_add_attractions(nb->bodies, own, by);
 }
 
 /* Computes loads, then motion, block by block. Blocks wait if other chunks may
@@ -114,7 +117,7 @@ static void load_and_move_chunk(struct neighbours *nb, int s,
         if ((begin < late) == waiting) {
             chunk_add_loads(nb->chunks, nb->n_chunks, s, nb->bodies->n, begin,
                             end);
-            advance(nb, own, begin, end, by);
+            chunk_step_advance(nb, own, begin, end, by);
         }
         begin = end;
     }
@@ -154,7 +157,7 @@ void chunk_step_move(struct neighbours *nb, const struct step_parameters *by)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        advance(nb, own, own->begin, own->end, by);
+        chunk_step_advance(nb, own, own->begin, own->end, by);
         publish_max_speed(own);
     }
     neighbours_barrier(nb);

@@ -9,7 +9,7 @@ static int is_fast(const struct neighbours *nb, int i, double dt)
     return 4.0 * v2 * dt * dt > nb->smallest * nb->smallest;
 }
 
-static int cross(const struct bodies *b, int i, int j, double dt)
+static int crossings_cross(const struct bodies *b, int i, int j, double dt)
 {
     const double *const a = b->position_radius[i], *const c =
                                                        b->position_radius[j];
@@ -28,7 +28,7 @@ struct dem_crossing crossings_find(const struct neighbours *nb, double dt)
 
     for (int i = 0; i < b->n; i++)
         for (int j = 0; j < b->n && is_fast(nb, i, dt); j++)
-            if (j != i && cross(b, i, j, dt))
+            if (j != i && crossings_cross(b, i, j, dt))
                 return (struct dem_crossing){1, {b->id[i], b->id[j]}};
     return (struct dem_crossing){0};
 }

@@ -14,7 +14,7 @@
  * d / MARGIN_PARTS. The optima are flat. */
 enum { SKIN_PARTS = 3, THINNEST_SKIN = 6, MARGIN_PARTS = 600 };
 
-static const char *unsupported(const struct dem_options *o)
+static const char *fast_unsupported(const struct dem_options *o)
 {
     (void)o;
     return NULL;
@@ -64,7 +64,7 @@ static struct neighbours *create_neighbours(const struct dem *dem)
     return nb;
 }
 
-static int create(struct dem *dem)
+static int fast_create(struct dem *dem)
 {
     const struct dem_options *const o = &dem->options;
     const int loop = loop_of(o, 0);
@@ -79,7 +79,7 @@ static int create(struct dem *dem)
     return 0;
 }
 
-static void release(struct dem *dem)
+static void fast_release(struct dem *dem)
 {
     struct fast *const fast = fast_of(dem);
 
@@ -89,7 +89,7 @@ static void release(struct dem *dem)
     free(fast);
 }
 
-static void changed(struct dem *dem)
+static void fast_changed(struct dem *dem)
 {
     struct fast *const fast = fast_of(dem);
     const int loop = loop_of(&dem->options, dem->energy != NULL);
@@ -98,7 +98,7 @@ static void changed(struct dem *dem)
     fast->neighbours->stale = 1;
 }
 
-static void limit_overlap(struct dem *dem)
+static void fast_limit_overlap(struct dem *dem)
 {
     neighbours_watch(fast_of(dem)->neighbours, dem->deepest.expected);
 }
@@ -143,7 +143,7 @@ static void close_budget(struct dem *dem)
     dem->energy->added = added;
 }
 
-static void report(struct dem *dem, long rebuilds, struct dem_report *r)
+static void fast_report(struct dem *dem, long rebuilds, struct dem_report *r)
 {
     const struct neighbours *const nb = fast_of(dem)->neighbours;
 
@@ -173,7 +173,7 @@ static int team_size(const struct neighbours *nb)
     return most < nb->n_chunks ? most : nb->n_chunks;
 }
 
-static void run(struct dem *dem, int steps, struct dem_report *r)
+static void fast_run(struct dem *dem, int steps, struct dem_report *r)
 {
     struct fast *const fast = fast_of(dem);
     struct neighbours *const nb = fast->neighbours;
@@ -189,7 +189,7 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
     neighbours_begin_run(nb);
 #pragma omp parallel num_threads(team_size(nb))
     fast_move(dem, steps);
-    report(dem, nb->rebuilds - before, r);
+    fast_report(dem, nb->rebuilds - before, r);
 }
 
 static const struct key skin_keys[] = {
@@ -204,13 +204,13 @@ const struct dem_method fast_verlet = {
     .equations = "LS 5.15, 5.16",
     .function = "neighbours_refresh",
     .keys = {skin_keys},
-    .unsupported = unsupported,
+    .unsupported = fast_unsupported,
     .skin = skin_of,
-    .create = create,
-    .free = release,
-    .run = run,
-    .changed = changed,
-    .limit_overlap = limit_overlap,
+    .create = fast_create,
+    .free = fast_release,
+    .run = fast_run,
+    .changed = fast_changed,
+    .limit_overlap = fast_limit_overlap,
     .visit = fast_state,
     .histories = fast_histories,
     .restore_histories = fast_restore_histories};

@@ -85,7 +85,7 @@ static void push_surfaces(const struct dem *dem, double kicks)
 /* Rebuilds lists and forces after particles were changed between runs; the time
  * does not advance. The first kick then has these loads in place of those of
  * the last step, which the totals of the surfaces contain already. */
-static int start(struct dem *dem, double *margin)
+static int fast_move_start(struct dem *dem, double *margin)
 {
     push_surfaces(dem, -1.0);
     *margin =
@@ -98,7 +98,7 @@ static int start(struct dem *dem, double *margin)
     return 0;
 }
 
-static void measure(struct dem *dem)
+static void fast_move_measure(struct dem *dem)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
@@ -117,7 +117,7 @@ static void begin_budget(struct dem *dem)
 {
     struct energy *const e = dem->energy;
 
-    measure(dem);
+    fast_move_measure(dem);
     neighbours_barrier(fast_of(dem)->neighbours);
     if (omp_get_thread_num() == 0) {
         const struct energy before = *e;
@@ -205,7 +205,7 @@ static void predict(struct dem *dem, double dt)
     }
 }
 
-static void correct(struct dem *dem, double dt)
+static void fast_move_correct(struct dem *dem, double dt)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
@@ -234,7 +234,7 @@ static void force_at_start(struct dem *dem)
 /* Prescribed particles have the mean velocity of the step in both of Heun's
  * halves, and so end at the prescribed position; dt = 0: the velocity of that
  * time. */
-static void set_prescribed(struct dem *dem, int k, double dt)
+static void fast_move_set_prescribed(struct dem *dem, int k, double dt)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
 
@@ -261,31 +261,31 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
         if (is_crossed(dem, closer)) return k;
         if (r->used + closer > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
-        set_prescribed(dem, k, dt);
+        fast_move_set_prescribed(dem, k, dt);
         force_at_start(dem);
         compute_loads(dem, 0.5 * dt);
         predict(dem, dt);
         neighbours_barrier(nb);
         prescribed_motion_move_surfaces(nb, time_after(dem, k + 1));
         compute_loads(dem, 0.5 * dt);
-        correct(dem, dt);
+        fast_move_correct(dem, dt);
         neighbours_barrier(nb);
         r->used += fmax(closer, 2.0 * neighbours_speed(nb) * dt);
         if (is_interrupted(dem, k)) return k + 1;
     }
-    set_prescribed(dem, steps, 0.0);
+    fast_move_set_prescribed(dem, steps, 0.0);
     return steps;
 }
 
 /* Returns the number of steps done, or -1 if a particle was lost before. */
-static int move(struct dem *dem, int steps, struct contact_margin *r)
+static int fast_move_move(struct dem *dem, int steps, struct contact_margin *r)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
 
     prescribed_motion_move_surfaces(nb, time_after(dem, 0));
     if (dem->motion_on)
         prescribed_motion_set_velocities(nb, time_after(dem, 0), 0.0);
-    if (nb->stale && start(dem, &r->margin) != 0) return -1;
+    if (nb->stale && fast_move_start(dem, &r->margin) != 0) return -1;
     if (dem->energy != NULL) begin_budget(dem);
     return dem->options.integrator->predicts ? heun_steps(dem, steps, r)
                                              : verlet_steps(dem, steps, r);
@@ -297,10 +297,10 @@ void fast_move(struct dem *dem, int steps)
     struct contact_margin r = {nb->margin, nb->margin_used};
 
     neighbours_load(nb);
-    const int done = move(dem, steps, &r);
+    const int done = fast_move_move(dem, steps, &r);
     if (done >= 0) {
         neighbours_check_lost(nb);
-        measure(dem);
+        fast_move_measure(dem);
     }
     neighbours_store(nb);
     neighbours_barrier(nb);

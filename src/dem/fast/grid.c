@@ -76,7 +76,8 @@ static void span(struct grid *g, const struct particles *ps, int k,
 }
 
 /* Cells of at least `reach`, at most so many that the arrays hold them. */
-static void divide(struct grid *g, const struct particles *ps, double reach)
+static void grid_divide(struct grid *g, const struct particles *ps,
+                        double reach)
 {
     double length[3], total = HUGE_VAL;
 
@@ -93,13 +94,13 @@ static void divide(struct grid *g, const struct particles *ps, double reach)
     }
 }
 
-static int coordinate(const struct grid *g, int k, double x)
+static int grid_coordinate(const struct grid *g, int k, double x)
 {
     return number_clamped((x - g->origin[k]) * g->inverse[k], 0,
                           g->cells[k] - 1);
 }
 
-static int cell_number(const struct grid *g, const int c[3])
+static int grid_cell_number(const struct grid *g, const int c[3])
 {
     const int *const a = g->axis;
     return (c[a[2]] * g->cells[a[1]] + c[a[1]]) * g->cells[a[0]] + c[a[0]];
@@ -108,16 +109,16 @@ static int cell_number(const struct grid *g, const int c[3])
 /* Counting sort; particles of one cell stay in their order. */
 const int *grid_order(struct grid *g, const struct particles *ps, double reach)
 {
-    divide(g, ps, reach);
+    grid_divide(g, ps, reach);
 
     const int n = g->cells[0] * g->cells[1] * g->cells[2];
     for (int c = 0; c <= n; c++)
         g->start[c] = 0;
     for (int i = 0; i < ps->n; i++) {
-        const int c[3] = {coordinate(g, 0, ps->x[i]),
-                          coordinate(g, 1, ps->y[i]),
-                          coordinate(g, 2, ps->z[i])};
-        g->cell[i] = cell_number(g, c);
+        const int c[3] = {grid_coordinate(g, 0, ps->x[i]),
+                          grid_coordinate(g, 1, ps->y[i]),
+                          grid_coordinate(g, 2, ps->z[i])};
+        g->cell[i] = grid_cell_number(g, c);
         g->start[g->cell[i]]++;
     }
     for (int c = 0, sum = 0; c <= n; c++) {
@@ -139,7 +140,7 @@ int grid_owns(const struct grid *g, int i, int j, int n)
 
 /* The cells at and beside c along one direction, each once: of two cells in a
  * periodic direction, each is beside the other anyway. */
-static int beside(const struct grid *g, int k, int c, int found[3])
+static int grid_beside(const struct grid *g, int k, int c, int found[3])
 {
     const int m = g->cells[k];
     int n = 0;
@@ -229,8 +230,8 @@ static void find_pairs(const struct grid *g, struct chunk *s,
     int at[3][3], count[3], c[3];
 
     for (int k = 0; k < 3; k++)
-        count[k] =
-            beside(g, k, coordinate(g, k, b->position_radius[i][k]), at[k]);
+        count[k] = grid_beside(
+            g, k, grid_coordinate(g, k, b->position_radius[i][k]), at[k]);
     for (int p = 0; p < count[a[2]]; p++)
         for (int q = 0; q < count[a[1]]; q++)
             for (int r = 0, next; r < count[a[0]]; r = next) {
@@ -240,14 +241,14 @@ static void find_pairs(const struct grid *g, struct chunk *s,
                 c[a[2]] = at[a[2]][p];
                 c[a[1]] = at[a[1]][q];
                 c[a[0]] = row[r];
-                const int cell = cell_number(g, c);
+                const int cell = grid_cell_number(g, c);
                 find_among(g, g->start[cell], g->start[cell + next - r], s, b,
                            i, skin);
             }
 }
 
-static void find_walls(struct chunk *s, const struct bodies *b, int i,
-                       double skin)
+static void grid_find_walls(struct chunk *s, const struct bodies *b, int i,
+                            double skin)
 {
     const double *const x = b->position_radius[i];
 
@@ -265,7 +266,7 @@ void grid_find(const struct grid *g, struct chunk *s, const struct bodies *b,
     for (int i = s->begin; i < s->end; i++) {
         chunk_begin_owner(s, i);
         find_pairs(g, s, b, i, skin);
-        find_walls(s, b, i, skin);
+        grid_find_walls(s, b, i, skin);
     }
     chunk_finish_lists(s, b->n);
 }

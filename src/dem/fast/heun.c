@@ -50,8 +50,8 @@ void heun_save_start(struct heun *h, const struct chunk *s,
 }
 
 /* Rate of number k of the row `velocity`: of v, and of R omega (bodies.c). */
-static double rate(const double load[8], const double acceleration[4],
-                   double per_mass, int k)
+static double heun_rate(const double load[8], const double acceleration[4],
+                        double per_mass, int k)
 {
     return k < 3 ? load[k] * per_mass + acceleration[k]
                  : -2.5 * load[k] * per_mass;
@@ -69,7 +69,7 @@ void heun_predict(const struct heun *h, const struct chunk *s, struct bodies *b,
             x[k] += v[k] * dt;
         for (int a = 0; a < 6; a++)
             v[moving[a]] +=
-                rate(h->load[i], b->acceleration[i], v[7], moving[a]) * dt;
+                heun_rate(h->load[i], b->acceleration[i], v[7], moving[a]) * dt;
     }
 }
 
@@ -88,11 +88,11 @@ void heun_correct(const struct heun *h, struct chunk *s, struct bodies *b,
         }
         for (int a = 0; a < 6; a++) {
             const int k = moving[a];
-            v[k] =
-                at_start[k] +
-                0.5 * dt *
-                    (rate(h->load[i], b->acceleration[i], v[7], k) +
-                     rate(s->load[i - s->begin], b->acceleration[i], v[7], k));
+            v[k] = at_start[k] +
+                   0.5 * dt *
+                       (heun_rate(h->load[i], b->acceleration[i], v[7], k) +
+                        heun_rate(s->load[i - s->begin], b->acceleration[i],
+                                  v[7], k));
         }
         for (int k = 0; k < 3; k++)
             s->max_speed[k] = fmax(s->max_speed[k], fabs(v[k]));

@@ -215,7 +215,7 @@ static double max_displacement(const struct neighbours *nb)
 }
 
 /* Called by one thread: sorts the particles and sets the new index of each. */
-static void sort(struct neighbours *nb)
+static void neighbours_sort(struct neighbours *nb)
 {
     const struct particles *const ps = nb->ps;
     double widest = 0.0;
@@ -273,7 +273,7 @@ static void rebuild(struct neighbours *nb)
         bodies_store(b, nb->ps, own->begin, own->end);
     }
     neighbours_barrier(nb);
-    if (mine.first == 0) sort(nb);
+    if (mine.first == 0) neighbours_sort(nb);
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];

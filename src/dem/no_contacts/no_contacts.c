@@ -87,7 +87,7 @@ static struct free_particle free_particle_of(const struct dem *dem, int i,
 }
 
 /* v += F/m dt [LS 4.1], with a drag -k v as in implicit_drag.h. */
-static void kick(struct free_particle *t, double gain, double dt)
+static void no_contacts_kick(struct free_particle *t, double gain, double dt)
 {
     for (int k = 0; k < 3; k++) {
         const double dv = gain * (t->a[k] - t->rate * t->v[k]) * dt;
@@ -114,8 +114,8 @@ static void rebound(struct free_particle *t, const struct box_domain *box)
     }
 }
 
-static void drift(struct free_particle *t, const struct box_domain *box,
-                  double dt)
+static void no_contacts_drift(struct free_particle *t,
+                              const struct box_domain *box, double dt)
 {
     for (int k = 0; k < 3; k++) {
         t->x[k] += dt * t->v[k];
@@ -133,15 +133,16 @@ static int travel(struct free_particle *t, const struct box_domain *box,
     for (int k = 0; k < steps; k++) {
         if (k % LOOK == LOOK - 1 && interrupt_arrived()) return 1;
         const int q = k == 0 ? 0 : 1;
-        kick(t, t->gain[q], kicks->dt[q]);
-        drift(t, box, kicks->step);
+        no_contacts_kick(t, t->gain[q], kicks->dt[q]);
+        no_contacts_drift(t, box, kicks->step);
     }
-    if (steps > 0) kick(t, t->gain[2], kicks->dt[2]);
+    if (steps > 0) no_contacts_kick(t, t->gain[2], kicks->dt[2]);
     return 0;
 }
 
-static void store(const struct free_particle *t, const struct box_domain *box,
-                  struct particles *ps, int i)
+static void no_contacts_store(const struct free_particle *t,
+                              const struct box_domain *box,
+                              struct particles *ps, int i)
 {
     ps->x[i] = box_domain_inside(box, 0, t->x[0]);
     ps->y[i] = box_domain_inside(box, 1, t->x[1]);
@@ -153,7 +154,7 @@ static void store(const struct free_particle *t, const struct box_domain *box,
 
 /* --- the sums of a run ---------------------------------------------------- */
 
-static double kinetic(const struct particles *ps, int i, double m)
+static double no_contacts_kinetic(const struct particles *ps, int i, double m)
 {
     const double v2 =
         ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] + ps->vz[i] * ps->vz[i];
@@ -168,8 +169,8 @@ static double rotation(const struct particles *ps, int i)
 }
 
 /* Wholly outside, or not finite: a comparison with NaN is false. */
-static int is_lost(const struct box_domain *box, const struct particles *ps,
-                   int i)
+static int no_contacts_is_lost(const struct box_domain *box,
+                               const struct particles *ps, int i)
 {
     const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
 
@@ -179,19 +180,21 @@ static int is_lost(const struct box_domain *box, const struct particles *ps,
                                    : gap >= -0.5 * ps->d[i]))
             return 1;
     }
-    return !(kinetic(ps, i, 1.0) + rotation(ps, i) < HUGE_VAL);
+    return !(no_contacts_kinetic(ps, i, 1.0) + rotation(ps, i) < HUGE_VAL);
 }
 
-static void measure(const struct particles *ps, const struct box_domain *box,
-                    struct dem_report *r)
+static void no_contacts_measure(const struct particles *ps,
+                                const struct box_domain *box,
+                                struct dem_report *r)
 {
     r->lost_id = r->lost_through = -1;
     for (int i = 0; i < ps->n; i++) {
         const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
-        r->max_speed = fmax(r->max_speed, sqrt(2.0 * kinetic(ps, i, 1.0)));
-        r->translation += kinetic(ps, i, ps->m[i]);
+        r->max_speed =
+            fmax(r->max_speed, sqrt(2.0 * no_contacts_kinetic(ps, i, 1.0)));
+        r->translation += no_contacts_kinetic(ps, i, ps->m[i]);
         r->rotation += rotation(ps, i);
-        if (!is_lost(box, ps, i) || r->lost++ > 0) continue;
+        if (!no_contacts_is_lost(box, ps, i) || r->lost++ > 0) continue;
         r->lost_id = ps->id[i];
         memcpy(r->lost_at, x, sizeof x);
     }
@@ -202,10 +205,11 @@ static double all_kinetic(const struct particles *ps)
     double sum = 0.0;
 
     for (int i = 0; i < ps->n; i++)
-        sum += kinetic(ps, i,
-                       ps->m[i] +
-                           (ps->added_mass != NULL ? ps->added_mass[i] : 0.0)) +
-               rotation(ps, i);
+        sum +=
+            no_contacts_kinetic(
+                ps, i,
+                ps->m[i] + (ps->added_mass != NULL ? ps->added_mass[i] : 0.0)) +
+            rotation(ps, i);
     return sum;
 }
 
@@ -225,7 +229,7 @@ static int move_all(struct dem *dem, const struct box_domain *box, int steps)
         stopped += i % MANY == MANY - 1 && interrupt_arrived();
         if (stopped > 0) continue;
         stopped += travel(&t, box, &kicks, steps);
-        store(&t, box, ps, i);
+        no_contacts_store(&t, box, ps, i);
         if (e == NULL) continue;
         e->work += t.work;
         e->damped_n += t.lost;
@@ -233,7 +237,7 @@ static int move_all(struct dem *dem, const struct box_domain *box, int steps)
     return stopped;
 }
 
-static void run(struct dem *dem, int steps, struct dem_report *r)
+static void no_contacts_run(struct dem *dem, int steps, struct dem_report *r)
 {
     const struct box_domain *const box = dem->state;
     struct energy *const e = dem->energy;
@@ -246,13 +250,13 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
     }
     if (move_all(dem, box, steps) > 0) r->steps = 0;
     if (e != NULL) e->kinetic = all_kinetic(dem->ps);
-    measure(dem->ps, box, r);
+    no_contacts_measure(dem->ps, box, r);
     dem->motion_steps += dem->motion_on ? steps : 0;
 }
 
 /* --- the other functions of dem_method.h ---------------------------------- */
 
-static const char *unsupported(const struct dem_options *o)
+static const char *no_contacts_unsupported(const struct dem_options *o)
 {
     if (o->n_surfaces > 0) return "surfaces";
     if (o->n_prescribed > 0) return "prescribed particles";
@@ -262,7 +266,7 @@ static const char *unsupported(const struct dem_options *o)
     return NULL;
 }
 
-static int create(struct dem *dem)
+static int no_contacts_create(struct dem *dem)
 {
     const struct dem_options *const o = &dem->options;
     struct box_domain *const box = dem->state = alloc_zeroed(1, sizeof *box);
@@ -271,12 +275,12 @@ static int create(struct dem *dem)
     return 0;
 }
 
-static void release(struct dem *dem)
+static void no_contacts_release(struct dem *dem)
 {
     free(dem->state);
 }
 
-static void nothing(struct dem *dem)
+static void no_contacts_nothing(struct dem *dem)
 {
     (void)dem; /* no list, no histories, no overlaps */
 }
@@ -305,12 +309,12 @@ const struct dem_method no_contacts_method = {
     .equations = "LS 4.1",
     .function = "travel",
     .no_contacts = 1,
-    .unsupported = unsupported,
-    .create = create,
-    .free = release,
-    .run = run,
-    .changed = nothing,
-    .limit_overlap = nothing,
+    .unsupported = no_contacts_unsupported,
+    .create = no_contacts_create,
+    .free = no_contacts_release,
+    .run = no_contacts_run,
+    .changed = no_contacts_nothing,
+    .limit_overlap = no_contacts_nothing,
     .visit = nothing_to_visit,
     .histories = no_histories,
     .restore_histories = no_springs_back};

@@ -144,7 +144,8 @@ static int rolls(const struct dem_options *o)
 }
 
 /* The checksum of all bytes before it. */
-static void last_line(char line[LAST_LINE + 1], const char *bytes, size_t n)
+static void bed_file_last_line(char line[LAST_LINE + 1], const char *bytes,
+                               size_t n)
 {
     snprintf(line, LAST_LINE + 1, "crc32 %08lx\n",
              (unsigned long)crc32_z(0, (const unsigned char *)bytes, n));
@@ -165,7 +166,7 @@ int bed_file_save(const char *path, const struct particles *ps,
         fputs(text[n], out);
     write_bed(out, ps, histories, rolls(dem));
     fclose(out);
-    last_line(last, bytes, length);
+    bed_file_last_line(last, bytes, length);
     fwrite(bytes, 1, length, file_stream(file));
     fputs(last, file_stream(file));
     free(bytes);
@@ -316,7 +317,7 @@ static const char *damage(const char *bytes, size_t length)
     char line[LAST_LINE + 1];
 
     if (length < LAST_LINE) return incomplete;
-    last_line(line, bytes, length - LAST_LINE);
+    bed_file_last_line(line, bytes, length - LAST_LINE);
     return memcmp(bytes + length - LAST_LINE, line, LAST_LINE) == 0
                ? NULL
                : "the file is damaged: its checksum does not match";

@@ -27,7 +27,7 @@ static int counts_atoms(const char *line, long *n)
 }
 
 /* The line in `text` that begins with this word, or NULL. */
-static char *line_of(char *text, const char *word)
+static char *grain_table_line_of(char *text, const char *word)
 {
     const size_t n = strlen(word);
 
@@ -44,7 +44,7 @@ static char *line_of(char *text, const char *word)
  * is of no interest. */
 static int is_data(char *text, long *n)
 {
-    const char *const end = line_of(text, "Atoms");
+    const char *const end = grain_table_line_of(text, "Atoms");
 
     for (const char *at = text; at != NULL && at < end; at = strchr(at, '\n')) {
         at += *at == '\n';
@@ -88,7 +88,8 @@ static char *atoms_of(char *text, char wrong[CSV_WRONG])
 {
     static const char *const names = "id type diameter density x y z",
                              *const periods = " ix iy iz";
-    char style[32] = "", *rows = line_of(text, "Atoms"), *end = rows;
+    char style[32] = "", *rows = grain_table_line_of(text, "Atoms"),
+         *end = rows;
 
     sscanf(rows, "Atoms # %31s", style);
     rows = strchr(rows, '\n');
@@ -131,7 +132,8 @@ static char *table_of(char *text, long *n)
 /* The columns of x, y, z, or of a dump xu, yu, zu, which go on across periods;
  * that of the size, and what makes it a diameter. Non-zero if one is missing.
  */
-static int find_columns(const struct csv *t, int column[4], double *factor)
+static int grain_table_find_columns(const struct csv *t, int column[4],
+                                    double *factor)
 {
     static const char *const sizes[] = {"d", "diameter", "radius", "r"};
     static const char *const axes[] = {"x", "y", "z", "xu", "yu", "zu"};
@@ -157,7 +159,7 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
     double factor;
     int column[4], foreign = 0;
 
-    if (find_columns(t, column, &factor) != 0) {
+    if (grain_table_find_columns(t, column, &factor) != 0) {
         csv_names(t, names, sizeof names);
         snprintf(wrong, CSV_WRONG,
                  "expected columns x, y, z and d, diameter or radius [m]; its "
@@ -189,7 +191,7 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
 }
 
 /* Dumps and data files may name the units of their numbers. */
-static int is_foreign(const char *text, char wrong[CSV_WRONG])
+static int grain_table_is_foreign(const char *text, char wrong[CSV_WRONG])
 {
     static const char *const heads[] = {"ITEM: UNITS", "units = "};
     char unit[32] = "si";
@@ -211,7 +213,7 @@ static struct insertion_sphere *parse(char **text, long *n,
     struct insertion_sphere *list = NULL;
     struct csv t;
 
-    if (is_foreign(*text, wrong)) return NULL;
+    if (grain_table_is_foreign(*text, wrong)) return NULL;
     if (is_data(*text, &counted)) {
         tidy(*text);
         char *const table = atoms_of(*text, wrong);

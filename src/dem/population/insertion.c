@@ -59,8 +59,8 @@ static const double *axis(const struct particles *ps, int k)
 }
 
 /* x_i - x along direction k, nearest image. */
-static double apart(const struct near_particles *c, int i, int k,
-                    const double x[3])
+static double insertion_apart(const struct near_particles *c, int i, int k,
+                              const double x[3])
 {
     const double dx = axis(c->ps, k)[i] - x[k];
     return dx - c->box->length[k] * rint(dx * c->box->inverse[k]);
@@ -68,8 +68,8 @@ static double apart(const struct near_particles *c, int i, int k,
 
 /* Cells over the region, or the period; their number is limited, so that to
  * clear them costs no more than to fill them. */
-static void divide(struct near_particles *c, const struct insertion_options *o,
-                   double width)
+static void insertion_divide(struct near_particles *c,
+                             const struct insertion_options *o, double width)
 {
     const double most = 2.0 * c->ps->capacity + 64.0;
     double total = HUGE_VAL;
@@ -90,7 +90,7 @@ static void divide(struct near_particles *c, const struct insertion_options *o,
 }
 
 /* Cells a step off along direction k; -1: there is none. */
-static int beside(const struct near_particles *c, int k, int cell)
+static int insertion_beside(const struct near_particles *c, int k, int cell)
 {
     const int n = c->cells[k];
 
@@ -99,12 +99,12 @@ static int beside(const struct near_particles *c, int k, int cell)
 }
 
 /* A coordinate beyond an end belongs to the last cell. */
-static int coordinate(const struct near_particles *c, int k, double x)
+static int insertion_coordinate(const struct near_particles *c, int k, double x)
 {
     return number_clamped((x - c->lo[k]) * c->inverse[k], 0, c->cells[k] - 1);
 }
 
-static int number(const struct near_particles *c, const int at[3])
+static int insertion_number(const struct near_particles *c, const int at[3])
 {
     return (at[2] * c->cells[1] + at[1]) * c->cells[0] + at[0];
 }
@@ -114,8 +114,8 @@ static void add_to_cell(struct near_particles *c, int i)
     int at[3];
 
     for (int k = 0; k < 3; k++)
-        at[k] = coordinate(c, k, axis(c->ps, k)[i]);
-    int *const head = &c->head[number(c, at)];
+        at[k] = insertion_coordinate(c, k, axis(c->ps, k)[i]);
+    int *const head = &c->head[insertion_number(c, at)];
     c->next[i] = *head;
     *head = i;
 }
@@ -128,7 +128,7 @@ near_particles_create(const struct insertion_options *o,
 {
     struct near_particles c = {.ps = ps, .box = box};
 
-    divide(&c, o, widest);
+    insertion_divide(&c, o, widest);
     const int n = c.cells[0] * c.cells[1] * c.cells[2];
     c.head = alloc_ints(n);
     c.next = alloc_ints(ps->capacity);
@@ -152,7 +152,7 @@ static int overlap_in(const struct near_particles *c, int cell,
         const double reach = 0.5 * (d + c->ps->d[i]) * (1.0 - share);
         double r2 = 0.0;
         for (int k = 0; k < 3; k++) {
-            const double dx = apart(c, i, k, x);
+            const double dx = insertion_apart(c, i, k, x);
             r2 += dx * dx;
         }
         if (r2 < reach * reach) return i;
@@ -169,10 +169,12 @@ static int overlap_near(const struct near_particles *c, const double x[3],
         const int step[3] = {q % 3 - 1, q / 3 % 3 - 1, q / 9 - 1};
         int there = 1;
         for (int k = 0; k < 3; k++) {
-            at[k] = beside(c, k, coordinate(c, k, x[k]) + step[k]);
+            at[k] = insertion_beside(
+                c, k, insertion_coordinate(c, k, x[k]) + step[k]);
             there &= at[k] >= 0;
         }
-        const int i = there ? overlap_in(c, number(c, at), x, d, share) : -1;
+        const int i =
+            there ? overlap_in(c, insertion_number(c, at), x, d, share) : -1;
         if (i >= 0) return i;
     }
     return -1;
@@ -197,7 +199,7 @@ static struct near_particles near_particles_of(const struct insertion *in,
     for (int i = 0; i < ps->n; i++) {
         int near = 1;
         for (int k = 0; k < 3; k++)
-            near &= fabs(apart(&c, i, k, middle)) <=
+            near &= fabs(insertion_apart(&c, i, k, middle)) <=
                     0.5 * (o->hi[k] - o->lo[k]) + 0.5 * ps->d[i];
         if (near || o->list != NULL) add_to_cell(&c, i);
     }

@@ -11,8 +11,9 @@
 static const double push = 1.02;
 
 /* x_i - x_j, nearest image, and its length. */
-static double apart(const struct particles *ps, const struct box_domain *box,
-                    int i, int j, double d[3])
+static double overlaps_apart(const struct particles *ps,
+                             const struct box_domain *box, int i, int j,
+                             double d[3])
 {
     const double *const x[3] = {ps->x, ps->y, ps->z};
     double r2 = 0.0;
@@ -37,7 +38,7 @@ static int by_x(const void *a, const void *b)
     return (p->x > q->x) - (p->x < q->x);
 }
 
-static double widest(const struct particles *ps)
+static double overlaps_widest(const struct particles *ps)
 {
     double d = 0.0;
 
@@ -74,7 +75,7 @@ static void keep_deeper(struct overlap *found, const struct particles *ps,
     const int i = a > b ? a : b, j = a > b ? b : a;
     double d[3];
     const double mean = 0.5 * (ps->d[i] + ps->d[j]);
-    const double depth = 1.0 - apart(ps, box, i, j, d) / mean;
+    const double depth = 1.0 - overlaps_apart(ps, box, i, j, d) / mean;
 
     if (depth > found->depth ||
         (depth > 0.0 && depth == found->depth &&
@@ -90,7 +91,7 @@ struct overlap overlaps_deepest(const struct particles *ps,
     struct placed *const list = alloc_zeroed((size_t)ps->n, sizeof *list);
     const int k = longest(ps);
     const double *const x = k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
-    const double reach = widest(ps) * (1.0 + 1e-9), L = box->length[k];
+    const double reach = overlaps_widest(ps) * (1.0 + 1e-9), L = box->length[k];
     struct overlap found = {0, -1, 0.0};
 
     for (int i = 0; i < ps->n; i++)
@@ -113,7 +114,7 @@ static void move_apart(struct particles *ps, const struct box_domain *box,
 {
     double *const x[3] = {ps->x, ps->y, ps->z};
     double d[3];
-    const double r = apart(ps, box, i, j, d),
+    const double r = overlaps_apart(ps, box, i, j, d),
                  mean = 0.5 * (ps->d[i] + ps->d[j]);
 
     if (r >= mean) return;

@@ -24,7 +24,8 @@ static int is_removed(const struct population *l,
     return 1;
 }
 
-static void add_momentum(double sum[3], const struct particles *ps, int i)
+static void population_add_momentum(double sum[3], const struct particles *ps,
+                                    int i)
 {
     sum[0] += ps->m[i] * ps->vx[i];
     sum[1] += ps->m[i] * ps->vy[i];
@@ -36,7 +37,7 @@ static void count_removed(struct population_totals *a,
 {
     a->removed++;
     a->mass_out += ps->m[i];
-    add_momentum(a->momentum_out, ps, i);
+    population_add_momentum(a->momentum_out, ps, i);
 }
 
 static void count_inserted(struct population_totals *a,
@@ -44,7 +45,7 @@ static void count_inserted(struct population_totals *a,
 {
     a->inserted++;
     a->mass_in += ps->m[i];
-    add_momentum(a->momentum_in, ps, i);
+    population_add_momentum(a->momentum_in, ps, i);
 }
 
 int population_mark(struct population *l, const struct particles *ps, double dt)

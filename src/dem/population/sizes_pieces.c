@@ -48,8 +48,8 @@ static double pieces_quantile(const struct sizes *s, double p)
 
 /* Adds the piece a ... b with the share that the case gives it. Of that share
  * of the mass, the particles are the more, the smaller they are. */
-static void add_piece(struct sizes *s, double a, double b, double share,
-                      int by_mass)
+static void sizes_pieces_add_piece(struct sizes *s, double a, double b,
+                                   double share, int by_mass)
 {
     double weight = 1.0;
 
@@ -82,7 +82,7 @@ static void begin_pieces(struct sizes *s, const struct sizes_options *o, int n)
 static void shape_uniform(struct sizes *s, const struct sizes_options *o)
 {
     begin_pieces(s, o, 1);
-    add_piece(s, o->min, o->max, 1.0, o->by_mass);
+    sizes_pieces_add_piece(s, o->min, o->max, 1.0, o->by_mass);
     close_pieces(s);
 }
 
@@ -90,8 +90,8 @@ static void shape_discrete(struct sizes *s, const struct sizes_options *o)
 {
     begin_pieces(s, o, o->n);
     for (int i = 0; i < o->n; i++)
-        add_piece(s, o->point[i][0], o->point[i][0], o->point[i][1],
-                  o->by_mass);
+        sizes_pieces_add_piece(s, o->point[i][0], o->point[i][0],
+                               o->point[i][1], o->by_mass);
     close_pieces(s);
 }
 
@@ -99,8 +99,8 @@ static void shape_table(struct sizes *s, const struct sizes_options *o)
 {
     begin_pieces(s, o, o->n);
     for (int i = 0; i + 1 < o->n; i++)
-        add_piece(s, o->point[i][0], o->point[i + 1][0],
-                  o->point[i + 1][1] - o->point[i][1], o->by_mass);
+        sizes_pieces_add_piece(s, o->point[i][0], o->point[i + 1][0],
+                               o->point[i + 1][1] - o->point[i][1], o->by_mass);
     close_pieces(s);
 }
 

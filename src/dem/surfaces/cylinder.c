@@ -7,7 +7,7 @@
 #include "base/vector.h"
 
 /* Some unit vector across the axis, for a point on it. */
-static void across(const double axis[3], double e[3])
+static void cylinder_across(const double axis[3], double e[3])
 {
     const double other[3] = {fabs(axis[0]) < 0.5, fabs(axis[0]) >= 0.5, 0.0};
 
@@ -30,13 +30,13 @@ static struct surface_hit nearest_on_cylinder(const struct surface *s,
         for (int k = 0; k < 3; k++)
             h.n[k] = side * out[k] / rho;
     else
-        across(s->normal, h.n);
+        cylinder_across(s->normal, h.n);
     h.r = side * (rho - s->radius);
     vector_along(y, -h.r, h.n, h.q);
     return h;
 }
 
-static const char *wrong(const struct surface *s)
+static const char *cylinder_wrong(const struct surface *s)
 {
     const char *const what = surface_wrong_direction(s);
     return what != NULL ? what : surface_wrong_radius(s);
@@ -49,5 +49,5 @@ const struct surface_shape surface_cylinder = {
     .function = "nearest_on_cylinder",
     .keys = {surface_point_keys, surface_axis_keys, surface_radius_keys},
     .nearest = nearest_on_cylinder,
-    .wrong = wrong,
+    .wrong = cylinder_wrong,
 };

@@ -29,7 +29,7 @@ static void begin_owner(struct near_faces *l, int i)
     l->owner[l->n_owners++] = (struct near_owner){i, l->n_faces, l->n_faces};
 }
 
-static void add_face(struct near_faces *l, const struct near_face *f)
+static void near_faces_add_face(struct near_faces *l, const struct near_face *f)
 {
     l->face = near_faces_room(l->face, l->n_faces, &l->face_capacity,
                               sizeof *l->face);
@@ -64,10 +64,11 @@ static double gap_of(const struct surface_scene *scene, const struct pose *pose,
 }
 
 /* The faces of one surface near one image of a particle. */
-static void find_faces(struct near_faces *l, const struct surface_scene *scene,
-                       const struct pose *pose, int surface,
-                       const double place[4], const double shift[3],
-                       double skin)
+static void near_faces_find_faces(struct near_faces *l,
+                                  const struct surface_scene *scene,
+                                  const struct pose *pose, int surface,
+                                  const double place[4], const double shift[3],
+                                  double skin)
 {
     const struct surface *const s = &scene->surface[surface];
     const int many = s->triangles != NULL;
@@ -81,7 +82,8 @@ static void find_faces(struct near_faces *l, const struct surface_scene *scene,
     if (many) triangles_near(s->triangles, y, place[3] + skin, &l->found);
     for (int q = 0; q < l->found.n; q++) {
         f.face = many ? l->found.number[q] : 0;
-        if (gap_of(scene, pose, &f, x, place[3]) <= skin) add_face(l, &f);
+        if (gap_of(scene, pose, &f, x, place[3]) <= skin)
+            near_faces_add_face(l, &f);
     }
 }
 
@@ -113,7 +115,7 @@ static void find_owner(struct near_faces *l, const struct surface_scene *scene,
             for (int x = 0; x < n[0]; x++) {
                 const double by[3] = {shift[0][x], shift[1][y], shift[2][z]};
                 for (int s = 0; s < scene->n; s++)
-                    find_faces(l, scene, pose, s, place, by, skin);
+                    near_faces_find_faces(l, scene, pose, s, place, by, skin);
             }
 }
 
@@ -144,7 +146,7 @@ void near_faces_choose(struct near_faces *l, const struct near_faces *from,
             near_faces_image(face, b, own->owner, x);
             if (gap_of(scene, pose, face, x,
                        b->position_radius[own->owner][3]) < margin)
-                add_face(l, face);
+                near_faces_add_face(l, face);
         }
         end_owner(l);
     }

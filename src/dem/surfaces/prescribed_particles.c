@@ -95,7 +95,8 @@ static void set_velocity_of(const struct motion *m, struct bodies *b, int i,
 }
 
 /* Energy of translation and rotation, and of the added mass [J]. */
-static double kinetic(const struct bodies *b, const struct particles *ps, int i)
+static double prescribed_particles_kinetic(const struct bodies *b,
+                                           const struct particles *ps, int i)
 {
     const double *const v = b->velocity[i];
     const double m =
@@ -136,9 +137,10 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
         if (!owned_index(d, k, begin, end)) continue;
         if (on) {
             set_inverse_mass(b, ps, i);
-            gained -= kinetic(b, ps, i);
+            gained -= prescribed_particles_kinetic(b, ps, i);
             set_velocity_of(m, b, i, t, dt);
-            gained += kinetic(b, ps, i) + dt * taken(b, ps, i);
+            gained +=
+                prescribed_particles_kinetic(b, ps, i) + dt * taken(b, ps, i);
         } else if (d->is_on[k]) {
             restore_inverse_mass(b, ps, i,
                                  load != NULL ? load[i - begin] : NULL);

@@ -22,7 +22,7 @@ static struct surface_hit nearest_on_sphere(const struct surface *s,
     return h;
 }
 
-static double reach(const struct surface *s)
+static double sphere_reach(const struct surface *s)
 {
     return s->radius;
 }
@@ -33,6 +33,6 @@ const struct surface_shape surface_sphere = {
     .equations = "",
     .function = "nearest_on_sphere",
     .nearest = nearest_on_sphere,
-    .reach = reach,
+    .reach = sphere_reach,
     .wrong = surface_wrong_radius,
 };

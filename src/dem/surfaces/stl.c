@@ -27,10 +27,10 @@ struct source {
     int line;
 };
 
-static int wrong(const struct source *in, const char *format, ...)
+static int stl_wrong(const struct source *in, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-static int wrong(const struct source *in, const char *format, ...)
+static int stl_wrong(const struct source *in, const char *format, ...)
 {
     va_list values;
 
@@ -44,16 +44,16 @@ static int wrong(const struct source *in, const char *format, ...)
     return 1;
 }
 
-static int load(struct source *in)
+static int stl_load(struct source *in)
 {
     const char *why;
 
     in->at = in->text = input_text(in->path, &in->length, &why);
-    return in->text != NULL ? 0 : wrong(in, "cannot be read: %s", why);
+    return in->text != NULL ? 0 : stl_wrong(in, "cannot be read: %s", why);
 }
 
 /* One more triangle, unless it has no area. */
-static void add(struct stl *s, int *room, double corner[3][3])
+static void stl_add(struct stl *s, int *room, double corner[3][3])
 {
     double n[3];
 
@@ -111,12 +111,12 @@ static int read_binary(struct source *in, struct stl *s)
         for (int k = 0; k < 9; k++) {
             corner[k / 3][k % 3] = float_at(record + 12 + 4 * k);
             if (!isfinite(corner[k / 3][k % 3]))
-                return wrong(in,
-                             "corner %d of triangle %d (byte %zu) is not a "
-                             "number",
-                             k / 3, t, HEAD + 4 + (size_t)t * RECORD);
+                return stl_wrong(in,
+                                 "corner %d of triangle %d (byte %zu) is not a "
+                                 "number",
+                                 k / 3, t, HEAD + 4 + (size_t)t * RECORD);
         }
-        add(s, &room, corner);
+        stl_add(s, &room, corner);
     }
     return 0;
 }
@@ -142,8 +142,9 @@ static int expect(struct source *in, const char *what)
 
     next_word(in, word);
     if (strcasecmp(word, what) == 0) return 0;
-    return wrong(in, "expected \"%s\", found %s%s%s", what, word[0] ? "\"" : "",
-                 word[0] ? word : "the end of the file", word[0] ? "\"" : "");
+    return stl_wrong(
+        in, "expected \"%s\", found %s%s%s", what, word[0] ? "\"" : "",
+        word[0] ? word : "the end of the file", word[0] ? "\"" : "");
 }
 
 static int three_numbers(struct source *in, double x[3])
@@ -154,7 +155,7 @@ static int three_numbers(struct source *in, double x[3])
         x[k] = strtod(word, &end);
         if (word[0] == '\0' || *end != '\0' || !isfinite(x[k]) ||
             strlen(word) == WORD - 1)
-            return wrong(
+            return stl_wrong(
                 in, "expected a number, found %s%s%s", word[0] ? "\"" : "",
                 word[0] ? word : "the end of the file", word[0] ? "\"" : "");
     }
@@ -174,18 +175,18 @@ static int read_facet(struct source *in, struct stl *s, int *room)
     for (int c = 0; c < 3; c++)
         if (expect(in, "vertex") != 0 || three_numbers(in, corner[c]) != 0)
             return 1;
-    add(s, room, corner);
+    stl_add(s, room, corner);
     return expect(in, "endloop") != 0 || expect(in, "endfacet") != 0;
 }
 
 /* Names may have spaces: they end with their line. */
-static void skip_line(struct source *in)
+static void stl_skip_line(struct source *in)
 {
     while (*in->at != '\0' && *in->at != '\n')
         in->at++;
 }
 
-static int read_text(struct source *in, struct stl *s)
+static int stl_read_text(struct source *in, struct stl *s)
 {
     int room = 0, open = 0;
     char word[WORD];
@@ -198,14 +199,14 @@ static int read_text(struct source *in, struct stl *s)
         } else if (solid != open &&
                    (solid || strcasecmp(word, "endsolid") == 0)) {
             open = solid;
-            skip_line(in);
+            stl_skip_line(in);
         } else {
-            return wrong(in, "expected %s, found \"%s\"",
-                         open ? "\"facet\" or \"endsolid\"" : "\"solid\"",
-                         word);
+            return stl_wrong(in, "expected %s, found \"%s\"",
+                             open ? "\"facet\" or \"endsolid\"" : "\"solid\"",
+                             word);
         }
     }
-    return open ? wrong(in, "the file ends before \"endsolid\"") : 0;
+    return open ? stl_wrong(in, "the file ends before \"endsolid\"") : 0;
 }
 
 /* --- both ----------------------------------------------------------------- */
@@ -223,18 +224,20 @@ static int read_either(struct source *in, struct stl *s)
 {
     if (is_binary(in)) {
         if (announced(in) > MOST)
-            return wrong(in, "%.0f triangles are more than the %d that fit",
-                         announced(in), MOST);
+            return stl_wrong(in, "%.0f triangles are more than the %d that fit",
+                             announced(in), MOST);
         return read_binary(in, s);
     }
-    if (begins_with_solid(in)) return read_text(in, s);
+    if (begins_with_solid(in)) return stl_read_text(in, s);
     if (in->length < HEAD + 4)
-        return wrong(in, "not an STL file: neither \"solid\" nor the 84 bytes "
+        return stl_wrong(in,
+                         "not an STL file: neither \"solid\" nor the 84 bytes "
                          "of a binary header");
-    return wrong(in,
-                 "not an STL file, or truncated: its header announces %.0f "
-                 "triangles, which make %.0f bytes; it has %zu",
-                 announced(in), HEAD + 4 + RECORD * announced(in), in->length);
+    return stl_wrong(in,
+                     "not an STL file, or truncated: its header announces %.0f "
+                     "triangles, which make %.0f bytes; it has %zu",
+                     announced(in), HEAD + 4 + RECORD * announced(in),
+                     in->length);
 }
 
 int stl_read(const char *path, struct stl *s)
@@ -242,11 +245,11 @@ int stl_read(const char *path, struct stl *s)
     struct source in = {.path = path};
 
     *s = (struct stl){0, NULL, 0};
-    int failed = load(&in) != 0 || read_either(&in, s) != 0;
+    int failed = stl_load(&in) != 0 || read_either(&in, s) != 0;
     in.line = 0;
     if (!failed && s->n == 0)
-        failed = wrong(&in, "there is no triangle%s in it",
-                       s->dropped > 0 ? " with an area" : "");
+        failed = stl_wrong(&in, "there is no triangle%s in it",
+                           s->dropped > 0 ? " with an area" : "");
     free(in.text);
     if (failed) stl_release(s);
     return failed;

@@ -7,8 +7,9 @@
 
 /* Among those from `first` on, the nearest first; of two as near the one that
  * came first. */
-static void insert(struct surface_contact_points *t, int first,
-                   const struct surface_contact_point *one)
+static void
+surface_contact_points_insert(struct surface_contact_points *t, int first,
+                              const struct surface_contact_point *one)
 {
     int at = t->n;
 
@@ -20,10 +21,12 @@ static void insert(struct surface_contact_points *t, int first,
 }
 
 /* All faces that a particle overlaps. */
-static void gather(struct surface_contact_points *t,
-                   const struct near_faces *close, const struct near_owner *own,
-                   const struct surface_scene *scene, const struct pose *pose,
-                   const struct bodies *b)
+static void surface_contact_points_gather(struct surface_contact_points *t,
+                                          const struct near_faces *close,
+                                          const struct near_owner *own,
+                                          const struct surface_scene *scene,
+                                          const struct pose *pose,
+                                          const struct bodies *b)
 {
     const int first = t->n;
 
@@ -41,7 +44,7 @@ static void gather(struct surface_contact_points *t,
         memcpy(one.n, h.n, sizeof one.n);
         memcpy(one.q, h.q, sizeof one.q);
         motion_velocity(p, h.q, one.v);
-        insert(t, first, &one);
+        surface_contact_points_insert(t, first, &one);
     }
 }
 
@@ -83,7 +86,7 @@ void surface_contact_points_find(struct surface_contact_points *t,
         const struct near_owner *const own = &close->owner[o];
         const int first = t->n;
 
-        gather(t, close, own, scene, pose, b);
+        surface_contact_points_gather(t, close, own, scene, pose, b);
         keep_those_that_count(t, first, b->position_radius[own->owner][3]);
     }
 }

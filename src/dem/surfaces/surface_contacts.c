@@ -27,7 +27,7 @@ void surface_contacts_init(struct surface_contacts *c,
 }
 
 /* The arrays of the loop, which hold nothing from step to step. */
-static void free_arrays(struct surface_contacts *c)
+static void surface_contacts_free_arrays(struct surface_contacts *c)
 {
     free(c->position_radius);
     free(c->velocity);
@@ -43,7 +43,7 @@ void surface_contacts_release(struct surface_contacts *c)
     free(c->current.list);
     free(c->previous.list);
     free(c->saved.list);
-    free_arrays(c);
+    surface_contacts_free_arrays(c);
     free(c->pose);
     free(c->built);
     free(c->received);
@@ -67,7 +67,8 @@ void surface_contacts_sort(struct surface_histories *f)
     }
 }
 
-static void make_room(struct surface_contacts *c, int n, int rolls)
+static void surface_contacts_make_room(struct surface_contacts *c, int n,
+                                       int rolls)
 {
     struct chunk_contacts *const k = &c->pairs.contacts;
     const double deepest = c->pairs.max_overlap;
@@ -75,7 +76,7 @@ static void make_room(struct surface_contacts *c, int n, int rolls)
 
     if (n <= c->capacity) return;
     c->capacity = n + n / 2 + 64;
-    free_arrays(c);
+    surface_contacts_free_arrays(c);
     c->position_radius =
         alloc_zeroed(2 * (size_t)c->capacity, 4 * sizeof(double));
     c->velocity = alloc_zeroed(2 * (size_t)c->capacity, 8 * sizeof(double));
@@ -96,9 +97,9 @@ static void make_room(struct surface_contacts *c, int n, int rolls)
 
 /* The particle is at the origin, the sphere behind the surface r + R from it
  * along -n: their overlap is 2 R - (r + R) = R - r, at any r > -R. */
-static void put_spheres(struct surface_contacts *c,
-                        const struct surface_scene *scene, int q,
-                        const struct bodies *b)
+static void surface_contacts_put_spheres(struct surface_contacts *c,
+                                         const struct surface_scene *scene,
+                                         int q, const struct bodies *b)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
     double *const mine = c->position_radius[2 * q];
@@ -214,12 +215,12 @@ void surface_contacts_add_loads(struct surface_contacts *c,
 
     surface_contact_points_find(&c->touches, &c->close, scene, c->pose, b);
     const int n = c->touches.n;
-    make_room(c, n, s->has_rolling);
+    surface_contacts_make_room(c, n, s->has_rolling);
     c->previous = c->current;
     c->current = old;
     c->current.n = 0;
     for (int q = 0; q < n; q++) {
-        put_spheres(c, scene, q, b);
+        surface_contacts_put_spheres(c, scene, q, b);
         put_spring(c, q, &at);
     }
     c->pairs.contacts.n_pairs = n;

@@ -196,9 +196,9 @@ static void record_lost(struct bodies_survey *found, int i, int surface)
 }
 
 /* The surface that contains particle i or that it has passed through; or -1. */
-static int beyond(const struct surface_contacts *c,
-                  const struct surface_scene *scene, const struct bodies *b,
-                  int i, int fast)
+static int surfaces_beyond(const struct surface_contacts *c,
+                           const struct surface_scene *scene,
+                           const struct bodies *b, int i, int fast)
 {
     for (int k = 0; k < scene->n; k++)
         if (surface_contains(&scene->surface[k], &c->pose[k],
@@ -232,7 +232,7 @@ void surfaces_check_lost(const struct surfaces *sf, int s,
     if (found->lost > 0) return;
     for (int i = chunk->begin; i < chunk->end; i++) {
         const int fast = marks && moved2(b, i) > skin * skin;
-        const int surface = beyond(c, &sf->scene, b, i, fast);
+        const int surface = surfaces_beyond(c, &sf->scene, b, i, fast);
         if (surface >= 0) record_lost(found, i, surface);
     }
     if (!marks || found->lost > 0) return;

@@ -5,13 +5,14 @@
 
 #include "dem/surfaces/surface.h"
 
-static unsigned long add(unsigned long sum, const void *bytes, size_t n)
+static unsigned long surfaces_checksum_add(unsigned long sum, const void *bytes,
+                                           size_t n)
 {
     return crc32_z(sum, bytes, n);
 }
 
 /* Its place among the shapes. */
-static int number_of(const struct surface_shape *shape)
+static int surfaces_checksum_number_of(const struct surface_shape *shape)
 {
     int i = 0;
 
@@ -20,22 +21,27 @@ static int number_of(const struct surface_shape *shape)
     return i;
 }
 
-static unsigned long add_shape(unsigned long sum, const struct surface *s)
+static unsigned long surfaces_checksum_add_shape(unsigned long sum,
+                                                 const struct surface *s)
 {
-    const int whole[] = {number_of(s->shape), s->inside, s->material};
+    const int whole[] = {surfaces_checksum_number_of(s->shape), s->inside,
+                         s->material};
 
-    sum = add(sum, whole, sizeof whole);
-    if (s->shape->own_keys != NULL) sum = add(sum, s->own, sizeof s->own);
-    sum = add(sum, s->point, sizeof s->point);
-    sum = add(sum, s->normal, sizeof s->normal);
-    sum = add(sum, &s->radius, sizeof s->radius);
+    sum = surfaces_checksum_add(sum, whole, sizeof whole);
+    if (s->shape->own_keys != NULL)
+        sum = surfaces_checksum_add(sum, s->own, sizeof s->own);
+    sum = surfaces_checksum_add(sum, s->point, sizeof s->point);
+    sum = surfaces_checksum_add(sum, s->normal, sizeof s->normal);
+    sum = surfaces_checksum_add(sum, &s->radius, sizeof s->radius);
     if (s->triangles == NULL) return sum;
     const size_t n = (size_t)s->triangles->n;
-    return add(sum, s->triangles->corner, n * sizeof *s->triangles->corner);
+    return surfaces_checksum_add(sum, s->triangles->corner,
+                                 n * sizeof *s->triangles->corner);
 }
 
-static unsigned long add_pair(unsigned long sum, const struct dem_options *o,
-                              int material)
+static unsigned long surfaces_checksum_add_pair(unsigned long sum,
+                                                const struct dem_options *o,
+                                                int material)
 {
     const struct material_pair p =
         materials_pair(&o->material, o->materials, 0, material);
@@ -43,9 +49,9 @@ static unsigned long add_pair(unsigned long sum, const struct dem_options *o,
                             p.tangential,   p.restitution,    p.friction,
                             p.rolling};
 
-    sum = add(sum, known, sizeof known);
+    sum = surfaces_checksum_add(sum, known, sizeof known);
     return o->law->own_keys != NULL
-               ? add(sum, p.of[1]->own, sizeof p.of[1]->own)
+               ? surfaces_checksum_add(sum, p.of[1]->own, sizeof p.of[1]->own)
                : sum;
 }
 
@@ -54,9 +60,9 @@ unsigned long surfaces_checksum(const struct dem_options *o)
     unsigned long sum = 0;
 
     for (int k = 0; k < o->n_surfaces; k++) {
-        sum = add_shape(sum, &o->surfaces[k]);
+        sum = surfaces_checksum_add_shape(sum, &o->surfaces[k]);
         if (o->materials != NULL)
-            sum = add_pair(sum, o, o->surfaces[k].material);
+            sum = surfaces_checksum_add_pair(sum, o, o->surfaces[k].material);
     }
     return sum;
 }

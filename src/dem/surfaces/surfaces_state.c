@@ -53,8 +53,9 @@ void near_faces_state(struct near_faces *l, const char *name,
     state_end(s);
 }
 
-static void histories_state(struct surface_histories *f, const char *name,
-                            int capacity, struct state *s)
+static void surfaces_state_histories(struct surface_histories *f,
+                                     const char *name, int capacity,
+                                     struct state *s)
 {
     state_begin(s, name);
     state_count(s, "count", &f->n, INT_MAX);
@@ -86,10 +87,10 @@ static void set_poses(struct surface_contacts *c,
     }
 }
 
-static void contacts_state(struct surface_contacts *c,
-                           const struct surface_scene *scene,
-                           const struct chunk *chunk, int capacity,
-                           struct state *s)
+static void surfaces_state_contacts(struct surface_contacts *c,
+                                    const struct surface_scene *scene,
+                                    const struct chunk *chunk, int capacity,
+                                    struct state *s)
 {
     const int n = scene->n;
     struct surface_received *const all = c->received;
@@ -98,8 +99,8 @@ static void contacts_state(struct surface_contacts *c,
     state_real(s, "built_time", "s", &c->built_time);
     near_faces_state(&c->list, "list", scene, chunk, s);
     near_faces_state(&c->close, "close", scene, chunk, s);
-    histories_state(&c->current, "current", capacity, s);
-    histories_state(&c->saved, "saved", capacity, s);
+    surfaces_state_histories(&c->current, "current", capacity, s);
+    surfaces_state_histories(&c->saved, "saved", capacity, s);
     state_reals_of(s, "impulse", "N s", all->impulse, sizeof *all, n, 3);
     state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, n, 3);
     state_reals_of(s, "work", "J", &all->work, sizeof *all, n, 1);
@@ -123,7 +124,7 @@ void surfaces_state(struct surfaces *sf, const struct chunk *chunks,
     for (int k = 0; k < sf->n_chunks; k++) {
         struct surface_contacts *const c = &sf->chunk[k];
         state_begin_number(s, "chunk", k);
-        contacts_state(c, &sf->scene, &chunks[k], capacity, s);
+        surfaces_state_contacts(c, &sf->scene, &chunks[k], capacity, s);
         if (s->loading) set_poses(c, &sf->scene);
         if (sf->carried) carried_state(c, sf->scene.n, s);
         state_end(s);

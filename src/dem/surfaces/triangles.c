@@ -18,29 +18,29 @@ static void extent(const double corner[3][3], int k, double *lo, double *hi)
 }
 
 /* The cell of a coordinate, or the one at the end that it lies beyond. */
-static int cell_of(const struct triangles *t, int k, double x)
+static int triangles_cell_of(const struct triangles *t, int k, double x)
 {
     return number_clamped((x - t->lo[k]) * t->inverse[k], 0, t->cells[k] - 1);
 }
 
-static void range_of(const struct triangles *t, int i, int first[3],
-                     int last[3])
+static void triangles_range_of(const struct triangles *t, int i, int first[3],
+                               int last[3])
 {
     for (int k = 0; k < 3; k++) {
         double lo, hi;
         extent((const double(*)[3])t->corner[i], k, &lo, &hi);
-        first[k] = cell_of(t, k, lo);
-        last[k] = cell_of(t, k, hi);
+        first[k] = triangles_cell_of(t, k, lo);
+        last[k] = triangles_cell_of(t, k, hi);
     }
 }
 
-static int cell_number(const struct triangles *t, int x, int y, int z)
+static int triangles_cell_number(const struct triangles *t, int x, int y, int z)
 {
     return (z * t->cells[1] + y) * t->cells[0] + x;
 }
 
 /* Cells as wide as the mean triangle. */
-static void divide(struct triangles *t)
+static void triangles_divide(struct triangles *t)
 {
     for (int k = 0; k < 3; k++) {
         double sum = 0.0;
@@ -65,11 +65,11 @@ static void enter(struct triangles *t, int *member)
 {
     for (int i = t->n - 1; i >= 0; i--) {
         int first[3], last[3];
-        range_of(t, i, first, last);
+        triangles_range_of(t, i, first, last);
         for (int z = first[2]; z <= last[2]; z++)
             for (int y = first[1]; y <= last[1]; y++)
                 for (int x = first[0]; x <= last[0]; x++) {
-                    int *const c = &t->start[cell_number(t, x, y, z)];
+                    int *const c = &t->start[triangles_cell_number(t, x, y, z)];
                     if (member != NULL)
                         member[--*c] = i;
                     else
@@ -85,7 +85,7 @@ struct triangles *triangles_create(int n, double (*corner)[3][3])
     t->n = n;
     t->corner = alloc_zeroed((size_t)n, sizeof *t->corner);
     memcpy(t->corner, corner, (size_t)n * sizeof *t->corner);
-    divide(t);
+    triangles_divide(t);
 
     const int cells = t->cells[0] * t->cells[1] * t->cells[2];
     t->start = alloc_ints(cells + 1);
@@ -108,7 +108,7 @@ void triangles_free(struct triangles *t)
     free(t);
 }
 
-static void add(struct triangle_list *list, int i)
+static void triangles_add(struct triangle_list *list, int i)
 {
     if (list->n == list->capacity) {
         list->capacity = 2 * list->capacity + 64;
@@ -125,14 +125,14 @@ static int is_first_common_cell(const struct triangles *t, int i,
 {
     int first[3], last[3];
 
-    range_of(t, i, first, last);
+    triangles_range_of(t, i, first, last);
     for (int k = 0; k < 3; k++)
         if (cell[k] != (first[k] > from[k] ? first[k] : from[k])) return 0;
     return 1;
 }
 
-static int is_within(const struct triangles *t, int i, const double y[3],
-                     double reach)
+static int triangles_is_within(const struct triangles *t, int i,
+                               const double y[3], double reach)
 {
     for (int k = 0; k < 3; k++) {
         double lo, hi;
@@ -146,12 +146,13 @@ static void search(const struct triangles *t, const double y[3], double reach,
                    const int from[3], const int cell[3],
                    struct triangle_list *found)
 {
-    const int c = cell_number(t, cell[0], cell[1], cell[2]);
+    const int c = triangles_cell_number(t, cell[0], cell[1], cell[2]);
 
     for (int q = t->start[c]; q < t->start[c + 1]; q++) {
         const int i = t->member[q];
-        if (is_first_common_cell(t, i, from, cell) && is_within(t, i, y, reach))
-            add(found, i);
+        if (is_first_common_cell(t, i, from, cell) &&
+            triangles_is_within(t, i, y, reach))
+            triangles_add(found, i);
     }
 }
 
@@ -163,8 +164,8 @@ void triangles_near(const struct triangles *t, const double y[3], double reach,
     found->n = 0;
     for (int k = 0; k < 3; k++) {
         if (y[k] + reach < t->lo[k] || y[k] - reach > t->hi[k]) return;
-        from[k] = cell_of(t, k, y[k] - reach);
-        to[k] = cell_of(t, k, y[k] + reach);
+        from[k] = triangles_cell_of(t, k, y[k] - reach);
+        to[k] = triangles_cell_of(t, k, y[k] + reach);
     }
     for (int z = from[2]; z <= to[2]; z++)
         for (int x = from[1]; x <= to[1]; x++)

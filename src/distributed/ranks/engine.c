@@ -27,7 +27,7 @@ void engine_give(int order, int detail, const char *path)
     MPI_Bcast(&m, sizeof m, MPI_BYTE, 0, MPI_COMM_WORLD);
 }
 
-static void join(struct processes *self, enum processes_order order)
+static void engine_join(struct processes *self, enum processes_order order)
 {
     engine_give((int)order, 0, "");
     if (order == PROCESSES_ROW || order == PROCESSES_ROW_DONE)
@@ -48,8 +48,8 @@ static int write_pieces(struct processes *self, const char *path,
     return pieces_write(of(self)->part, s, path);
 }
 
-static void gather(struct processes *self, const struct snapshot *part,
-                   struct snapshot *whole)
+static void engine_gather(struct processes *self, const struct snapshot *part,
+                          struct snapshot *whole)
 {
     const int with = of(self)->whole.particles != NULL;
 
@@ -85,7 +85,7 @@ static int free_slot(const char *dir)
 }
 
 /* The checksum of a file [-]; -1 if it cannot be read. */
-static long checksum_of(const char *path)
+static long engine_checksum_of(const char *path)
 {
     unsigned char bytes[65536];
     FILE *const f = fopen(path, "rb");
@@ -99,7 +99,7 @@ static long checksum_of(const char *path)
 }
 
 /* The cells and the spheres have files of their own. */
-static void visit(struct processes *self, struct state *s)
+static void engine_visit(struct processes *self, struct state *s)
 {
     struct engine *const e = of(self);
     int slot = s->loading ? 0 : free_slot(e->dir);
@@ -112,7 +112,7 @@ static void visit(struct processes *self, struct state *s)
     state_end(s);
     cells = found = engine_visit_part(e, e->dir, slot, s, s->loading);
     engine_slot_file(e->dir, "grains", slot, path);
-    grains = s->loading ? 0 : checksum_of(path);
+    grains = s->loading ? 0 : engine_checksum_of(path);
     state_begin(s, "processes");
     state_long(s, "cells", "-", &cells);
     state_long(s, "grains", "-", &grains);
@@ -123,7 +123,7 @@ static void visit(struct processes *self, struct state *s)
     s->failed |= found < 0 || found != cells;
 }
 
-static void release(struct processes *self)
+static void engine_release(struct processes *self)
 {
     struct engine *const e = of(self);
 
@@ -172,7 +172,7 @@ static int find_spheres(const char *dir, char path[ENGINE_PATH])
     engine_slot_file(dir, "grains", (int)slot, path);
     if (slot < 0.0)
         fprintf(stderr, "winnow: %s/%s is not of several ranks\n", dir, file);
-    else if ((double)checksum_of(path) !=
+    else if ((double)engine_checksum_of(path) !=
              number_in(dir, file, "/processes/grains"))
         fprintf(stderr, "winnow: %s is missing or damaged\n", path);
     else
@@ -180,8 +180,8 @@ static int find_spheres(const char *dir, char path[ENGINE_PATH])
     return 1;
 }
 
-static struct simulation *build(const struct settings *s, const char *dir,
-                                int resumes, int *code)
+static struct simulation *engine_build(const struct settings *s,
+                                       const char *dir, int resumes, int *code)
 {
     struct engine *const e = alloc_zeroed(1, sizeof *e);
     char file[ENGINE_PATH] = "";
@@ -198,16 +198,16 @@ static struct simulation *build(const struct settings *s, const char *dir,
         free(e);
         return NULL;
     }
-    e->hooks.join = join;
+    e->hooks.join = engine_join;
     e->hooks.write = write_pieces;
-    e->hooks.gather = gather;
-    e->hooks.state = visit;
-    e->hooks.free = release;
+    e->hooks.gather = engine_gather;
+    e->hooks.state = engine_visit;
+    e->hooks.free = engine_release;
     outline(e);
     return e->part->sim;
 }
 
-static int check(const struct settings *s)
+static int engine_check(const struct settings *s)
 {
     struct partition p;
     int code = refusal_engine(s);
@@ -218,7 +218,7 @@ static int check(const struct settings *s)
 }
 
 static const struct processes_engine of_ranks = {
-    .check = check, .build = build, .summary = &engine_summary};
+    .check = engine_check, .build = engine_build, .summary = &engine_summary};
 const struct processes_engine *const processes_engine = &of_ranks;
 
 void engine_stop(int code)

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 /* Lists the files of the three slots. */
-static void *create(const struct recorder_view *v, int *failed)
+static void *engine_summary_create(const struct recorder_view *v, int *failed)
 {
     char name[64];
     ((struct engine *)v->sim->processes)->folder = v->folder;
@@ -20,12 +20,12 @@ static void *create(const struct recorder_view *v, int *failed)
     return *failed ? NULL : v->sim->processes;
 }
 
-static void release(void *part)
+static void engine_summary_release(void *part)
 {
     (void)part; /* which build_free releases */
 }
 
-static void summarize(const void *of, struct summary *f)
+static void engine_summary_summarize(const void *of, struct summary *f)
 {
     struct engine *const e = *(struct engine *const *)&of;
     const struct partition *const p = &e->part->p;
@@ -58,5 +58,7 @@ static void summarize(const void *of, struct summary *f)
     free(all);
 }
 
-const struct recorder_part engine_summary = {
-    .create = create, .free = release, .summarize = summarize};
+const struct recorder_part engine_summary = {.create = engine_summary_create,
+                                             .free = engine_summary_release,
+                                             .summarize =
+                                                 engine_summary_summarize};

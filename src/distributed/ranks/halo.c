@@ -18,7 +18,7 @@ struct halo {
 };
 
 /* What PETSc cannot do here is a bug or a lack of memory. */
-static void must(PetscErrorCode error)
+static void halo_must(PetscErrorCode error)
 {
     if (error != 0) MPI_Abort(MPI_COMM_WORLD, 4);
 }
@@ -38,10 +38,10 @@ static void make_forest(struct halo *h, const struct partition *p)
         root[leaves].index = local;
         leaf[leaves++] = c;
     }
-    must(PetscSFCreate(h->comm, &h->sf));
-    must(PetscSFSetGraph(h->sf, h->n, leaves, leaf, PETSC_COPY_VALUES, root,
-                         PETSC_COPY_VALUES));
-    must(PetscSFSetUp(h->sf));
+    halo_must(PetscSFCreate(h->comm, &h->sf));
+    halo_must(PetscSFSetGraph(h->sf, h->n, leaves, leaf, PETSC_COPY_VALUES,
+                              root, PETSC_COPY_VALUES));
+    halo_must(PetscSFSetUp(h->sf));
     free(leaf);
     free(root);
 }
@@ -69,7 +69,7 @@ struct halo *halo_create(const struct partition *p, MPI_Comm comm)
 void halo_free(struct halo *h)
 {
     if (h == NULL) return;
-    must(PetscSFDestroy(&h->sf));
+    halo_must(PetscSFDestroy(&h->sf));
     for (int m = 2; m <= MOST_FIELDS; m++)
         MPI_Type_free(&h->unit[m]);
     free(h->own);
@@ -79,14 +79,14 @@ void halo_free(struct halo *h)
 
 void halo_refresh(struct halo *h, int m, double *field)
 {
-    must(PetscSFBcastBegin(h->sf, h->unit[m], field, field, MPI_REPLACE));
-    must(PetscSFBcastEnd(h->sf, h->unit[m], field, field, MPI_REPLACE));
+    halo_must(PetscSFBcastBegin(h->sf, h->unit[m], field, field, MPI_REPLACE));
+    halo_must(PetscSFBcastEnd(h->sf, h->unit[m], field, field, MPI_REPLACE));
 }
 
 void halo_add(struct halo *h, int m, double *field)
 {
-    must(PetscSFReduceBegin(h->sf, h->unit[m], field, field, MPI_SUM));
-    must(PetscSFReduceEnd(h->sf, h->unit[m], field, field, MPI_SUM));
+    halo_must(PetscSFReduceBegin(h->sf, h->unit[m], field, field, MPI_SUM));
+    halo_must(PetscSFReduceEnd(h->sf, h->unit[m], field, field, MPI_SUM));
 }
 
 void halo_refresh_faces(struct halo *h, const struct face_places *at,

@@ -66,7 +66,7 @@ static const double cell_cost = 8e-6, particle_cost = 0.23e-6;
 
 /* The planes at equal shares of the work of cells and of the particles where
  * they are now. */
-static void cut(struct part *part)
+static void part_cut(struct part *part)
 {
     struct partition *const p = &part->p;
     const double each = particle_cost * part->sim->dem_steps;
@@ -93,7 +93,7 @@ struct offer {
     struct sphere *list;
 };
 
-static void offer(struct offer *o, const struct sphere *s)
+static void part_offer(struct offer *o, const struct sphere *s)
 {
     for (int k = 0; k < 3; k++)
         if (!(s->x[k] >= o->lo[k] && s->x[k] <= o->hi[k])) return;
@@ -112,8 +112,9 @@ static void offer_of_bed(void *to, int i, const double x[3], double d)
     struct offer *const o = to;
     const double m = o->density * M_PI / 6.0 * d * d * d;
 
-    offer(o, &(struct sphere){
-                 .id = i, .type = 1, .x = {x[0], x[1], x[2]}, .d = d, .m = m});
+    part_offer(
+        o, &(struct sphere){
+               .id = i, .type = 1, .x = {x[0], x[1], x[2]}, .d = d, .m = m});
 }
 
 static void offer_placed(const struct settings *s, struct offer *o)
@@ -132,13 +133,14 @@ static void offer_placed(const struct settings *s, struct offer *o)
         settings_item_vector(s, list, i, "position", one.x);
         settings_item_vector(s, list, i, "velocity", one.v);
         settings_item_vector(s, list, i, "spin", one.w);
-        offer(o, &one);
+        part_offer(o, &one);
     }
 }
 
 /* Each rank goes through the whole lattice, or list, and takes its own. */
-static int add_all(struct part *part, const struct settings *s,
-                   const struct bed_options *bed, const struct dem_options *dem)
+static int part_add_all(struct part *part, const struct settings *s,
+                        const struct bed_options *bed,
+                        const struct dem_options *dem)
 {
     struct partition *const p = &part->p;
     struct offer o = {.n = 0};
@@ -162,8 +164,9 @@ static int add_all(struct part *part, const struct settings *s,
     return wrong;
 }
 
-static void print_settled(const struct part *part, const struct settings *s,
-                          const struct bed_report *r)
+static void part_print_settled(const struct part *part,
+                               const struct settings *s,
+                               const struct bed_report *r)
 {
     if (part->p.rank == 0 && !settings_quiet(s))
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
@@ -172,7 +175,7 @@ static void print_settled(const struct part *part, const struct settings *s,
 }
 
 /* The spheres of the case, where they are before the first step. */
-static int place(struct part *part, const struct settings *s)
+static int part_place(struct part *part, const struct settings *s)
 {
     const int has_bed = settings_has(s, "particles.bed");
     const struct dem_options dem = particle_options_dem(s, part->sim->dt);
@@ -181,7 +184,7 @@ static int place(struct part *part, const struct settings *s)
     double d;
 
     if (has_bed) bed = particle_options_bed(s);
-    int code = add_all(part, s, has_bed ? &bed : NULL, &dem) ? 2 : 0;
+    int code = part_add_all(part, s, has_bed ? &bed : NULL, &dem) ? 2 : 0;
     const long n = spheres_all(part->spheres, &d);
     if (code == 0 && n > 0 && bed.settle > 0.0 &&
         vector_length(bed.gravity) > 0.0) {
@@ -189,7 +192,7 @@ static int place(struct part *part, const struct settings *s)
             limits_step(dem.law, &dem.material, bed.diameter, bed.density, 1.0);
         const struct words w = words_of(s, d);
         spheres_settle(part->spheres, &w, step, &bed, &r);
-        print_settled(part, s, &r);
+        part_print_settled(part, s, &r);
     }
     particle_options_release(&bed);
     return code;
@@ -197,8 +200,8 @@ static int place(struct part *part, const struct settings *s)
 
 /* --- the simulation of a part --------------------------------------------- */
 
-static void add_fluid(struct part *part, const struct settings *s,
-                      const int cut_off[6])
+static void part_add_fluid(struct part *part, const struct settings *s,
+                           const int cut_off[6])
 {
     struct simulation *const sim = part->sim;
     int local;
@@ -229,7 +232,8 @@ static int capacity(int share, long all)
     return (double)all < most ? (int)all : (int)most;
 }
 
-static int add_particles(struct part *part, const struct settings *s, long all)
+static int part_add_particles(struct part *part, const struct settings *s,
+                              long all)
 {
     struct simulation *const sim = part->sim;
     struct dem_options o = particle_options_dem(s, sim->dt / sim->dem_steps);
@@ -321,7 +325,8 @@ static void find_own(struct part *part)
  */
 
 /* Cells, fluid and coupling, where the spheres are. */
-static int add_fields(struct part *part, const struct settings *s, long all)
+static int part_add_fields(struct part *part, const struct settings *s,
+                           long all)
 {
     struct simulation *const sim = part->sim;
     int cut_off[6];
@@ -331,9 +336,9 @@ static int add_fields(struct part *part, const struct settings *s, long all)
     part->places = partition_faces(sim->mesh, cut_off);
     part->solve =
         solve_create(sim->mesh, part->halo, &part->places, part->comm);
-    add_fluid(part, s, cut_off);
+    part_add_fluid(part, s, cut_off);
     find_own(part);
-    const int code = add_particles(part, s, all);
+    const int code = part_add_particles(part, s, all);
     return code != 0 ? code : add_coupling(part, s);
 }
 
@@ -352,12 +357,12 @@ struct part *part_create(const struct settings *s, MPI_Comm comm,
     if (*code != 0) return part;
     struct words w = words_of(s, d);
     part->spheres = spheres_create(&part->p, &w, file, comm);
-    if (file == NULL) *code = place(part, s);
+    if (file == NULL) *code = part_place(part, s);
     if (*code != 0) return part;
     const long all = spheres_all(part->spheres, &d);
     w = words_of(s, d);
-    cut(part);
-    *code = add_fields(part, s, all);
+    part_cut(part);
+    *code = part_add_fields(part, s, all);
     if (*code == 0) spheres_begin(part->spheres, sim->dem, &w);
     return part;
 }

@@ -214,7 +214,7 @@ struct mesh *partition_mesh(const struct partition *p, int cut[6])
 }
 
 /* The direction that a face is normal to. */
-static int direction(const struct mesh *m, int f)
+static int partition_direction(const struct mesh *m, int f)
 {
     int k = 0;
 
@@ -231,11 +231,11 @@ struct face_places partition_faces(const struct mesh *m, const int cut[6])
     memset(p.up, -1, 3 * (size_t)m->n_cells * sizeof *p.up);
     memset(p.down, -1, 3 * (size_t)m->n_cells * sizeof *p.down);
     for (int f = 0; f < m->n_internal; f++)
-        p.up[3 * m->owner[f] + direction(m, f)] = f;
+        p.up[3 * m->owner[f] + partition_direction(m, f)] = f;
     for (int i = 0; i < m->n_patches; i++)
         for (int f = m->patches[i].first;
              f < m->patches[i].first + m->patches[i].n && !cut[i]; f++) {
-            const int k = direction(m, f), at = 3 * m->owner[f] + k;
+            const int k = partition_direction(m, f), at = 3 * m->owner[f] + k;
             *(m->S[3 * f + k] > 0.0 ? &p.up[at] : &p.down[at]) = f;
         }
     return p;

@@ -20,13 +20,13 @@ int engine_agree(int code)
     return code;
 }
 
-static void sum(struct processes *self, int n, double *x)
+static void serve_sum(struct processes *self, int n, double *x)
 {
     (void)self;
     MPI_Allreduce(MPI_IN_PLACE, x, n, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
 }
 
-static int largest(struct processes *self, int x)
+static int serve_largest(struct processes *self, int x)
 {
     (void)self;
     return engine_agree(x);
@@ -69,8 +69,8 @@ int engine_build_part(struct engine *e, const char *file)
     p->particles = e->part->sim->particles->next_id;
     p->V = e->part->V;
     p->join = join_nothing;
-    p->sum = sum;
-    p->largest = largest;
+    p->sum = serve_sum;
+    p->largest = serve_largest;
     e->part->sim->processes = p;
     return 0;
 }
@@ -165,7 +165,8 @@ static struct settings *read_case(int argc, char **argv)
     return s;
 }
 
-static void build(struct engine *e, int argc, char **argv, const char *file)
+static void serve_build(struct engine *e, int argc, char **argv,
+                        const char *file)
 {
     struct settings *const s = read_case(argc, argv);
 
@@ -177,7 +178,7 @@ static void build(struct engine *e, int argc, char **argv, const char *file)
 }
 
 /* The same sums in the same order as the recorder makes them. */
-static void add_row(struct engine *e)
+static void serve_add_row(struct engine *e)
 {
     const struct simulation *const sim = e->part->sim;
 
@@ -195,7 +196,7 @@ static void obey(struct engine *e, const struct message *m)
     if (m->order == PROCESSES_START) coupling_start(part->sim);
     if (m->order == PROCESSES_STEP) coupling_step(part->sim);
     if (m->order == PROCESSES_SNAPSHOT) snapshot_take(e->last, part->sim);
-    if (m->order == PROCESSES_ROW) add_row(e);
+    if (m->order == PROCESSES_ROW) serve_add_row(e);
     if (m->order == PROCESSES_ROW_DONE) part_count_own(part);
     if (m->order == WRITE) pieces_write(part, e->last, m->path);
     if (m->order == GATHER) pieces_gather(part, e->last, NULL, m->detail);
@@ -215,7 +216,7 @@ int engine_serve(int argc, char **argv)
     while (m.order != STOP) {
         MPI_Bcast(&m, sizeof m, MPI_BYTE, 0, MPI_COMM_WORLD);
         if (m.order == BUILD)
-            build(&e, argc, argv, m.path);
+            serve_build(&e, argc, argv, m.path);
         else
             obey(&e, &m);
     }

@@ -26,7 +26,7 @@ struct diffuser {
 
 /* The coefficients up to where the rest of them is less than the tolerance; all
  * are positive, and together 1 (linear/chebyshev.c). */
-static void find_coefficients(struct diffuser *t, double z)
+static void smoothing_find_coefficients(struct diffuser *t, double z)
 {
     double sum = 0.0, left = 1.0;
     int k = 0;
@@ -40,8 +40,8 @@ static void find_coefficients(struct diffuser *t, double z)
     t->c[0] += 1.0 - sum; /* so that a constant stays as it is */
 }
 
-static void *create(const struct cell_of_particle *h,
-                    const struct averaging_options *o)
+static void *smoothing_create(const struct cell_of_particle *h,
+                              const struct averaging_options *o)
 {
     struct diffuser *const t = alloc_zeroed(1, sizeof *t);
     const struct mesh *const m = h->mesh;
@@ -52,7 +52,7 @@ static void *create(const struct cell_of_particle *h,
     if (s->bandwidth == 0.0) return t;
     const double lambda = 2.0 * halo_largest(s->h, mesh_diffusion_rate(m));
     t->factor = lambda > 0.0 ? 2.0 / lambda : 0.0;
-    find_coefficients(t, lambda * diffusion_time(s->bandwidth));
+    smoothing_find_coefficients(t, lambda * diffusion_time(s->bandwidth));
     t->link = alloc_doubles(m->n_internal);
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
@@ -65,7 +65,7 @@ static void *create(const struct cell_of_particle *h,
     return t;
 }
 
-static void release(void *state)
+static void smoothing_release(void *state)
 {
     struct diffuser *const t = state;
 
@@ -78,8 +78,9 @@ static void release(void *state)
 
 /* next = factor (y - (2 / lambda) L y) - before, of the own cells, and then of
  * all. */
-static void product(const struct diffuser *t, int m, double factor,
-                    const double *y, const double *before, double *next)
+static void smoothing_product(const struct diffuser *t, int m, double factor,
+                              const double *y, const double *before,
+                              double *next)
 {
     const struct mesh *const mesh = t->s.mesh;
     const int n = m * mesh->n_cells;
@@ -99,18 +100,18 @@ static void product(const struct diffuser *t, int m, double factor,
 }
 
 /* u becomes exp(-T L) u; the copies must be those of the owners. */
-static void smooth(struct diffuser *t, int m, double *u)
+static void smoothing_smooth(struct diffuser *t, int m, double *u)
 {
     const int n = m * t->s.mesh->n_cells;
     double *before = t->y[0], *y = t->y[1], *next = t->y[2];
 
     if (t->s.bandwidth == 0.0) return;
     memcpy(before, u, (size_t)n * sizeof *u);
-    product(t, m, 1.0, before, NULL, y);
+    smoothing_product(t, m, 1.0, before, NULL, y);
     for (int i = 0; i < n; i++)
         u[i] = t->c[0] * before[i] + t->c[1] * y[i];
     for (int k = 2; k <= t->products; k++) {
-        product(t, m, 2.0, y, before, next);
+        smoothing_product(t, m, 2.0, y, before, next);
         for (int i = 0; i < n; i++)
             u[i] += t->c[k] * next[i];
         double *const oldest = before;
@@ -120,21 +121,21 @@ static void smooth(struct diffuser *t, int m, double *u)
     }
 }
 
-static void spread(void *state, int m, const double *q, double *field,
-                   struct averaging_report *r)
+static void smoothing_spread(void *state, int m, const double *q, double *field,
+                             struct averaging_report *r)
 {
     struct diffuser *const t = state;
 
     cell_of_particle_sum(t->cells, m, q, field);
     halo_add(t->s.h, m, field);
     halo_refresh(t->s.h, m, field);
-    smooth(t, m, field);
+    smoothing_smooth(t, m, field);
     r->products = t->products;
     r->worst = (struct solve_report){.converged = 1};
 }
 
-static void gather(void *state, int m, const double *field, double *q,
-                   struct averaging_report *r)
+static void smoothing_gather(void *state, int m, const double *field, double *q,
+                             struct averaging_report *r)
 {
     struct diffuser *const t = state;
     const double *smoothed = field;
@@ -143,7 +144,7 @@ static void gather(void *state, int m, const double *field, double *q,
     if (t->s.bandwidth > 0.0) {
         memcpy(t->sum, field,
                (size_t)m * (size_t)t->s.mesh->n_cells * sizeof *field);
-        smooth(t, m, t->sum);
+        smoothing_smooth(t, m, t->sum);
         smoothed = t->sum;
     }
     cell_of_particle_value(t->cells, m, smoothed, q);
@@ -153,9 +154,9 @@ const struct averaging_method smoothing_method = {
     .name = "ranks",
     .what = "pcm or diffusion over the cells of all ranks",
     .equations = "SX15 4-9",
-    .function = "smooth",
-    .create = create,
-    .free = release,
-    .spread = spread,
-    .gather = gather,
+    .function = "smoothing_smooth",
+    .create = smoothing_create,
+    .free = smoothing_release,
+    .spread = smoothing_spread,
+    .gather = smoothing_gather,
 };

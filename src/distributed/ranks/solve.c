@@ -30,7 +30,7 @@ struct solve {
     double relabelled[3]; /* [N s] of all ranks */
 };
 
-static void must(PetscErrorCode error)
+static void solve_must(PetscErrorCode error)
 {
     if (error != 0) MPI_Abort(MPI_COMM_WORLD, 4);
 }
@@ -90,21 +90,21 @@ static void create_matrix(struct solve *s, int which, PetscInt n, PetscInt *i,
     PC pc;
     KSP *const ksp = &s->ksp[which];
 
-    must(MatCreate(comm, &s->A[which]));
-    must(MatSetSizes(s->A[which], s->rows, s->rows, PETSC_DETERMINE,
-                     PETSC_DETERMINE));
-    must(MatSetType(s->A[which], MATAIJ));
-    must(MatSetPreallocationCOO(s->A[which], n, i, j));
-    must(KSPCreate(comm, ksp));
-    must(KSPSetOptionsPrefix(*ksp, which ? "p_" : "u_"));
-    must(KSPSetType(*ksp, which ? KSPCG : KSPBCGS));
-    must(KSPGetPC(*ksp, &pc));
-    must(PCSetType(pc, which ? PCGAMG : PCJACOBI));
-    if (which == 0) must(KSPSetPCSide(*ksp, PC_RIGHT));
-    must(KSPSetNormType(*ksp, KSP_NORM_UNPRECONDITIONED));
-    must(KSPSetInitialGuessNonzero(*ksp, PETSC_TRUE));
-    must(KSPSetFromOptions(*ksp));
-    if (which == 1) must(KSPConvergedDefaultSetUIRNorm(*ksp));
+    solve_must(MatCreate(comm, &s->A[which]));
+    solve_must(MatSetSizes(s->A[which], s->rows, s->rows, PETSC_DETERMINE,
+                           PETSC_DETERMINE));
+    solve_must(MatSetType(s->A[which], MATAIJ));
+    solve_must(MatSetPreallocationCOO(s->A[which], n, i, j));
+    solve_must(KSPCreate(comm, ksp));
+    solve_must(KSPSetOptionsPrefix(*ksp, which ? "p_" : "u_"));
+    solve_must(KSPSetType(*ksp, which ? KSPCG : KSPBCGS));
+    solve_must(KSPGetPC(*ksp, &pc));
+    solve_must(PCSetType(pc, which ? PCGAMG : PCJACOBI));
+    if (which == 0) solve_must(KSPSetPCSide(*ksp, PC_RIGHT));
+    solve_must(KSPSetNormType(*ksp, KSP_NORM_UNPRECONDITIONED));
+    solve_must(KSPSetInitialGuessNonzero(*ksp, PETSC_TRUE));
+    solve_must(KSPSetFromOptions(*ksp));
+    if (which == 1) solve_must(KSPConvergedDefaultSetUIRNorm(*ksp));
 }
 
 static void create_systems(struct solve *s, MPI_Comm comm)
@@ -120,31 +120,32 @@ static void create_systems(struct solve *s, MPI_Comm comm)
     }
     s->entry = alloc_zeroed(most, sizeof *s->entry);
     s->diag = alloc_doubles(s->m->n_cells);
-    must(MatCreateVecs(s->A[0], &s->x, &s->b));
+    solve_must(MatCreateVecs(s->A[0], &s->x, &s->b));
     free(row);
     free(i);
     free(j);
 }
 
 /* Own cells of every stride-th number, to or from a vector. */
-static void put(const struct solve *s, Vec v, const double *from, int stride)
+static void solve_put(const struct solve *s, Vec v, const double *from,
+                      int stride)
 {
     double *x;
 
-    must(VecGetArray(v, &x));
+    solve_must(VecGetArray(v, &x));
     for (int c = 0, o = 0; c < s->m->n_cells; c++)
         if (s->own[c]) x[o++] = from[(long)stride * c];
-    must(VecRestoreArray(v, &x));
+    solve_must(VecRestoreArray(v, &x));
 }
 
-static void take(const struct solve *s, Vec v, double *to, int stride)
+static void solve_take(const struct solve *s, Vec v, double *to, int stride)
 {
     const double *x;
 
-    must(VecGetArrayRead(v, &x));
+    solve_must(VecGetArrayRead(v, &x));
     for (int c = 0, o = 0; c < s->m->n_cells; c++)
         if (s->own[c]) to[(long)stride * c] = x[o++];
-    must(VecRestoreArrayRead(v, &x));
+    solve_must(VecRestoreArrayRead(v, &x));
 }
 
 static struct solve_report report_of(KSP ksp)
@@ -153,9 +154,9 @@ static struct solve_report report_of(KSP ksp)
     PetscReal residual;
     KSPConvergedReason why;
 
-    must(KSPGetIterationNumber(ksp, &iterations));
-    must(KSPGetResidualNorm(ksp, &residual));
-    must(KSPGetConvergedReason(ksp, &why));
+    solve_must(KSPGetIterationNumber(ksp, &iterations));
+    solve_must(KSPGetResidualNorm(ksp, &residual));
+    solve_must(KSPGetConvergedReason(ksp, &why));
     return (struct solve_report){
         .iterations = (int)iterations, .after = residual, .converged = why > 0};
 }
@@ -163,12 +164,12 @@ static struct solve_report report_of(KSP ksp)
 static struct solve_report solve_one(struct solve *s, int which,
                                      const double *b, double *x, int stride)
 {
-    must(MatSetValuesCOO(s->A[which], s->entry, INSERT_VALUES));
-    put(s, s->b, b, stride);
-    put(s, s->x, x, stride);
-    must(KSPSetOperators(s->ksp[which], s->A[which], s->A[which]));
-    must(KSPSolve(s->ksp[which], s->b, s->x));
-    take(s, s->x, x, stride);
+    solve_must(MatSetValuesCOO(s->A[which], s->entry, INSERT_VALUES));
+    solve_put(s, s->b, b, stride);
+    solve_put(s, s->x, x, stride);
+    solve_must(KSPSetOperators(s->ksp[which], s->A[which], s->A[which]));
+    solve_must(KSPSolve(s->ksp[which], s->b, s->x));
+    solve_take(s, s->x, x, stride);
     return report_of(s->ksp[which]);
 }
 
@@ -192,8 +193,8 @@ static struct solve_report solve_momentum(void *parts, struct fluid *fl,
     const struct momentum_system *const m = fl->momentum;
     struct solve_report worst = {-1, 0.0, 0.0, 1};
 
-    must(KSPSetTolerances(s->ksp[0], 0.0, tolerance * norm_of(s, m->rhs),
-                          PETSC_DEFAULT, 200));
+    solve_must(KSPSetTolerances(s->ksp[0], 0.0, tolerance * norm_of(s, m->rhs),
+                                PETSC_DEFAULT, 200));
     for (int k = 0; k < 3; k++) {
         fill_entries(s, m->diag3 + k, 3, m->matrix->upper, m->matrix->lower,
                      1.0);
@@ -219,7 +220,8 @@ static struct solve_report solve_pressure(void *parts, struct fluid *fl,
         s->diag[s->m->neighbour[f]] += p->conductance[f];
     }
     absolute = halo_largest(s->h, absolute);
-    must(KSPSetTolerances(s->ksp[1], relative, absolute, PETSC_DEFAULT, 500));
+    solve_must(
+        KSPSetTolerances(s->ksp[1], relative, absolute, PETSC_DEFAULT, 500));
     fill_entries(s, s->diag, 1, p->conductance, p->conductance, -1.0);
     const struct solve_report r = solve_one(s, 1, p->divergence, fl->p, 1);
     halo_refresh(s->h, 1, fl->p);
@@ -233,7 +235,7 @@ static void corrected(void *parts, struct fluid *fl)
     halo_refresh(s->h, 3, fl->u);
 }
 
-static double residual(void *parts, const struct fluid *fl)
+static double solve_residual(void *parts, const struct fluid *fl)
 {
     const struct solve *const s = parts;
     const struct momentum_system *const m = fl->momentum;
@@ -267,7 +269,7 @@ void solve_refresh(struct solve *s, struct fluid *fl)
 
 /* The reports of the own cells: what continuity_residual left in its work
  * space, and the momentum that averaging relabelled. */
-static void measure(struct solve *s, struct fluid *fl)
+static void solve_measure(struct solve *s, struct fluid *fl)
 {
     const struct pressure_system *const p = fl->pressure;
     const double dt = fl->options.dt;
@@ -296,12 +298,12 @@ static int finished(void *parts, struct fluid *fl, int failed)
 {
     struct solve *const s = parts;
 
-    measure(s, fl);
+    solve_measure(s, fl);
     solve_refresh(s, fl);
     return halo_largest(s->h, failed) > 0.0;
 }
 
-static double largest(void *parts, double x)
+static double solve_largest(void *parts, double x)
 {
     const struct solve *const s = parts;
 
@@ -323,9 +325,9 @@ struct solve *solve_create(const struct mesh *m, struct halo *h,
     s->shared = (struct shared_solution){.momentum = solve_momentum,
                                          .pressure = solve_pressure,
                                          .corrected = corrected,
-                                         .residual = residual,
+                                         .residual = solve_residual,
                                          .finished = finished,
-                                         .largest = largest,
+                                         .largest = solve_largest,
                                          .parts = s};
     return s;
 }
@@ -334,11 +336,11 @@ void solve_free(struct solve *s)
 {
     if (s == NULL) return;
     for (int i = 0; i < 2; i++) {
-        must(KSPDestroy(&s->ksp[i]));
-        must(MatDestroy(&s->A[i]));
+        solve_must(KSPDestroy(&s->ksp[i]));
+        solve_must(MatDestroy(&s->A[i]));
     }
-    must(VecDestroy(&s->b));
-    must(VecDestroy(&s->x));
+    solve_must(VecDestroy(&s->b));
+    solve_must(VecDestroy(&s->x));
     free(s->entry);
     free(s->diag);
     free(s);

@@ -123,7 +123,7 @@ void spheres_add(struct spheres *q, int n, const struct sphere *s)
 }
 
 /* LAMMPS cuts the box where the cells are cut. */
-static void cut(struct spheres *q)
+static void spheres_cut(struct spheres *q)
 {
     char line[4096] = "balance 1.0";
     size_t n = strlen(line);
@@ -169,7 +169,7 @@ static void copy_kept(const struct spheres *q, int i, double *row, int to_row)
 
 /* The spheres of this rank, as LAMMPS has them now. Returns how many are
  * more than there is room for. */
-static int pull(struct spheres *q)
+static int spheres_pull(struct spheres *q)
 {
     struct particles *const ps = q->dem->ps;
     double **const x = spheres_rows(q, "x"), **const v = spheres_rows(q, "v");
@@ -200,7 +200,7 @@ static int pull(struct spheres *q)
 }
 
 /* The external force, and what is kept, to LAMMPS. */
-static void push(struct spheres *q)
+static void spheres_push(struct spheres *q)
 {
     const struct particles *const ps = q->dem->ps;
     double **const F = lammps_fix_external_get_force(q->lammps, "push");
@@ -230,15 +230,15 @@ static void note_places(struct spheres *q)
     }
 }
 
-static void run(struct dem *dem, int steps, struct dem_report *r)
+static void spheres_run(struct dem *dem, int steps, struct dem_report *r)
 {
     struct spheres *const q = dem->state;
 
     *r = (struct dem_report){.steps = steps, .lost_through = -1};
-    push(q);
+    spheres_push(q);
     note_places(q);
     spheres_tell(q, "run %d pre no post no", steps);
-    spheres_report(q, pull(q), r);
+    spheres_report(q, spheres_pull(q), r);
 }
 
 /* --- starting ------------------------------------------------------------- */
@@ -290,7 +290,7 @@ static void attach(struct spheres *q, struct dem *dem)
 }
 
 /* The first run, which computes the forces. */
-static void start(struct spheres *q)
+static void spheres_start(struct spheres *q)
 {
     double own[2], **kept;
 
@@ -298,7 +298,7 @@ static void start(struct spheres *q)
     kept = spheres_rows(q, "d2_kept");
     for (int i = 0; i < spheres_count(q) && !q->loaded; i++)
         kept[i][q->width - 1] = q->p->rank;
-    pull(q);
+    spheres_pull(q);
     own[0] = q->dem->ps->n;
     own[1] = 0.0;
     for (int i = 0; i < q->dem->ps->n; i++)
@@ -316,29 +316,29 @@ void spheres_begin(struct spheres *q, struct dem *dem, const struct words *w)
 
     own.starts = q->loaded && q->p->size > 1 ? 2 : 1;
     attach(q, dem);
-    if (!q->loaded) cut(q);
+    if (!q->loaded) spheres_cut(q);
     spheres_equip(q, &own);
-    if (q->loaded) cut(q);
-    start(q);
+    if (q->loaded) spheres_cut(q);
+    spheres_start(q);
     if (q->loaded) exchange_forces(q, 0);
 }
 
 void spheres_save(struct spheres *q, const char *file)
 {
-    push(q);
+    spheres_push(q);
     exchange_forces(q, 1);
     spheres_tell(q, "write_restart %s noinit", file);
 }
 
 /* --- the method ----------------------------------------------------------- */
 
-static void release(struct dem *dem)
+static void spheres_release(struct dem *dem)
 {
     spheres_free(dem->state);
 }
 
 /* What LAMMPS does not know has been refused by distributed/refusal.h. */
-static const char *unknown(const struct dem_options *o)
+static const char *spheres_unknown(const struct dem_options *o)
 {
     return o == NULL ? "options" : NULL;
 }
@@ -354,7 +354,7 @@ static int create_later(struct dem *dem)
     return dem == NULL;
 }
 
-static void changed(struct dem *dem)
+static void spheres_changed(struct dem *dem)
 {
     (void)dem;
 }
@@ -363,10 +363,10 @@ const struct dem_method spheres_method = {.name = "lammps",
                                           .what = "by LAMMPS, on all ranks",
                                           .equations = "",
                                           .function = "spheres_begin",
-                                          .unsupported = unknown,
+                                          .unsupported = spheres_unknown,
                                           .skin = skin,
                                           .create = create_later,
-                                          .free = release,
-                                          .run = run,
-                                          .changed = changed,
-                                          .limit_overlap = changed};
+                                          .free = spheres_release,
+                                          .run = spheres_run,
+                                          .changed = spheres_changed,
+                                          .limit_overlap = spheres_changed};

@@ -60,7 +60,7 @@ static void measure_contacts(struct spheres *q, double *contacts,
 }
 
 /* Within the cells of this rank and their layers. */
-static int is_inside(const struct spheres *q, const double *x)
+static int spheres_report_is_inside(const struct spheres *q, const double *x)
 {
     const struct partition *const p = q->p;
     int in = 1;
@@ -106,7 +106,7 @@ void spheres_report(struct spheres *q, int untaken, struct dem_report *r)
         sum[2] += 0.5 * ps->m[i] * vv;
         sum[3] += 0.05 * ps->m[i] * ps->d[i] * ps->d[i] * ww;
         most[1] = fmax(most[1], sqrt(vv));
-        if (is_inside(q, x)) {
+        if (spheres_report_is_inside(q, x)) {
             sum[1] += ps->id[i];
             continue;
         }
@@ -151,7 +151,7 @@ long spheres_all(const struct spheres *q, double *mean_diameter)
 }
 
 /* The slab of cells of a direction. */
-static int slab(const struct partition *p, int k, double x)
+static int spheres_report_slab(const struct partition *p, int k, double x)
 {
     const double at = floor(x / p->size_m[k] * p->N[k]);
 
@@ -165,7 +165,7 @@ void spheres_weigh(const struct spheres *q, double each, double *weight[3])
     for (int k = 0; k < 3; k++) {
         double *const own = alloc_doubles(q->p->N[k]);
         for (int i = 0; i < spheres_count(q); i++)
-            own[slab(q->p, k, x[i][k])] += each;
+            own[spheres_report_slab(q->p, k, x[i][k])] += each;
         MPI_Allreduce(MPI_IN_PLACE, own, q->p->N[k], MPI_DOUBLE, MPI_SUM,
                       q->comm);
         for (int i = 0; i < q->p->N[k]; i++)
@@ -180,8 +180,9 @@ int spheres_share(const struct spheres *q)
     int *const n = alloc_ints(q->p->size);
 
     for (int i = 0; i < spheres_count(q); i++) {
-        const int cell[3] = {slab(q->p, 0, x[i][0]), slab(q->p, 1, x[i][1]),
-                             slab(q->p, 2, x[i][2])};
+        const int cell[3] = {spheres_report_slab(q->p, 0, x[i][0]),
+                             spheres_report_slab(q->p, 1, x[i][1]),
+                             spheres_report_slab(q->p, 2, x[i][2])};
         n[partition_rank(q->p, cell)]++;
     }
     MPI_Allreduce(MPI_IN_PLACE, n, q->p->size, MPI_INT, MPI_SUM, q->comm);

@@ -17,8 +17,8 @@
 static const double settling_drag = 3.0; /* [-] relaxation over sqrt(d/g) */
 enum { CHECK_EVERY = 50 };
 
-static void begin(struct spheres *q, const struct words *w, double step,
-                  const double g[3])
+static void spheres_settle_begin(struct spheres *q, const struct words *w,
+                                 double step, const double g[3])
 {
     const double size = vector_length(g);
     const int *const P = q->p->P;
@@ -36,7 +36,7 @@ static void begin(struct spheres *q, const struct words *w, double step,
     spheres_tell(q, "run 0 post no");
 }
 
-static void end(struct spheres *q)
+static void spheres_settle_end(struct spheres *q)
 {
     if (q->p->size > 1) spheres_tell(q, "unfix even");
     spheres_tell(q, "unfix fall");
@@ -45,7 +45,8 @@ static void end(struct spheres *q)
 
 /* Multiplies all velocities; returns the kinetic energy before, over the energy
  * of falling by the height d [-]. */
-static double slow_down(struct spheres *q, double factor, double g, double d)
+static double spheres_settle_slow_down(struct spheres *q, double factor,
+                                       double g, double d)
 {
     const double *const R = lammps_extract_atom(q->lammps, "radius");
     const double *const m = lammps_extract_atom(q->lammps, "rmass");
@@ -73,7 +74,7 @@ void spheres_settle(struct spheres *q, const struct words *w, double step,
     const double fall = sqrt(bed->diameter / g), interval = CHECK_EVERY * step;
 
     *r = (struct bed_report){.settled = 0};
-    begin(q, w, step, bed->gravity);
+    spheres_settle_begin(q, w, step, bed->gravity);
     for (int part = 0; part < 2; part++) {
         const double kept = part ? 1.0 : exp(-interval / settling_drag / fall);
         const double least = part ? 0.0 : 1.5 * fall;
@@ -81,10 +82,10 @@ void spheres_settle(struct spheres *q, const struct words *w, double step,
             spheres_tell(q, "run %d pre no post no", CHECK_EVERY);
             r->time += interval;
             r->steps += CHECK_EVERY;
-            r->kinetic = slow_down(q, kept, g, bed->diameter);
+            r->kinetic = spheres_settle_slow_down(q, kept, g, bed->diameter);
             r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= least;
         } while (!r->settled && r->time < bed->settle);
         if (!r->settled) break;
     }
-    end(q);
+    spheres_settle_end(q);
 }

@@ -35,7 +35,7 @@ static void put_name(struct visit *v, const char *path)
 }
 
 /* The numbers of the own cells, m each, from or to their places in the file. */
-static void move(struct visit *v, const char *path, int m, double *own)
+static void visit_move(struct visit *v, const char *path, int m, double *own)
 {
     const struct partition *const p = &v->part->p;
     const struct extent *const e = &p->here;
@@ -76,7 +76,7 @@ static void visit_cells(struct visit *v, const char *path, int m, double *field)
 
     for (int c = 0, n = 0; c < cells; c++)
         if (own[c]) memcpy(packed + (long)m * n++, field + (long)m * c, size);
-    move(v, path, m, packed);
+    visit_move(v, path, m, packed);
     for (int c = 0, n = 0; c < cells && v->loading; c++)
         if (own[c]) memcpy(field + (long)m * c, packed + (long)m * n++, size);
     if (v->loading) halo_refresh(v->part->halo, m, field);

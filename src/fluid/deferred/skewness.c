@@ -136,8 +136,8 @@ void skewness_add_pressures(const struct deferred *d, struct fluid *fl)
 /* Adds the term to the flux. The time derivative at the face contains the old
  * flux as it is, so that only the part 1 - m_f c_f of the term is added, by the
  * other forces; in a steady flow that makes all of it, for any step. */
-FACE_KERNEL inner_flux(int f, int o, int n, const struct deferred *d,
-                       const struct fluid *fl)
+FACE_KERNEL skewness_inner_flux(int f, int o, int n, const struct deferred *d,
+                                const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
     const double *const slope = d->slope;
@@ -197,7 +197,7 @@ FACE_KERNEL inner_mean(int f, int o, int n, const struct deferred *d,
 
 void skewness_add_fluxes(const struct deferred *d, struct fluid *fl)
 {
-    FOR_EACH_FACE(fl->faces, 24, inner_flux, d, fl);
+    FOR_EACH_FACE(fl->faces, 24, skewness_inner_flux, d, fl);
     if (d->normal_equations != NULL)
         FOR_EACH_FACE(fl->faces, 32, inner_mean, d, fl);
 }

@@ -7,8 +7,9 @@
 
 /* Component k of u at face f: linear between two cells, given on the boundary
  * [m/s]. */
-static double face_value(const struct mesh *m, const double *u,
-                         const double *u_b, int f, int k)
+static double velocity_gradient_face_value(const struct mesh *m,
+                                           const double *u, const double *u_b,
+                                           int f, int k)
 {
     if (f >= m->n_internal) return u_b[3 * (f - m->n_internal) + k];
     return m->w[f] * u[3 * m->owner[f] + k] +
@@ -45,7 +46,8 @@ static void gauss(const struct mesh *m, const double *reach, const double *u,
             const int f = m->cell_face[a];
             const double out = (m->owner[f] == c ? 1.0 : -1.0) / m->V[c];
             for (int k = 0; k < 3; k++) {
-                const double value = out * face_value(m, u, u_b, f, k);
+                const double value =
+                    out * velocity_gradient_face_value(m, u, u_b, f, k);
                 for (int j = 0; j < 3; j++)
                     g[3 * k + j] += value * m->S[3 * f + j];
             }
@@ -57,7 +59,7 @@ static void gauss(const struct mesh *m, const double *reach, const double *u,
 /* The inverse of a symmetric 3 x 3 matrix (xx xy xz yy yz zz). Directions in
  * which the cell has no neighbour have a slope of zero: their diagonal, which
  * is 0, counts as 1. */
-static void invert(double m[6])
+static void velocity_gradient_invert(double m[6])
 {
     const double trace = m[0] + m[3] + m[5];
 
@@ -77,9 +79,10 @@ static void invert(double m[6])
  * (u_other - u_c) to the right-hand sides. The weight is 1 / |d|^2; among
  * tetrahedra, of which no two neighbours are opposite each other, the square of
  * that, since the error of a difference grows with |d|^2. */
-static void add_face(const struct mesh *m, const double *reach, const double *u,
-                     const double *u_b, int c, int f, double matrix[6],
-                     double right[9])
+static void velocity_gradient_add_face(const struct mesh *m,
+                                       const double *reach, const double *u,
+                                       const double *u_b, int c, int f,
+                                       double matrix[6], double right[9])
 {
     const double sign = m->owner[f] == c ? 1.0 : -1.0;
     const double *const l = reach != NULL && f >= m->n_internal
@@ -109,8 +112,9 @@ static void least_squares(const struct mesh *m, const double *reach,
     for (int c = 0; c < m->n_cells; c++) {
         double matrix[6] = {0.0}, right[9] = {0.0};
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-            add_face(m, reach, u, u_b, c, m->cell_face[a], matrix, right);
-        invert(matrix);
+            velocity_gradient_add_face(m, reach, u, u_b, c, m->cell_face[a],
+                                       matrix, right);
+        velocity_gradient_invert(matrix);
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < 3; i++) {
                 double sum = 0.0;

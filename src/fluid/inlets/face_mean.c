@@ -31,7 +31,8 @@ static double triangle_mean(const double a[3], const double b[3],
     return sum;
 }
 
-static double area_of(const double a[3], const double b[3], const double c[3])
+static double face_mean_area_of(const double a[3], const double b[3],
+                                const double c[3])
 {
     double u[3], v[3], n[3];
 
@@ -53,7 +54,7 @@ double face_mean(const struct mesh *m, int f,
         vector_along(middle, 1.0 / n, x[i], middle);
     for (int i = 0; i < n; i++) {
         const double *const next = x[(i + 1) % n];
-        const double part = area_of(middle, x[i], next);
+        const double part = face_mean_area_of(middle, x[i], next);
         sum += part * triangle_mean(middle, x[i], next, g, of);
         area += part;
     }

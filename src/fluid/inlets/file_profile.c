@@ -65,7 +65,7 @@ static int by_key(const void *a, const void *b)
 }
 
 /* Sorts the points of a level along the axis on which they are widest. */
-static void sort(struct rows *r)
+static void file_profile_sort(struct rows *r)
 {
     double most = -1.0;
 
@@ -95,8 +95,9 @@ struct nearest_points {
     double square[4]; /* [m^2] */
 };
 
-static void offer(struct nearest_points *near, const struct rows *r,
-                  const struct point *p, const double x[3])
+static void file_profile_offer(struct nearest_points *near,
+                               const struct rows *r, const struct point *p,
+                               const double x[3])
 {
     double square = 0.0;
     int at = 4;
@@ -141,7 +142,8 @@ static double among_points(const struct rows *r, const double x[3])
             right == r->n ? HUGE_VAL : r->sorted[right].key - key;
         const double least = fmin(before, behind);
         if (least * least > near.square[3]) break;
-        offer(&near, r, &r->sorted[before < behind ? left-- : right++], x);
+        file_profile_offer(&near, r,
+                           &r->sorted[before < behind ? left-- : right++], x);
     }
     if (near.square[0] == 0.0) return near.point[0]->u;
     for (int i = 0; i < 4 && near.square[i] < HUGE_VAL; i++) {
@@ -151,7 +153,7 @@ static double among_points(const struct rows *r, const double x[3])
     return sum / weights;
 }
 
-static double value_at(const void *of, const double x[3])
+static double file_profile_value_at(const void *of, const double x[3])
 {
     const struct rows *const r = of;
     return r->n_places == 1 ? on_line(r, x[r->places[0]]) : among_points(r, x);
@@ -164,7 +166,7 @@ struct levels {
     double time[]; /* [s] */
 };
 
-static double varying(const struct boundary *b, int j, double t)
+static double file_profile_varying(const struct boundary *b, int j, double t)
 {
     const struct levels *const l = b->memory;
     int i = 0;
@@ -179,7 +181,8 @@ static double varying(const struct boundary *b, int j, double t)
 }
 
 /* Finds the columns of a file; non-zero after a message if one is missing. */
-static int find_columns(struct rows *r, int t, char wrong[INLET_PROFILE_TEXT])
+static int file_profile_find_columns(struct rows *r, int t,
+                                     char wrong[INLET_PROFILE_TEXT])
 {
     static const char *const axes[3] = {"x", "y", "z"};
     char names[100], why[CSV_WRONG];
@@ -233,8 +236,8 @@ static int count_levels(const struct rows *r, int t,
 }
 
 /* Fills the levels from their rows. */
-static void fill(struct levels *l, struct rows *r, int t,
-                 const struct inlet_request *q)
+static void file_profile_fill(struct levels *l, struct rows *r, int t,
+                              const struct inlet_request *q)
 {
     const int rows = r->file->n_rows;
 
@@ -246,17 +249,18 @@ static void fill(struct levels *l, struct rows *r, int t,
             r->n++;
         if (t < 0) r->n = rows;
         l->time[i] = t >= 0 ? number_at(r, 0, t) : 0.0;
-        if (r->n_places > 1) sort(r);
+        if (r->n_places > 1) file_profile_sort(r);
         for (int j = 0; j < l->n_faces; j++)
-            l->value[(long)i * l->n_faces + j] =
-                face_mean(q->mesh, q->patch->first + j, value_at, r);
+            l->value[(long)i * l->n_faces + j] = face_mean(
+                q->mesh, q->patch->first + j, file_profile_value_at, r);
         r->first += r->n;
     }
     free(r->sorted);
 }
 
-static int create(const struct inlet_request *q, struct boundary *b,
-                  char wrong[INLET_PROFILE_TEXT])
+static int file_profile_create(const struct inlet_request *q,
+                               struct boundary *b,
+                               char wrong[INLET_PROFILE_TEXT])
 {
     struct csv file;
     struct rows r = {.file = &file};
@@ -267,8 +271,9 @@ static int create(const struct inlet_request *q, struct boundary *b,
         return 1;
     }
     const int t = csv_column(&file, "t");
-    const int n =
-        find_columns(&r, t, wrong) == 0 ? count_levels(&r, t, wrong) : 0;
+    const int n = file_profile_find_columns(&r, t, wrong) == 0
+                      ? count_levels(&r, t, wrong)
+                      : 0;
     if (n > 0) {
         struct levels *const l =
             alloc_zeroed(1, sizeof *l + (size_t)n * (1 + (size_t)q->patch->n) *
@@ -276,10 +281,10 @@ static int create(const struct inlet_request *q, struct boundary *b,
         l->n = n;
         l->n_faces = q->patch->n;
         l->value = l->time + n;
-        fill(l, &r, t, q);
+        file_profile_fill(l, &r, t, q);
         b->memory = l;
         b->profile = n == 1 ? l->value : NULL;
-        b->varying = n == 1 ? NULL : varying;
+        b->varying = n == 1 ? NULL : file_profile_varying;
     }
     csv_release(&file);
     return n == 0;
@@ -296,8 +301,8 @@ const struct inlet_profile file_profile = {
     .name = "file",
     .what = "velocities at points, and perhaps times, from a file",
     .equations = "",
-    .function = "value_at",
+    .function = "file_profile_value_at",
     .keys = {keys},
     .asks = "file",
-    .create = create,
+    .create = file_profile_create,
 };

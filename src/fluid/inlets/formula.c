@@ -40,22 +40,22 @@ struct formula {
     struct step step[MOST_STEPS];
 };
 
-static double add(double a, double b)
+static double formula_add(double a, double b)
 {
     return a + b;
 }
 
-static double subtract(double a, double b)
+static double formula_subtract(double a, double b)
 {
     return a - b;
 }
 
-static double multiply(double a, double b)
+static double formula_multiply(double a, double b)
 {
     return a * b;
 }
 
-static double divide(double a, double b)
+static double formula_divide(double a, double b)
 {
     return a / b;
 }
@@ -106,7 +106,7 @@ static void fail(struct reader *r, const char *expected)
     r->failed = 1;
 }
 
-static void put(struct reader *r, struct step step)
+static void formula_put(struct reader *r, struct step step)
 {
     if (r->made->n == MOST_STEPS) fail(r, "a shorter formula");
     if (r->failed) return;
@@ -128,10 +128,10 @@ static int took(struct reader *r, char c)
 
 static void put_two(struct reader *r, double (*two)(double, double))
 {
-    put(r, (struct step){.kind = TWO, .two = two});
+    formula_put(r, (struct step){.kind = TWO, .two = two});
 }
 
-static void sum(struct reader *r);
+static void formula_sum(struct reader *r);
 
 static void name(struct reader *r)
 {
@@ -147,12 +147,12 @@ static void name(struct reader *r)
         r->at += length;
         if (step.kind >= ONE) {
             if (!took(r, '(')) fail(r, "(");
-            sum(r);
+            formula_sum(r);
             if (step.kind == TWO && !took(r, ',')) fail(r, ",");
-            if (step.kind == TWO) sum(r);
+            if (step.kind == TWO) formula_sum(r);
             if (!took(r, ')')) fail(r, ")");
         }
-        put(r, step);
+        formula_put(r, step);
         return;
     }
     fail(r, "x, y, z, t, pi, or abs, sqrt, exp, log, sin, cos, tan, sinh, "
@@ -162,7 +162,7 @@ static void name(struct reader *r)
 static void operand(struct reader *r)
 {
     if (took(r, '(')) {
-        sum(r);
+        formula_sum(r);
         if (!took(r, ')')) fail(r, ")");
     } else if (isalpha((unsigned char)*r->at))
         name(r);
@@ -173,7 +173,7 @@ static void operand(struct reader *r)
             fail(r, "a number");
             return;
         }
-        put(r, (struct step){.kind = NUMBER, .number = number});
+        formula_put(r, (struct step){.kind = NUMBER, .number = number});
         r->at = end;
     } else
         fail(r, "a number, a name or (");
@@ -185,7 +185,7 @@ static void sign(struct reader *r)
     if (r->failed) return;
     if (took(r, '-')) {
         sign(r);
-        put(r, (struct step){.kind = ONE, .one = negative});
+        formula_put(r, (struct step){.kind = ONE, .one = negative});
     } else if (took(r, '+'))
         sign(r);
     else {
@@ -198,30 +198,30 @@ static void sign(struct reader *r)
     r->depth--;
 }
 
-static void product(struct reader *r)
+static void formula_product(struct reader *r)
 {
     sign(r);
     for (;;)
         if (took(r, '*')) {
             sign(r);
-            put_two(r, multiply);
+            put_two(r, formula_multiply);
         } else if (took(r, '/')) {
             sign(r);
-            put_two(r, divide);
+            put_two(r, formula_divide);
         } else
             return;
 }
 
-static void sum(struct reader *r)
+static void formula_sum(struct reader *r)
 {
-    product(r);
+    formula_product(r);
     for (;;)
         if (took(r, '+')) {
-            product(r);
-            put_two(r, add);
+            formula_product(r);
+            put_two(r, formula_add);
         } else if (took(r, '-')) {
-            product(r);
-            put_two(r, subtract);
+            formula_product(r);
+            put_two(r, formula_subtract);
         } else
             return;
 }
@@ -232,7 +232,7 @@ struct formula *formula_create(const char *text, char *wrong, int room)
     struct reader r = {
         .text = text, .at = text, .made = f, .wrong = wrong, .room = room};
 
-    sum(&r);
+    formula_sum(&r);
     if (!took(&r, '\0')) fail(&r, "an operator or the end");
     if (!r.failed) return f;
     formula_free(f);

@@ -17,28 +17,29 @@ struct by_formula {
     struct formula *formula;
 };
 
-static double value_at(const void *of, const double x[3])
+static double formula_profile_value_at(const void *of, const double x[3])
 {
     const struct by_formula *const p = of;
     return formula_value(p->formula, x, p->t);
 }
 
-static double varying(const struct boundary *b, int j, double t)
+static double formula_profile_varying(const struct boundary *b, int j, double t)
 {
     struct by_formula now = *(const struct by_formula *)b->memory;
 
     now.t = t;
-    return face_mean(now.mesh, now.first + j, value_at, &now);
+    return face_mean(now.mesh, now.first + j, formula_profile_value_at, &now);
 }
 
-static void release(struct boundary *b)
+static void formula_profile_release(struct boundary *b)
 {
     formula_free(((struct by_formula *)b->memory)->formula);
     free(b->memory);
 }
 
-static int create(const struct inlet_request *r, struct boundary *b,
-                  char wrong[INLET_PROFILE_TEXT])
+static int formula_profile_create(const struct inlet_request *r,
+                                  struct boundary *b,
+                                  char wrong[INLET_PROFILE_TEXT])
 {
     struct formula *const f =
         formula_create(r->formula, wrong, INLET_PROFILE_TEXT);
@@ -49,13 +50,14 @@ static int create(const struct inlet_request *r, struct boundary *b,
         struct by_formula *const kept = alloc_zeroed(1, sizeof *kept);
         *kept = p;
         b->memory = kept;
-        b->varying = varying;
-        b->release = release;
+        b->varying = formula_profile_varying;
+        b->release = formula_profile_release;
         return 0;
     }
     double *const profile = alloc_doubles(r->patch->n);
     for (int j = 0; j < r->patch->n; j++)
-        profile[j] = face_mean(p.mesh, p.first + j, value_at, &p);
+        profile[j] =
+            face_mean(p.mesh, p.first + j, formula_profile_value_at, &p);
     b->profile = b->memory = profile;
     formula_free(f);
     return 0;
@@ -75,5 +77,5 @@ const struct inlet_profile formula_profile = {
     .function = "formula_value",
     .keys = {keys},
     .asks = "formula",
-    .create = create,
+    .create = formula_profile_create,
 };

@@ -10,7 +10,7 @@
 #include "base/vector.h"
 #include "fluid/inlets/face_mean.h"
 
-static double value_at(const void *of, const double x[3])
+static double table_profile_value_at(const void *of, const double x[3])
 {
     const struct inlet_request *const r = of;
     const double s = vector_dot(r->along, x);
@@ -24,8 +24,9 @@ static double value_at(const void *of, const double x[3])
            (r->u[i + 1] - r->u[i]) * (s - r->s[i]) / (r->s[i + 1] - r->s[i]);
 }
 
-static int create(const struct inlet_request *r, struct boundary *b,
-                  char wrong[INLET_PROFILE_TEXT])
+static int table_profile_create(const struct inlet_request *r,
+                                struct boundary *b,
+                                char wrong[INLET_PROFILE_TEXT])
 {
     const double length = vector_length(r->along);
 
@@ -38,7 +39,8 @@ static int create(const struct inlet_request *r, struct boundary *b,
     }
     double *const profile = alloc_doubles(r->patch->n);
     for (int j = 0; j < r->patch->n; j++)
-        profile[j] = face_mean(r->mesh, r->patch->first + j, value_at, r);
+        profile[j] =
+            face_mean(r->mesh, r->patch->first + j, table_profile_value_at, r);
     b->profile = b->memory = profile;
     return 0;
 }
@@ -56,8 +58,8 @@ const struct inlet_profile table_profile = {
     .name = "table",
     .what = "rows of a coordinate and a velocity, on any patch",
     .equations = "",
-    .function = "value_at",
+    .function = "table_profile_value_at",
     .keys = {keys},
     .asks = "table",
-    .create = create,
+    .create = table_profile_create,
 };

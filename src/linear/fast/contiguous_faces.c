@@ -31,8 +31,8 @@ static int begin_group(struct contiguous_faces *r, struct kind k, int next)
 
 /* Adds face f after those before it: one more of the last run, or the first of
  * a new one, perhaps of a new group. Returns 0 if there are too many groups. */
-static int add_face(struct contiguous_faces *r, int *n_runs, int f, int owner,
-                    struct kind k)
+static int contiguous_faces_add_face(struct contiguous_faces *r, int *n_runs,
+                                     int f, int owner, struct kind k)
 {
     struct contiguous_range *const last =
         *n_runs > 0 ? &r->range[*n_runs - 1] : NULL;
@@ -76,8 +76,8 @@ static int first_beyond(const struct contiguous_range *run, int begin, int end,
 /* The part of the range whose faces (by_face) or owners lie within [first,
  * last).
  */
-static void cut(const struct contiguous_range *run, int first, int last,
-                int by_face, struct face_piece *p)
+static void contiguous_faces_cut(const struct contiguous_range *run, int first,
+                                 int last, int by_face, struct face_piece *p)
 {
     const int begin = by_face ? run->face : run->owner;
     const int skip = first > begin ? first - begin : 0;
@@ -106,7 +106,8 @@ static int next_of_cells(const struct face_pieces *pieces, int first, int last,
         if (p->range == r->group[g].end ||
             r->range[p->range].owner >= last - shift)
             continue;
-        cut(&r->range[p->range++], first - shift, last - shift, 0, p);
+        contiguous_faces_cut(&r->range[p->range++], first - shift, last - shift,
+                             0, p);
         p->cell += shift;
         p->other = inward ? p->cell - d : p->cell + d;
         p->out = inward ? -1.0 : 1.0;
@@ -128,7 +129,7 @@ static int next_of_faces(const struct face_pieces *pieces, int first, int last,
                                     r->group[g].end, first, 1);
         if (p->range == r->group[g].end || r->range[p->range].face >= last)
             continue;
-        cut(&r->range[p->range++], first, last, 1, p);
+        contiguous_faces_cut(&r->range[p->range++], first, last, 1, p);
         p->other = p->cell + r->group[g].distance;
         p->out = 1.0;
         return 1;
@@ -153,8 +154,8 @@ struct face_pieces *contiguous_faces_find(int n_inner, int n, const int *owner,
     r->pieces = (struct face_pieces){next_of_faces, next_of_cells, free_ranges};
     r->range = alloc_zeroed((size_t)n, sizeof *r->range);
     for (int f = 0; f < n && fits; f++)
-        fits = add_face(r, &n_runs, f, owner[f],
-                        kind_of(f, n_inner, owner, neighbour));
+        fits = contiguous_faces_add_face(r, &n_runs, f, owner[f],
+                                         kind_of(f, n_inner, owner, neighbour));
     if (fits && (long)n_runs * CONTIGUOUS_FACES_MIN_LENGTH <= n)
         return &r->pieces;
     free_ranges(&r->pieces);

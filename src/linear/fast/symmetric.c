@@ -187,8 +187,8 @@ static void rest_rows(const struct symmetric *S, int first, int last,
 }
 
 /* y[i - first] = row i of A x, for first <= i < last. */
-static void rows(const struct symmetric *S, int first, int last, const float *x,
-                 float *y)
+static void symmetric_rows(const struct symmetric *S, int first, int last,
+                           const float *x, float *y)
 {
     switch (S->n_bands) {
     case 0:
@@ -207,19 +207,20 @@ static void rows(const struct symmetric *S, int first, int last, const float *x,
     if (S->rest != NULL) rest_rows(S, first, last, x, y);
 }
 
-static int block_end(int first, int last)
+static int symmetric_block_end(int first, int last)
 {
     return first + BLOCK < last ? first + BLOCK : last;
 }
 
-static void residual_rows(int first, int last, const struct symmetric *S,
-                          const float *b, const float *x, float *r)
+static void symmetric_residual_rows(int first, int last,
+                                    const struct symmetric *S, const float *b,
+                                    const float *x, float *r)
 {
     float Ax[BLOCK];
 
     for (int end; first < last; first = end) {
-        end = block_end(first, last);
-        rows(S, first, end, x, Ax);
+        end = symmetric_block_end(first, last);
+        symmetric_rows(S, first, end, x, Ax);
         for (int i = first; i < end; i++)
             r[i] = b[i] - Ax[i - first];
     }
@@ -228,18 +229,19 @@ static void residual_rows(int first, int last, const struct symmetric *S,
 void symmetric_residual(const struct symmetric *S, const float *b,
                         const float *x, float *r)
 {
-    PARALLEL_RANGES(S->n, 2, residual_rows, S, b, x, r);
+    PARALLEL_RANGES(S->n, 2, symmetric_residual_rows, S, b, x, r);
 }
 
-static void relax_rows(int first, int last, const struct symmetric *S,
-                       const float *b, const float *x, float alpha,
-                       const float *w, float beta, float gamma, float *y)
+static void symmetric_relax_rows(int first, int last, const struct symmetric *S,
+                                 const float *b, const float *x, float alpha,
+                                 const float *w, float beta, float gamma,
+                                 float *y)
 {
     float Ax[BLOCK];
 
     for (int end; first < last; first = end) {
-        end = block_end(first, last);
-        rows(S, first, end, x, Ax);
+        end = symmetric_block_end(first, last);
+        symmetric_rows(S, first, end, x, Ax);
         for (int i = first; i < end; i++)
             y[i] = alpha * x[i] + beta * w[i] +
                    gamma * S->inverse[i] * (b[i] - Ax[i - first]);
@@ -250,7 +252,8 @@ void symmetric_relax(const struct symmetric *S, const float *b, const float *x,
                      float alpha, const float *w, float beta, float gamma,
                      float *y)
 {
-    PARALLEL_RANGES(S->n, 2, relax_rows, S, b, x, alpha, w, beta, gamma, y);
+    PARALLEL_RANGES(S->n, 2, symmetric_relax_rows, S, b, x, alpha, w, beta,
+                    gamma, y);
 }
 
 /* Computes rows first .. last - 1 of A x in double. The tests of the ends have
@@ -286,7 +289,7 @@ static double multiply_rows(int first, int last, const struct symmetric *S,
     const int begin = first;
 
     for (int end; first < last; first = end) {
-        end = block_end(first, last);
+        end = symmetric_block_end(first, last);
         exact_rows(S, first, end, x, y);
     }
     return reduce_range(begin, last, x, y);

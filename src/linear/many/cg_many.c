@@ -67,22 +67,25 @@ void cg_many_work_free(struct cg_many_work *w)
     free(w);
 }
 
-static void subtract(int first, int last, int m, const double *b, double *r)
+static void cg_many_subtract(int first, int last, int m, const double *b,
+                             double *r)
 {
     for (long i = (long)m * first; i < (long)m * last; i++)
         r[i] = b[i] - r[i];
 }
 
-static void invert(int first, int last, const double *weight, double *inverse)
+static void cg_many_invert(int first, int last, const double *weight,
+                           double *inverse)
 {
     for (int i = first; i < last; i++)
         inverse[i] = 1.0 / weight[i];
 }
 
 /* p = z + beta p with z = r / weight, for `width` fields from the k-th on. */
-FIELD_GROUPS_KERNEL update_direction_rows(int width, int k, int first, int last,
-                                          const struct cg_many_work *w,
-                                          const struct fields *beta)
+FIELD_GROUPS_KERNEL cg_many_update_direction_rows(int width, int k, int first,
+                                                  int last,
+                                                  const struct cg_many_work *w,
+                                                  const struct fields *beta)
 {
     double b[FIELD_GROUPS_WIDTH], p[FIELD_GROUPS_WIDTH];
 
@@ -99,10 +102,11 @@ FIELD_GROUPS_KERNEL update_direction_rows(int width, int k, int first, int last,
     }
 }
 
-static void update_direction(int first, int last, const struct cg_many_work *w,
-                             const struct fields *beta)
+static void cg_many_update_direction(int first, int last,
+                                     const struct cg_many_work *w,
+                                     const struct fields *beta)
 {
-    FOR_FIELD_GROUPS(w->m, update_direction_rows, first, last, w, beta);
+    FOR_FIELD_GROUPS(w->m, cg_many_update_direction_rows, first, last, w, beta);
 }
 
 /* The scalar products of each field. */
@@ -145,8 +149,9 @@ FIELD_GROUPS_KERNEL advance_rows(int width, int k, int first, int last,
     }
 }
 
-static void advance(int first, int last, const struct cg_many_work *w,
-                    const struct fields *alpha, double *x, struct sums *partial)
+static void cg_many_advance(int first, int last, const struct cg_many_work *w,
+                            const struct fields *alpha, double *x,
+                            struct sums *partial)
 {
     struct sums *const sums = partial + parallel_ranges_of(w->n, first);
 
@@ -159,7 +164,7 @@ static struct sums advance_all(const struct cg_many_work *w,
     struct sums partial[PARALLEL_RANGES_COUNT] = {{{{0.0}}, {{0.0}}}};
     struct sums sum = {{{0.0}}, {{0.0}}};
 
-    PARALLEL_RANGES(w->n, w->m, advance, w, alpha, x, partial);
+    PARALLEL_RANGES(w->n, w->m, cg_many_advance, w, alpha, x, partial);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
         for (int k = 0; k < w->m; k++) {
             sum.rz.at[k] += partial[s].rz.at[k];
@@ -170,14 +175,15 @@ static struct sums advance_all(const struct cg_many_work *w,
 
 /* r = b - A x; returns its scalar products, which a step of length zero
  * computes. */
-static struct sums begin(const struct csr *A, const double *weight,
-                         const double *b, double *x, struct cg_many_work *w)
+static struct sums cg_many_begin(const struct csr *A, const double *weight,
+                                 const double *b, double *x,
+                                 struct cg_many_work *w)
 {
     const struct fields none = {{0.0}};
 
     csr_multiply_many(A, w->m, x, w->r);
-    PARALLEL_RANGES(w->n, w->m, subtract, w->m, b, w->r);
-    PARALLEL_RANGES(w->n, 1, invert, weight != NULL ? weight : A->diag,
+    PARALLEL_RANGES(w->n, w->m, cg_many_subtract, w->m, b, w->r);
+    PARALLEL_RANGES(w->n, 1, cg_many_invert, weight != NULL ? weight : A->diag,
                     w->inverse);
     memset(w->p, 0, (size_t)w->n * (size_t)w->m * sizeof *w->p);
     memset(w->q, 0, (size_t)w->n * (size_t)w->m * sizeof *w->q);
@@ -186,7 +192,7 @@ static struct sums begin(const struct csr *A, const double *weight,
 
 /* The largest residual over its scale [-]; a field whose scale is 0 counts as
  * solved. */
-static double worst(int m, const double *rr, const double *bb)
+static double cg_many_worst(int m, const double *rr, const double *bb)
 {
     double most = 0.0;
 
@@ -207,14 +213,14 @@ static int all_below(int m, const double *rr, const struct fields *target)
 
 /* One iteration. Fields whose residual has vanished, or that broke down, take
  * no step; returns the number of those that did. */
-static int step(const struct csr *A, double *x, struct cg_many_work *w,
-                struct sums *sum, const struct fields *beta)
+static int cg_many_step(const struct csr *A, double *x, struct cg_many_work *w,
+                        struct sums *sum, const struct fields *beta)
 {
     struct fields alpha = {{0.0}};
     double pq[CG_MANY_FIELDS];
     int moved = 0;
 
-    PARALLEL_RANGES(w->n, w->m, update_direction, w, beta);
+    PARALLEL_RANGES(w->n, w->m, cg_many_update_direction, w, beta);
     csr_multiply_many(A, w->m, w->p, w->q);
     cg_many_dot(w->n, w->m, w->p, w->q, pq);
     for (int k = 0; k < w->m; k++) {
@@ -252,19 +258,19 @@ struct solve_report cg_many_solve(const struct csr *A, const double *weight,
     for (int k = 0; k < w->m; k++)
         target.at[k] = fmax(fmax(tolerance * sqrt(bb[k]), absolute), least);
 
-    struct sums sum = begin(A, weight, b, x, w);
+    struct sums sum = cg_many_begin(A, weight, b, x, w);
 
-    report.before = worst(w->m, sum.rr.at, bb);
+    report.before = cg_many_worst(w->m, sum.rr.at, bb);
     while (!all_below(w->m, sum.rr.at, &target) &&
            report.iterations < max_iterations) {
         const struct fields rz = sum.rz;
 
-        if (step(A, x, w, &sum, &beta) == 0) break;
+        if (cg_many_step(A, x, w, &sum, &beta) == 0) break;
         for (int k = 0; k < w->m; k++)
             beta.at[k] = rz.at[k] > 0.0 ? sum.rz.at[k] / rz.at[k] : 0.0;
         report.iterations++;
     }
-    report.after = worst(w->m, sum.rr.at, bb);
+    report.after = cg_many_worst(w->m, sum.rr.at, bb);
     report.converged = all_below(w->m, sum.rr.at, &target);
     return report;
 }

@@ -37,9 +37,11 @@ FIELD_GROUPS_KERNEL row(int width, int g, int i, int m,
 }
 
 /* Computes y_1 = u - Ly and the sum of the first two terms. */
-FIELD_GROUPS_KERNEL begin_rows(int width, int g, int first, int last, int m,
-                               const struct chebyshev *s, const double *u,
-                               double *restrict next)
+FIELD_GROUPS_KERNEL chebyshev_groups_begin_rows(int width, int g, int first,
+                                                int last, int m,
+                                                const struct chebyshev *s,
+                                                const double *u,
+                                                double *restrict next)
 {
     const double c0 = s->c[0], c1 = s->c[1];
     double *restrict sum = s->sum;
@@ -86,42 +88,48 @@ FIELD_GROUPS_KERNEL term_rows(int width, int g, int first, int last, int m,
     }
 }
 
-static void begin(int first, int last, int m, const struct chebyshev *s,
-                  const double *u, double *next)
+static void chebyshev_groups_begin(int first, int last, int m,
+                                   const struct chebyshev *s, const double *u,
+                                   double *next)
 {
-    FOR_FIELD_GROUPS(m, begin_rows, first, last, m, s, u, next);
+    FOR_FIELD_GROUPS(m, chebyshev_groups_begin_rows, first, last, m, s, u,
+                     next);
 }
 
-static void term(int first, int last, int m, const struct chebyshev *s,
-                 double c, const double *y, double *next)
+static void chebyshev_groups_term(int first, int last, int m,
+                                  const struct chebyshev *s, double c,
+                                  const double *y, double *next)
 {
     FOR_FIELD_GROUPS(m, term_rows, first, last, m, s, c, y, next);
 }
 
 /* Copies m fields of each row from rows of one length to rows of another. */
-static void copy(int first, int last, int m, const double *from,
-                 int from_length, double *to, int to_length)
+static void chebyshev_groups_copy(int first, int last, int m,
+                                  const double *from, int from_length,
+                                  double *to, int to_length)
 {
     for (int i = first; i < last; i++)
         for (int f = 0; f < m; f++)
             to[(long)to_length * i + f] = from[(long)from_length * i + f];
 }
 
-static void apply(struct chebyshev *s, int m, double *u)
+static void chebyshev_groups_apply(struct chebyshev *s, int m, double *u)
 {
     const int n = s->K->n, length = padded(m);
     double *y = s->y[0], *next = s->y[1];
 
-    PARALLEL_RANGES(n, m, copy, m, u, m, y, length);
-    PARALLEL_RANGES(n, 4 * length, begin, length, s, y, next);
+    PARALLEL_RANGES(n, m, chebyshev_groups_copy, m, u, m, y, length);
+    PARALLEL_RANGES(n, 4 * length, chebyshev_groups_begin, length, s, y, next);
     for (int k = 2; k <= s->products; k++) {
         double *const newest = next;
 
         next = y;
         y = newest;
-        PARALLEL_RANGES(n, 4 * length, term, length, s, s->c[k], y, next);
+        PARALLEL_RANGES(n, 4 * length, chebyshev_groups_term, length, s,
+                        s->c[k], y, next);
     }
-    PARALLEL_RANGES(n, m, copy, m, s->sum, length, u, m);
+    PARALLEL_RANGES(n, m, chebyshev_groups_copy, m, s->sum, length, u, m);
 }
 
-const struct chebyshev_loop chebyshev_groups = {"groups", padded, apply};
+const struct chebyshev_loop chebyshev_groups = {"groups", padded,
+                                                chebyshev_groups_apply};

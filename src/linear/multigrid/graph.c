@@ -29,7 +29,7 @@ static struct graph *allocate(int n, int n_links)
 /* The areas of a closed cell add up to zero, so the sum over its links is minus
  * the area of its walls. S is assumed to be parallel to d; a sum below
  * small_gap is taken for the error of that. */
-static void find_walls(struct graph *g)
+static void graph_find_walls(struct graph *g)
 {
     double *const area = alloc_doubles(g->n);
 
@@ -64,7 +64,7 @@ struct graph *graph_create(int n, int n_links, const int *owner,
     memcpy(g->strength, strength, links * sizeof *strength);
     memcpy(g->distance, link, 3 * links * sizeof *link);
     memcpy(g->V, V, (size_t)n * sizeof *V);
-    find_walls(g);
+    graph_find_walls(g);
     return g;
 }
 
@@ -98,7 +98,7 @@ double graph_depth(const struct graph *g, int i)
 
 /* Numbers the aggregates in the order of their first cells; returns how many.
  */
-static int number(int n, const int *root, int *parent)
+static int graph_number(int n, const int *root, int *parent)
 {
     int count = 0;
 
@@ -132,7 +132,7 @@ static void centre(const struct graph *g, const int *parent, struct graph *big,
 }
 
 /* The number of the first of the two aggregates that link l joins. */
-static int lower(const struct graph *g, const int *parent, int l)
+static int graph_lower(const struct graph *g, const int *parent, int l)
 {
     const int I = parent[g->owner[l]], J = parent[g->neighbour[l]];
 
@@ -181,11 +181,11 @@ static int *sorted_by_lower(const struct graph *g, const int *parent, int count)
     int *const next = alloc_ints(count + 1);
 
     for (int l = 0; l < g->n_links; l++)
-        next[lower(g, parent, l) + 1]++;
+        next[graph_lower(g, parent, l) + 1]++;
     for (int I = 0; I < count; I++)
         next[I + 1] += next[I];
     for (int l = 0; l < g->n_links; l++)
-        order[next[lower(g, parent, l)]++] = l;
+        order[next[graph_lower(g, parent, l)]++] = l;
     free(next);
     return order;
 }
@@ -225,7 +225,7 @@ static void bundle_links(const struct graph *g, const int *parent,
 struct graph *graph_aggregated(const struct graph *g, const int *root,
                                double *offset, int *parent, int *bundle)
 {
-    const int count = number(g->n, root, parent);
+    const int count = graph_number(g->n, root, parent);
     struct graph *const big = allocate(count, g->n_links);
 
     centre(g, parent, big, offset);

@@ -103,8 +103,8 @@ void level_set_fine(struct level *v, const double *g, const double *sums,
 }
 
 /* coarse[i] = the weighted sum of the members of i among the fine. */
-static void gather(int first, int last, const struct level_members *m,
-                   const double *fine, double *coarse)
+static void level_gather(int first, int last, const struct level_members *m,
+                         const double *fine, double *coarse)
 {
     for (int i = first; i < last; i++) {
         double sum = 0.0;
@@ -118,8 +118,8 @@ static void gather(int first, int last, const struct level_members *m,
 void level_galerkin_coarsen(struct level *v, const struct level *fine,
                             double unit)
 {
-    PARALLEL_RANGES(v->n_links, 8, gather, &v->links, fine->g, v->g);
-    PARALLEL_RANGES(v->n, 8, gather, &v->cells, fine->sums, v->sums);
+    PARALLEL_RANGES(v->n_links, 8, level_gather, &v->links, fine->g, v->g);
+    PARALLEL_RANGES(v->n, 8, level_gather, &v->cells, fine->sums, v->sums);
     v->kind->fill(v->A, v->g, v->sums, unit);
 }
 

@@ -15,8 +15,8 @@ struct rows {
     float *inverse; /* one over the diagonal times unit; 0 for a row of zeros */
 };
 
-static void *create(int n, int n_links, const int *owner, const int *neighbour,
-                    int exact)
+static void *level_matrix_create(int n, int n_links, const int *owner,
+                                 const int *neighbour, int exact)
 {
     struct rows *const m = alloc_zeroed(1, sizeof *m);
 
@@ -26,7 +26,7 @@ static void *create(int n, int n_links, const int *owner, const int *neighbour,
     return m;
 }
 
-static void release(void *data)
+static void level_matrix_release(void *data)
 {
     struct rows *const m = data;
 
@@ -36,20 +36,21 @@ static void release(void *data)
     free(m);
 }
 
-static float *vector(const void *data)
+static float *level_matrix_vector(const void *data)
 {
     const struct rows *const m = data;
 
     return alloc_zeroed((size_t)m->A->n, sizeof(float));
 }
 
-static void vector_free(const void *data, float *x)
+static void level_matrix_vector_free(const void *data, float *x)
 {
     (void)data;
     free(x);
 }
 
-static void fill(void *data, const double *g, const double *sums, double unit)
+static void level_matrix_fill(void *data, const double *g, const double *sums,
+                              double unit)
 {
     struct rows *const m = data;
     struct csr *const A = m->A;
@@ -61,7 +62,7 @@ static void fill(void *data, const double *g, const double *sums, double unit)
             A->diag[i] > 0.0 ? (float)(1.0 / (unit * A->diag[i])) : 0.0F;
 }
 
-static const float *inverse(const void *data)
+static const float *level_matrix_inverse(const void *data)
 {
     const struct rows *const m = data;
 
@@ -80,38 +81,44 @@ static double residual_of_row(const struct rows *m, int i, const float *b,
     return (double)b[i] - m->unit * sum;
 }
 
-static void residual_rows(int first, int last, const struct rows *m,
-                          const float *b, const float *x, float *r)
+static void level_matrix_residual_rows(int first, int last,
+                                       const struct rows *m, const float *b,
+                                       const float *x, float *r)
 {
     for (int i = first; i < last; i++)
         r[i] = (float)residual_of_row(m, i, b, x);
 }
 
-static void residual(const void *data, const float *b, const float *x, float *r)
+static void level_matrix_residual(const void *data, const float *b,
+                                  const float *x, float *r)
 {
     const struct rows *const m = data;
 
-    PARALLEL_RANGES(m->A->n, 4, residual_rows, m, b, x, r);
+    PARALLEL_RANGES(m->A->n, 4, level_matrix_residual_rows, m, b, x, r);
 }
 
-static void relax_rows(int first, int last, const struct rows *m,
-                       const float *b, const float *x, float alpha,
-                       const float *w, float beta, float gamma, float *y)
+static void level_matrix_relax_rows(int first, int last, const struct rows *m,
+                                    const float *b, const float *x, float alpha,
+                                    const float *w, float beta, float gamma,
+                                    float *y)
 {
     for (int i = first; i < last; i++)
         y[i] = alpha * x[i] + beta * w[i] +
                gamma * m->inverse[i] * (float)residual_of_row(m, i, b, x);
 }
 
-static void relax(const void *data, const float *b, const float *x, float alpha,
-                  const float *w, float beta, float gamma, float *y)
+static void level_matrix_relax(const void *data, const float *b, const float *x,
+                               float alpha, const float *w, float beta,
+                               float gamma, float *y)
 {
     const struct rows *const m = data;
 
-    PARALLEL_RANGES(m->A->n, 4, relax_rows, m, b, x, alpha, w, beta, gamma, y);
+    PARALLEL_RANGES(m->A->n, 4, level_matrix_relax_rows, m, b, x, alpha, w,
+                    beta, gamma, y);
 }
 
-static double multiply(const void *data, const double *x, double *y)
+static double level_matrix_multiply(const void *data, const double *x,
+                                    double *y)
 {
     const struct rows *const m = data;
 
@@ -119,6 +126,13 @@ static double multiply(const void *data, const double *x, double *y)
     return reduce_dot(m->A->n, x, y);
 }
 
-const struct level_matrix_kind level_matrix_rows = {
-    "rows", create,  release,  vector, vector_free,
-    fill,   inverse, residual, relax,  multiply};
+const struct level_matrix_kind level_matrix_rows = {"rows",
+                                                    level_matrix_create,
+                                                    level_matrix_release,
+                                                    level_matrix_vector,
+                                                    level_matrix_vector_free,
+                                                    level_matrix_fill,
+                                                    level_matrix_inverse,
+                                                    level_matrix_residual,
+                                                    level_matrix_relax,
+                                                    level_matrix_multiply};

@@ -168,7 +168,7 @@ static void smooth_from_zero(struct level *v)
 }
 
 /* The same from the present y. */
-static void smooth(struct level *v)
+static void multigrid_smooth(struct level *v)
 {
     const struct weights w = smoothing();
 
@@ -184,7 +184,7 @@ static void solve_coarsest(struct multigrid *mg)
     if (mg->coarsest == NULL) {
         smooth_from_zero(v);
         for (int s = 1; s < COARSEST_SWEEPS; s++)
-            smooth(v);
+            multigrid_smooth(v);
         return;
     }
     for (int i = 0; i < v->n; i++)
@@ -209,7 +209,7 @@ static void cycle(struct multigrid *mg)
     solve_coarsest(mg);
     for (int k = mg->n_levels - 2; k >= 0; k--) {
         level_prolong(&v[k + 1], &v[k]);
-        smooth(&v[k]);
+        multigrid_smooth(&v[k]);
     }
 }
 
@@ -260,37 +260,40 @@ int multigrid_unknowns(const struct multigrid *mg, int level)
     return mg->level[level].n;
 }
 
-static void *create(int n, int n_links, const int *owner, const int *neighbour,
-                    const double *strength, const double *link, const double *V)
+static void *multigrid_kind_create(int n, int n_links, const int *owner,
+                                   const int *neighbour, const double *strength,
+                                   const double *link, const double *V)
 {
     return multigrid_create(n, n_links, owner, neighbour, strength, link, V);
 }
 
-static void release(void *matrix)
+static void multigrid_kind_free(void *matrix)
 {
     multigrid_free(matrix);
 }
 
-static void set(void *matrix, const double *g, const double *sums)
+static void multigrid_kind_set(void *matrix, const double *g,
+                               const double *sums)
 {
     multigrid_set_coefficients(matrix, g, sums);
 }
 
-static double multiply(const void *matrix, const double *x, double *y)
+static double multigrid_kind_multiply(const void *matrix, const double *x,
+                                      double *y)
 {
     return multigrid_multiply(matrix, x, y);
 }
 
-static double apply(void *matrix, const double *r, double *z)
+static double multigrid_kind_apply(void *matrix, const double *r, double *z)
 {
     return multigrid_apply(matrix, r, z);
 }
 
 const struct preconditioned_kind multigrid_preconditioned = {
     .name = "multigrid",
-    .create = create,
-    .free = release,
-    .set = set,
-    .multiply = multiply,
-    .apply = apply,
+    .create = multigrid_kind_create,
+    .free = multigrid_kind_free,
+    .set = multigrid_kind_set,
+    .multiply = multigrid_kind_multiply,
+    .apply = multigrid_kind_apply,
 };

@@ -13,7 +13,7 @@ static const double strong_fraction = 0.4;
 
 /* The axis (0, 1, 2) to which the link is closest; where only rounding tells
  * two axes apart, the first of them. */
-static int axis_of(const struct graph *g, int l)
+static int pairwise_aggregation_axis_of(const struct graph *g, int l)
 {
     const double *const d = g->distance + 3L * l;
     int axis = 0;
@@ -53,7 +53,8 @@ static struct csr *strong_links(const struct graph *g, int axis, int **link_at)
     int n = 0;
 
     for (int l = 0; l < g->n_links; l++) {
-        if (!g->strong[l] || axis_of(g, l) != axis) continue;
+        if (!g->strong[l] || pairwise_aggregation_axis_of(g, l) != axis)
+            continue;
         own[n] = g->owner[l];
         nei[n] = g->neighbour[l];
         which[n++] = l;

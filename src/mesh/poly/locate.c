@@ -54,7 +54,7 @@ struct walk {
 };
 
 /* How far the point is beyond face a of the cell's list [m]. */
-static double beyond(const struct walk *w, int a)
+static double locate_beyond(const struct walk *w, int a)
 {
     const double *const p = &bins_of(w->m)->plane[4 * a];
     return p[0] * w->x[0] + p[1] * w->x[1] + p[2] * w->x[2] - p[3];
@@ -69,7 +69,7 @@ static int way_out(const struct walk *w, int c, double *most)
     int way = -1;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-        const double r = beyond(w, a);
+        const double r = locate_beyond(w, a);
         if (r > any) any = r;
         if (r <= inner || m->cell_face[a] >= m->n_internal) continue;
         inner = r;
@@ -115,7 +115,7 @@ static int go_through(struct walk *w, int a)
 }
 
 /* 1 if a cell was found. */
-static int walk_from(struct walk *w, int c)
+static int locate_walk_from(struct walk *w, int c)
 {
     const int longest =
         32 + 8 * number_clamped(cbrt(w->m->n_cells), 1, 1 << 11);
@@ -180,7 +180,8 @@ int locate_from(const struct mesh *m, int begin, const double x[3],
     if (!(isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]))) return -1;
     for (int k = 0; k < 3; k++)
         w.x[k] = x[k];
-    if (!(begin >= 0 && walk_from(&w, begin)) && !search_bin(&w, x)) return -1;
+    if (!(begin >= 0 && locate_walk_from(&w, begin)) && !search_bin(&w, x))
+        return -1;
     for (int k = 0; k < 3; k++)
         offset[k] = w.offset[k];
     return w.best;
@@ -336,7 +337,7 @@ static void choose_begins(const struct mesh *m)
     }
 }
 
-static void release(struct mesh_search *search)
+static void locate_release(struct mesh_search *search)
 {
     struct bins *const b = (struct bins *)search;
 
@@ -351,7 +352,7 @@ void locate_create(struct mesh *m, double slack)
 {
     struct bins *const b = alloc_zeroed(1, sizeof *b);
 
-    b->search = (struct mesh_search){cell, release};
+    b->search = (struct mesh_search){cell, locate_release};
     m->search = &b->search;
     b->slack = slack;
     size_bins(m, b);

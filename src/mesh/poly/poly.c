@@ -179,8 +179,8 @@ static int list_inner(const struct poly_raw *r, struct join *list)
 
 /* The difference of the numbers of the cells of an inner face, and the lower
  * number. */
-static void place_of(const struct poly_raw *r, const struct join *one,
-                     int *distance, int *least)
+static void poly_place_of(const struct poly_raw *r, const struct join *one,
+                          int *distance, int *least)
 {
     const int a = r->number[r->owner[one->f]];
     const int b = r->number[one->far == one->f ? r->neighbour[one->f]
@@ -198,7 +198,7 @@ static void set_inner_faces(struct mesh *m, const struct poly_raw *r)
 
     list_inner(r, list);
     for (int i = 0; i < n; i++)
-        place_of(r, &list[i], &distance[i], &least[i]);
+        poly_place_of(r, &list[i], &distance[i], &least[i]);
 
     int *const order = poly_face_order(n, m->n_cells, least, distance);
 
@@ -252,7 +252,7 @@ static void set_bounds(struct mesh *m, const struct poly_raw *r)
 }
 
 /* Builds the mesh m, whose periods are known. */
-static void build(struct mesh *m, struct poly_raw *r)
+static void poly_fill(struct mesh *m, struct poly_raw *r)
 {
     int joined = 0;
 
@@ -280,7 +280,7 @@ static void build(struct mesh *m, struct poly_raw *r)
 
 /* Checks that each cyclic patch has a partner, and each boundary face one
  * patch; 0 if so, else 1 after a message. */
-static int check_parts(const struct poly_raw *r, const char *dir)
+static int poly_check_parts(const struct poly_raw *r, const char *dir)
 {
     int next = r->n_inner;
 
@@ -316,9 +316,9 @@ struct mesh *poly_build(struct poly_raw *r, const char *dir)
 {
     struct mesh *m = alloc_zeroed(1, sizeof *m);
 
-    if (!check_parts(r, dir) && !poly_raw_measure(r, dir) &&
+    if (!poly_check_parts(r, dir) && !poly_raw_measure(r, dir) &&
         !find_periods(m, r, dir)) {
-        build(m, r);
+        poly_fill(m, r);
         return m;
     }
     mesh_free(m);

@@ -28,7 +28,7 @@ void poly_file_wrong(struct poly_file *p, const char *format, ...)
     va_end(list);
 }
 
-static void skip_line(struct poly_file *p)
+static void poly_file_skip_line(struct poly_file *p)
 {
     while (p->text[p->at] != '\0' && p->text[p->at] != '\n')
         p->at++;
@@ -51,7 +51,7 @@ static void skip_blanks(struct poly_file *p)
         const char *const t = &p->text[p->at];
         if (t[0] == '\n') p->line++;
         if (t[0] == '/' && t[1] == '/')
-            skip_line(p);
+            poly_file_skip_line(p);
         else if (t[0] == '/' && t[1] == '*')
             skip_comment(p);
         else if (isspace((unsigned char)t[0]))
@@ -129,7 +129,7 @@ void poly_file_end(struct poly_file *p, int n)
 
 /* The bytes of the next number, whose width is one of two; NULL if the file
  * ends. */
-static const char *bytes_of(struct poly_file *p, int width)
+static const char *poly_file_bytes_of(struct poly_file *p, int width)
 {
     const char *const at = &p->text[p->at];
 
@@ -143,7 +143,7 @@ static long whole_of_bytes(struct poly_file *p)
     int32_t narrow = 0;
     int64_t wide = 0;
     const int is_wide = p->label == sizeof wide;
-    const char *const at = bytes_of(p, p->label);
+    const char *const at = poly_file_bytes_of(p, p->label);
 
     if (at == NULL) return 0;
     memcpy(is_wide ? (void *)&wide : (void *)&narrow, at, (size_t)p->label);
@@ -155,7 +155,7 @@ static double real_of_bytes(struct poly_file *p)
     float narrow = 0.0f;
     double wide = 0.0;
     const int is_wide = p->scalar == sizeof wide;
-    const char *const at = bytes_of(p, p->scalar);
+    const char *const at = poly_file_bytes_of(p, p->scalar);
 
     if (at == NULL) return 0.0;
     memcpy(is_wide ? (void *)&wide : (void *)&narrow, at, (size_t)p->scalar);

@@ -58,7 +58,7 @@ static void number_in_waves(struct poly_raw *r)
 
 /* The sum over the inner faces of the differences of the numbers of their
  * cells. */
-static double spread(const struct poly_raw *r)
+static double poly_order_spread(const struct poly_raw *r)
 {
     double sum = 0.0;
 
@@ -165,7 +165,7 @@ static int number_in_rows(struct poly_raw *r)
 }
 
 /* Replaces the present numbering by this one. */
-static void take(struct poly_raw *r, int *number)
+static void poly_order_take(struct poly_raw *r, int *number)
 {
     free(r->number);
     r->number = number;
@@ -178,25 +178,25 @@ void poly_number_cells(struct poly_raw *r)
     number_as_filed(r);
 
     int *const as_filed = r->number;
-    const double far = spread(r);
+    const double far = poly_order_spread(r);
     const int rows = has_rows(r);
 
     r->number = NULL;
     if (number_in_rows(r)) {
-        const int better = has_rows(r) && (!rows || spread(r) < far);
+        const int better = has_rows(r) && (!rows || poly_order_spread(r) < far);
         if (better) {
             free(as_filed);
             return;
         }
     }
-    take(r, as_filed);
+    poly_order_take(r, as_filed);
     if (rows) return;
     r->number = NULL;
     number_in_waves(r);
-    if (spread(r) < far)
+    if (poly_order_spread(r) < far)
         free(as_filed);
     else
-        take(r, as_filed);
+        poly_order_take(r, as_filed);
 }
 
 /* If cells have several faces in a patch, the first faces of all cells come

@@ -288,7 +288,7 @@ static void measure_face(struct poly_raw *r, int f)
 
 /* A cell is divided into pyramids about the mean of the middles of its faces,
  * which give its volume and centre. */
-static void measure_cells(struct poly_raw *r)
+static void poly_raw_measure_cells(struct poly_raw *r)
 {
     double *const mean = alloc_doubles(3 * r->n_cells);
     int *const count = alloc_ints(r->n_cells);
@@ -413,7 +413,7 @@ int poly_raw_measure(struct poly_raw *r, const char *dir)
     r->centre = alloc_doubles(3 * r->n_cells);
     for (int f = 0; f < r->n_faces; f++)
         measure_face(r, f);
-    measure_cells(r);
+    poly_raw_measure_cells(r);
     return wrong_face(r, dir) || wrong_cell(r, dir) || wrong_link(r, dir);
 }
 

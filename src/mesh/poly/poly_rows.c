@@ -46,7 +46,7 @@ static int has_corner(const struct poly_raw *r, int f, int point)
 
 /* The number of corners that faces f, g and h have in common; with h = g, those
  * of f and g. */
-static int common(const struct poly_raw *r, int f, int g, int h)
+static int poly_rows_common(const struct poly_raw *r, int f, int g, int h)
 {
     int n = 0;
 
@@ -57,11 +57,12 @@ static int common(const struct poly_raw *r, int f, int g, int h)
 
 /* The face of cell c, other than f, with this many corners in common with f and
  * g; or -1. */
-static int find(const struct walk *w, int c, int f, int g, int corners)
+static int poly_rows_find_face(const struct walk *w, int c, int f, int g,
+                               int corners)
 {
     for (int i = 0; i < 6; i++) {
         const int h = w->face[c][i];
-        if (h != f && common(w->r, f, g, h) == corners) return h;
+        if (h != f && poly_rows_common(w->r, f, g, h) == corners) return h;
     }
     return -1;
 }
@@ -69,17 +70,18 @@ static int find(const struct walk *w, int c, int f, int g, int corners)
 /* Puts the faces of cell c in order: `first` gets the number s, and face 2 k
  * has an edge in common with face 2 k of the cell before. 0 if the cell is no
  * hexahedron. */
-static int turn(struct walk *w, int c, int first, int s, const int before[6])
+static int poly_rows_turn(struct walk *w, int c, int first, int s,
+                          const int before[6])
 {
     int face[6];
 
-    face[s ^ 1] = find(w, c, first, first, 0);
+    face[s ^ 1] = poly_rows_find_face(w, c, first, first, 0);
     face[s] = first;
     for (int k = 0; k < 6; k += 2) {
         if (k == (s & ~1)) continue;
-        face[k] = find(w, c, first, before[k], 2);
+        face[k] = poly_rows_find_face(w, c, first, before[k], 2);
         if (face[k] < 0) return 0;
-        face[k + 1] = find(w, c, face[k], face[k], 0);
+        face[k + 1] = poly_rows_find_face(w, c, face[k], face[k], 0);
     }
     for (int i = 0; i < 6; i++)
         if (face[i] < 0) return 0;
@@ -89,21 +91,21 @@ static int turn(struct walk *w, int c, int first, int s, const int before[6])
 
 /* Orders the faces of the first cell: any face, one beside it, and one beside
  * both. */
-static int begin(struct walk *w)
+static int poly_rows_begin(struct walk *w)
 {
     const int *const own = w->face[0];
     int face[6] = {own[0], 0, -1, 0, -1, 0};
 
     for (int i = 1; i < 6; i++) {
-        if (common(w->r, own[0], own[i], own[i]) != 2) continue;
+        if (poly_rows_common(w->r, own[0], own[i], own[i]) != 2) continue;
         if (face[2] < 0)
             face[2] = own[i];
-        else if (common(w->r, face[2], own[i], own[i]) == 2)
+        else if (poly_rows_common(w->r, face[2], own[i], own[i]) == 2)
             face[4] = own[i];
     }
     if (face[4] < 0) return 0;
     for (int k = 0; k < 6; k += 2) {
-        face[k + 1] = find(w, 0, face[k], face[k], 0);
+        face[k + 1] = poly_rows_find_face(w, 0, face[k], face[k], 0);
         if (face[k + 1] < 0) return 0;
     }
     memcpy(w->face[0], face, sizeof face);
@@ -113,11 +115,11 @@ static int begin(struct walk *w)
 
 /* Goes from the cells that have been reached to those behind their faces, until
  * there are no more; returns how many have been reached. */
-static int walk_on(struct walk *w)
+static int poly_rows_walk_on(struct walk *w)
 {
     const struct poly_raw *const r = w->r;
     int *const queue = alloc_ints(r->n_cells);
-    int n = begin(w);
+    int n = poly_rows_begin(w);
 
     for (int done = 0; done < n; done++) {
         const int c = queue[done];
@@ -125,7 +127,8 @@ static int walk_on(struct walk *w)
             const int f = w->face[c][s];
             if (f >= r->n_inner) continue;
             const int next = r->owner[f] == c ? r->neighbour[f] : r->owner[f];
-            if (w->reached[next] || !turn(w, next, f, s ^ 1, w->face[c]))
+            if (w->reached[next] ||
+                !poly_rows_turn(w, next, f, s ^ 1, w->face[c]))
                 continue;
             memcpy(w->at[next], w->at[c], sizeof w->at[c]);
             w->at[next][s / 2] += s % 2 ? 1 : -1;
@@ -159,7 +162,7 @@ int *poly_rows_find(const struct poly_raw *r, int extent[3])
     w.face = alloc_zeroed((size_t)r->n_cells, sizeof *w.face);
     w.at = alloc_zeroed((size_t)r->n_cells, sizeof *w.at);
     w.reached = alloc_zeroed((size_t)r->n_cells, 1);
-    const int all = take_faces(&w) && walk_on(&w) == r->n_cells;
+    const int all = take_faces(&w) && poly_rows_walk_on(&w) == r->n_cells;
 
     if (all) shift(w.at, r->n_cells, extent);
     free(w.face);

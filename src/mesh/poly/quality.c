@@ -43,7 +43,7 @@ static void update_max(double value, int cell, double *worst, int *where)
     *where = cell;
 }
 
-static void measure_cells(const struct mesh *m, struct mesh_quality *q)
+static void quality_measure_cells(const struct mesh *m, struct mesh_quality *q)
 {
     q->V_min = INFINITY;
     for (int c = 0; c < m->n_cells; c++) {
@@ -58,7 +58,7 @@ struct mesh_quality mesh_quality(const struct mesh *m)
 {
     struct mesh_quality q = {.openness = mesh_openness(m), .growth = 1.0};
 
-    measure_cells(m, &q);
+    quality_measure_cells(m, &q);
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
         const int c = m->owner[f];

@@ -40,8 +40,8 @@ static void set_points(struct poly_raw *r, const struct box *b,
 
 /* The four corners of the face of cell `at` on the lower or upper side of
  * direction k, turned so that its area points out of it. */
-static void add_face(struct poly_raw *r, const int n[3], const int at[3], int k,
-                     int upper)
+static void sheared_add_face(struct poly_raw *r, const int n[3],
+                             const int at[3], int k, int upper)
 {
     static const int round[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
@@ -60,7 +60,7 @@ static void add_face(struct poly_raw *r, const int n[3], const int at[3], int k,
     r->start[r->n_faces] = 4 * r->n_faces;
 }
 
-static void inner_faces(struct poly_raw *r, const int n[3])
+static void sheared_inner_faces(struct poly_raw *r, const int n[3])
 {
     const int stride[3] = {1, n[0], n[0] * n[1]};
     int at[3];
@@ -70,7 +70,7 @@ static void inner_faces(struct poly_raw *r, const int n[3])
             for (at[0] = 0; at[0] < n[0]; at[0]++)
                 for (int k = 0; k < 3; k++) {
                     if (at[k] == n[k] - 1) continue;
-                    add_face(r, n, at, k, 1);
+                    sheared_add_face(r, n, at, k, 1);
                     r->neighbour[r->n_inner++] =
                         r->owner[r->n_faces - 1] + stride[k];
                 }
@@ -78,7 +78,8 @@ static void inner_faces(struct poly_raw *r, const int n[3])
 
 /* Adds the faces of one end. Their partners at the other end have the same
  * order, so that a period joins them. */
-static void end_faces(struct poly_raw *r, const struct box *b, int k, int upper)
+static void sheared_end_faces(struct poly_raw *r, const struct box *b, int k,
+                              int upper)
 {
     struct poly_part *const part = &r->part[r->n_parts++];
     const int *const n = b->n, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
@@ -92,7 +93,7 @@ static void end_faces(struct poly_raw *r, const struct box *b, int k, int upper)
     at[k] = upper ? n[k] - 1 : 0;
     for (at[k2] = 0; at[k2] < n[k2]; at[k2]++)
         for (at[k1] = 0; at[k1] < n[k1]; at[k1]++)
-            add_face(r, n, at, k, upper);
+            sheared_add_face(r, n, at, k, upper);
     part->n = r->n_faces - part->first;
 }
 
@@ -112,10 +113,10 @@ struct mesh *mesh_create_sheared(const struct box_spec *spec,
     r.owner = alloc_ints(most);
     r.neighbour = alloc_ints(most);
     set_points(&r, b, shear);
-    inner_faces(&r, b->n);
+    sheared_inner_faces(&r, b->n);
     for (int k = 0; k < 3; k++)
         for (int upper = 0; upper < 2; upper++)
-            end_faces(&r, b, k, upper);
+            sheared_end_faces(&r, b, k, upper);
     struct mesh *const m = poly_build(&r, "the sheared box");
     poly_raw_release(&r);
     mesh_free(straight);

@@ -25,8 +25,8 @@ struct state_file {
 /* The last line: the checksum of all bytes before it. */
 enum { LAST_LINE = 24, GROWTH = 1 << 20 };
 
-static void last_line(char line[LAST_LINE + 1], const unsigned char *bytes,
-                      size_t size)
+static void state_file_last_line(char line[LAST_LINE + 1],
+                                 const unsigned char *bytes, size_t size)
 {
     snprintf(line, LAST_LINE + 1, "\nwinnow crc32 %08lx\n\n",
              (unsigned long)crc32_z(0, bytes, size));
@@ -34,14 +34,14 @@ static void last_line(char line[LAST_LINE + 1], const unsigned char *bytes,
 
 /* --- in and out ----------------------------------------------------------- */
 
-static hid_t type_of(enum state_type type)
+static hid_t state_file_type_of(enum state_type type)
 {
     return type == STATE_REAL    ? H5T_NATIVE_DOUBLE
            : type == STATE_WHOLE ? H5T_NATIVE_INT
                                  : H5T_NATIVE_LONG;
 }
 
-static size_t bytes_of(const struct state_array *a)
+static size_t state_file_bytes_of(const struct state_array *a)
 {
     const size_t one = a->type == STATE_REAL    ? sizeof(double)
                        : a->type == STATE_WHOLE ? sizeof(int)
@@ -51,11 +51,11 @@ static size_t bytes_of(const struct state_array *a)
 
 static unsigned checksum(const struct state_array *a)
 {
-    return (unsigned)crc32_z(0, a->values, bytes_of(a));
+    return (unsigned)crc32_z(0, a->values, state_file_bytes_of(a));
 }
 
 /* Of one row or column: a list, else a table. */
-static int shape_of(const struct state_array *a, hsize_t shape[2])
+static int state_file_shape_of(const struct state_array *a, hsize_t shape[2])
 {
     shape[0] = (hsize_t)a->rows;
     shape[1] = (hsize_t)a->width;
@@ -83,7 +83,7 @@ static hid_t string_type(const char *text)
     return type;
 }
 
-static int put_text(hid_t at, const char *name, const char *text)
+static int state_file_write_text(hid_t at, const char *name, const char *text)
 {
     const hid_t type = string_type(text);
     const int failed = put_attribute(at, name, type, text);
@@ -91,20 +91,21 @@ static int put_text(hid_t at, const char *name, const char *text)
     return failed;
 }
 
-static int save(void *store, const struct state_array *a)
+static int state_file_save(void *store, const struct state_array *a)
 {
     struct state_file *const f = store;
     const unsigned sum = checksum(a);
     hsize_t shape[2];
-    const hid_t space = H5Screate_simple(shape_of(a, shape), shape, NULL);
+    const hid_t space =
+        H5Screate_simple(state_file_shape_of(a, shape), shape, NULL);
     const hid_t with = H5Pcreate(H5P_LINK_CREATE);
 
     H5Pset_create_intermediate_group(with, 1);
-    const hid_t made = H5Dcreate2(f->file, a->path, type_of(a->type), space,
-                                  with, H5P_DEFAULT, H5P_DEFAULT);
-    const int failed = H5Dwrite(made, type_of(a->type), H5S_ALL, H5S_ALL,
-                                H5P_DEFAULT, a->values) < 0 ||
-                       put_text(made, "unit", a->unit) != 0 ||
+    const hid_t made = H5Dcreate2(f->file, a->path, state_file_type_of(a->type),
+                                  space, with, H5P_DEFAULT, H5P_DEFAULT);
+    const int failed = H5Dwrite(made, state_file_type_of(a->type), H5S_ALL,
+                                H5S_ALL, H5P_DEFAULT, a->values) < 0 ||
+                       state_file_write_text(made, "unit", a->unit) != 0 ||
                        put_attribute(made, "crc32", H5T_NATIVE_UINT, &sum) != 0;
     H5Dclose(made);
     H5Pclose(with);
@@ -115,8 +116,8 @@ static int save(void *store, const struct state_array *a)
     return failed;
 }
 
-static int refuse(const struct state_file *f, const struct state_array *a,
-                  const char *why)
+static int state_file_refuse(const struct state_file *f,
+                             const struct state_array *a, const char *why)
 {
     fprintf(stderr, "winnow: %s: %s %s\n", f->path, a->path, why);
     return 1;
@@ -125,7 +126,7 @@ static int refuse(const struct state_file *f, const struct state_array *a,
 static int has_shape(hid_t data, const struct state_array *a)
 {
     hsize_t shape[2], there[2] = {0, 0};
-    const int n = shape_of(a, shape);
+    const int n = state_file_shape_of(a, shape);
     const hid_t space = H5Dget_space(data);
     const int fits = H5Sget_simple_extent_ndims(space) == n &&
                      H5Sget_simple_extent_dims(space, there, NULL) == n &&
@@ -186,18 +187,19 @@ static int has_no_number(const struct state_array *a)
     return 0;
 }
 
-static int load(void *store, const struct state_array *a)
+static int state_file_load(void *store, const struct state_array *a)
 {
     struct state_file *const f = store;
     size_t bytes;
     const hid_t data = opened_array(f->file, a->path, &bytes);
 
-    if (data < 0) return refuse(f, a, "is not there, which this case needs");
+    if (data < 0)
+        return state_file_refuse(f, a, "is not there, which this case needs");
     const char *why = NULL;
     if (!has_shape(data, a))
         why = "has another number of entries than this case";
-    else if (H5Dread(data, type_of(a->type), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                     a->values) < 0)
+    else if (H5Dread(data, state_file_type_of(a->type), H5S_ALL, H5S_ALL,
+                     H5P_DEFAULT, a->values) < 0)
         why = "cannot be read";
     else if (attribute(data, "crc32") != (long)checksum(a))
         why = "is damaged: its checksum does not match";
@@ -205,7 +207,7 @@ static int load(void *store, const struct state_array *a)
         why = "has an entry that is no finite number";
     H5Dclose(data);
     f->arrays++;
-    return why != NULL ? refuse(f, a, why) : 0;
+    return why != NULL ? state_file_refuse(f, a, why) : 0;
 }
 
 /* --- files ---------------------------------------------------------------- */
@@ -227,7 +229,7 @@ static struct state_file *file_of(hid_t file, const char *path, int loading)
     f->file = file;
     f->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
     f->state.loading = loading;
-    f->state.visit = loading ? load : save;
+    f->state.visit = loading ? state_file_load : state_file_save;
     f->state.store = f;
     return f;
 }
@@ -279,7 +281,8 @@ struct state_image state_file_image(struct state_file *f)
         image.size = (size_t)size + LAST_LINE;
         image.bytes = alloc_zeroed(image.size + 1, 1);
         H5Fget_file_image(f->file, image.bytes, (size_t)size);
-        last_line((char *)image.bytes + size, image.bytes, (size_t)size);
+        state_file_last_line((char *)image.bytes + size, image.bytes,
+                             (size_t)size);
     }
     state_file_free(f);
     return image;
@@ -309,13 +312,14 @@ static int is_whole(const char *bytes, size_t length)
     char line[LAST_LINE + 1];
 
     if (length < LAST_LINE) return 0;
-    last_line(line, (const unsigned char *)bytes, length - LAST_LINE);
+    state_file_last_line(line, (const unsigned char *)bytes,
+                         length - LAST_LINE);
     return memcmp(bytes + length - LAST_LINE, line, LAST_LINE) == 0;
 }
 
 /* Two images of one name that are open at a time would be one for HDF5, and
  * there must be no file of that name. */
-static hid_t opened(const char *path, char *bytes, size_t length)
+static hid_t state_file_opened(const char *path, char *bytes, size_t length)
 {
     const hid_t access = in_memory();
     char *const name = file_join(path, "image");
@@ -328,7 +332,7 @@ static hid_t opened(const char *path, char *bytes, size_t length)
 }
 
 /* A text of a length that is fixed, as each is written; NULL if it is none. */
-static char *read_text(const struct state_file *f, const char *name)
+static char *state_file_read_text(const struct state_file *f, const char *name)
 {
     size_t bytes;
     const hid_t at = opened_array(f->file, name, &bytes);
@@ -349,7 +353,7 @@ static char *read_text(const struct state_file *f, const char *name)
 /* Lines without other control characters, for texts are shown. */
 char *state_file_text(struct state_file *f, const char *name)
 {
-    char *const text = read_text(f, name);
+    char *const text = state_file_read_text(f, name);
 
     if (text == NULL) return alloc_zeroed(1, 1);
     for (char *line = text, *end; *line != '\0'; line = end) {
@@ -386,7 +390,7 @@ static int has_form(struct state_file *f)
                  isfinite(state_file_number(f, "/t")));
 
     for (int i = 0; i < 4 && holds; i++) {
-        char *const text = read_text(f, names[i]);
+        char *const text = state_file_read_text(f, names[i]);
         holds = text != NULL || H5Lexists(f->file, names[i], H5P_DEFAULT) <= 0;
         free(text);
     }
@@ -404,7 +408,7 @@ struct state_file *state_file_open(const char *path, const char **why)
     }
     *why = "it is damaged: its checksum does not match";
     const hid_t file = is_whole(bytes, length)
-                           ? opened(path, bytes, length - LAST_LINE)
+                           ? state_file_opened(path, bytes, length - LAST_LINE)
                            : H5I_INVALID_HID;
     free(bytes);
     if (file < 0) return NULL;

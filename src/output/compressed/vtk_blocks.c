@@ -59,7 +59,7 @@ static void compressor_init(z_stream *z, int level)
     }
 }
 
-static void make_room(struct vtk_blocks *b, size_t n)
+static void vtk_blocks_make_room(struct vtk_blocks *b, size_t n)
 {
     if (n <= b->n_size) return;
     free(b->size);
@@ -75,7 +75,7 @@ struct vtk_blocks *vtk_blocks_create(void)
     compressor_init(&b->stored, 0);
     assert(deflateBound(&b->stored, VTK_BLOCK) <= PACKED_ROOM);
     assert(deflateBound(&b->light, VTK_BLOCK) <= PACKED_ROOM);
-    make_room(b, 16);
+    vtk_blocks_make_room(b, 16);
     return b;
 }
 
@@ -88,7 +88,7 @@ void vtk_blocks_free(struct vtk_blocks *b)
 }
 
 /* b->plain to b->packed; returns the compressed size [bytes]. */
-static size_t pack(struct vtk_blocks *b, z_stream *z, size_t bytes)
+static size_t vtk_blocks_pack(struct vtk_blocks *b, z_stream *z, size_t bytes)
 {
     deflateReset(z);
     z->next_in = b->plain;
@@ -119,7 +119,7 @@ static void put_blocks(struct vtk_blocks *b, FILE *out,
         const size_t bytes = n * vtk_array_width(a);
 
         vtk_array_copy(a, first, n, b->plain);
-        b->size[k] = pack(b, z, bytes);
+        b->size[k] = vtk_blocks_pack(b, z, bytes);
         fwrite(b->packed, 1, (size_t)b->size[k], out);
         if (10 * b->size[k] > 9 * bytes) z = &b->stored;
     }
@@ -133,7 +133,7 @@ void vtk_blocks_write(struct vtk_blocks *b, FILE *out,
     const size_t n_blocks = (bytes + VTK_BLOCK - 1) / VTK_BLOCK;
     const uint64_t head[3] = {n_blocks, VTK_BLOCK, bytes % VTK_BLOCK};
 
-    make_room(b, n_blocks);
+    vtk_blocks_make_room(b, n_blocks);
     put_words(out, head, 3);
     const off_t sizes = ftello(out);
     put_words(out, b->size, n_blocks);

@@ -98,7 +98,7 @@ static int put_points(struct folder *folder, const struct slice *s)
     return file_commit(f);
 }
 
-static void put_point(void *of, const double *x)
+static void picture_flow_put_point(void *of, const double *x)
 {
     if (x == NULL)
         fputc('\n', of);
@@ -106,7 +106,7 @@ static void put_point(void *of, const double *x)
         put_numbers(of, 2, x);
 }
 
-static int put_lines(struct folder *folder, const struct slice *s)
+static int picture_flow_put_lines(struct folder *folder, const struct slice *s)
 {
     struct file *const f = picture_open(folder, "picture/streamlines.txt");
     const double size =
@@ -115,7 +115,7 @@ static int put_lines(struct folder *folder, const struct slice *s)
     if (f == NULL) return 1;
     fprintf(file_stream(f), "# place to the right, place up [m]; a line ends "
                             "with an empty one\n");
-    slice_streamlines(s, size / LINES, put_point, file_stream(f));
+    slice_streamlines(s, size / LINES, picture_flow_put_point, file_stream(f));
     /* gnuplot draws no file without a point */
     fprintf(file_stream(f), "nan nan\n");
     return file_commit(f);
@@ -143,8 +143,9 @@ static void pressure_range(const struct slice *s, double *low, double *high)
     free(p);
 }
 
-static int put_script(struct folder *folder, const struct picture *p,
-                      const struct slice *s)
+static int picture_flow_put_script(struct folder *folder,
+                                   const struct picture *p,
+                                   const struct slice *s)
 {
     struct file *const f = picture_open(folder, "picture/bed.gp");
     double fast = 0.0, low, high;
@@ -176,8 +177,9 @@ static int put_script(struct folder *folder, const struct picture *p,
 int picture_flow_write(struct folder *folder, const struct picture *p)
 {
     struct slice s = slice_of(p->mesh, p->u, p->p, POINTS);
-    const int failed = put_points(folder, &s) || put_lines(folder, &s) ||
-                       put_script(folder, p, &s);
+    const int failed = put_points(folder, &s) ||
+                       picture_flow_put_lines(folder, &s) ||
+                       picture_flow_put_script(folder, p, &s);
 
     slice_release(&s);
     return failed;

@@ -24,8 +24,8 @@ static int least_to_see(const struct mesh *m)
     return best;
 }
 
-static void sample(struct slice *s, const struct mesh *m, int i,
-                   const double x[3], const double *u, const double *p)
+static void slice_sample(struct slice *s, const struct mesh *m, int i,
+                         const double x[3], const double *u, const double *p)
 {
     double offset[3];
 
@@ -66,7 +66,7 @@ struct slice slice_of(const struct mesh *m, const double *u, const double *p,
     for (int i = 0; i < n; i++) {
         x[s.axis[0]] = s.lo[0] + i % s.n[0] * s.step[0];
         x[s.axis[1]] = s.lo[1] + i / s.n[0] * s.step[1];
-        sample(&s, m, i, x, u, p);
+        slice_sample(&s, m, i, x, u, p);
     }
     return s;
 }

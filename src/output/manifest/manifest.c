@@ -13,7 +13,8 @@
 
 static const char summary[] = "summary.json";
 
-static int complaint(const char *what, const char *dir, const char *name)
+static int manifest_complaint(const char *what, const char *dir,
+                              const char *name)
 {
     fprintf(stderr, "winnow: cannot %s %s/%s: %s\n", what, dir, name,
             strerror(errno));
@@ -32,7 +33,7 @@ static int is_plain(const char *part, size_t length)
 }
 
 /* "a" or "a/b", or the folder "a/". */
-static int is_inside(const char *name)
+static int manifest_is_inside(const char *name)
 {
     const char *const slash = strchr(name, '/');
 
@@ -82,7 +83,7 @@ static int foreign(const char *path, int line)
 
 /* The names after the head. A last line without a newline was cut off by a
  * crash and is dropped. */
-static int split(struct manifest *m, size_t length, const char *path)
+static int manifest_split(struct manifest *m, size_t length, const char *path)
 {
     const size_t head = strlen(MANIFEST_HEAD);
     int lines = 0;
@@ -96,7 +97,7 @@ static int split(struct manifest *m, size_t length, const char *path)
          (end = memchr(at, '\n', length - (size_t)(at - m->text))) != NULL;
          at = end + 1) {
         *end = '\0';
-        if (strlen(at) != (size_t)(end - at) || !is_inside(at))
+        if (strlen(at) != (size_t)(end - at) || !manifest_is_inside(at))
             return foreign(path, m->n + 2);
         m->name[m->n++] = at;
     }
@@ -114,7 +115,7 @@ int manifest_read(struct manifest *m, int file, const char *path)
         fprintf(stderr, "winnow: cannot read %s: %s\n", path, strerror(errno));
         return 1;
     }
-    if (split(m, length, path) != 0) return 1;
+    if (manifest_split(m, length, path) != 0) return 1;
     qsort(m->name, (size_t)m->n, sizeof *m->name, by_name);
     return 0;
 }
@@ -184,18 +185,18 @@ int manifest_remove(const struct manifest *m, int here, const char *dir,
 {
     *removed = 0;
     if (manifest_has(m, summary) && remove_both(here, summary, removed) != 0)
-        return complaint("remove", dir, summary);
+        return manifest_complaint("remove", dir, summary);
     for (int i = m->n - 1; i >= 0; i--) { /* "a/" after all "a/b" */
         const int failed = strchr(m->name[i], '/') == NULL
                                ? remove_both(here, m->name[i], removed)
                                : remove_below(here, m->name[i], removed);
-        if (failed) return complaint("remove", dir, m->name[i]);
+        if (failed) return manifest_complaint("remove", dir, m->name[i]);
     }
     return 0;
 }
 
 /* The names of a text, which it takes over; 0 lines if it is empty. */
-static struct manifest list_of(char *text, size_t length)
+static struct manifest manifest_list_of(char *text, size_t length)
 {
     struct manifest m = {.text = text};
     int lines = 0;
@@ -218,7 +219,7 @@ static void forget_kept(struct manifest *m, const struct manifest *kept)
     int n = 0;
 
     for (int i = 0; i < m->n; i++)
-        if (is_inside(m->name[i]) && !manifest_has(kept, m->name[i]))
+        if (manifest_is_inside(m->name[i]) && !manifest_has(kept, m->name[i]))
             m->name[n++] = m->name[i];
     m->n = n;
 }
@@ -237,13 +238,13 @@ int manifest_cut(int file, const char *path, long length, int here,
     }
     char *const later = strcpy(alloc_zeroed(all - kept + 1, 1), text + kept);
     text[kept] = '\0';
-    struct manifest old = list_of(text, kept);
-    struct manifest gone = list_of(later, all - kept);
+    struct manifest old = manifest_list_of(text, kept);
+    struct manifest gone = manifest_list_of(later, all - kept);
     forget_kept(&gone, &old);
     const int failed = manifest_remove(&gone, here, dir, &removed);
     manifest_release(&old);
     manifest_release(&gone);
     if (!failed && ftruncate(file, length) != 0)
-        return complaint("cut", dir, "manifest.txt");
+        return manifest_complaint("cut", dir, "manifest.txt");
     return failed;
 }

@@ -34,7 +34,7 @@ struct ownership {
     struct manifest old;
 };
 
-static int complaint(const char *what, const char *path)
+static int ownership_complaint(const char *what, const char *path)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));
     return 1;
@@ -76,7 +76,8 @@ static int lock(struct ownership *f)
 
     if (fcntl(f->file, F_SETLK, &l) == 0) return 0;
     f->fresh = 0;
-    if (errno != EACCES && errno != EAGAIN) return complaint("lock", f->path);
+    if (errno != EACCES && errno != EAGAIN)
+        return ownership_complaint("lock", f->path);
     fcntl(f->file, F_GETLK, &l);
     fprintf(stderr,
             "winnow: another run (process %ld) writes into %s; wait for its "
@@ -103,14 +104,16 @@ static int open_manifest(struct ownership *f)
     f->fresh = f->file >= 0;
     if (f->file < 0 && errno == EEXIST)
         f->file = openat(f->here, manifest, how);
-    return f->file < 0 && errno != ENOENT ? complaint("write", f->path) : 0;
+    return f->file < 0 && errno != ENOENT
+               ? ownership_complaint("write", f->path)
+               : 0;
 }
 
-static int take(struct ownership *f)
+static int ownership_open_locked(struct ownership *f)
 {
     if (file_make_dirs(f->dir) != 0) return 1;
     f->here = open(f->dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (f->here < 0) return complaint("open the folder", f->dir);
+    if (f->here < 0) return ownership_complaint("open the folder", f->dir);
     for (int turn = 0; turn < 100; turn++) {
         if (open_manifest(f) != 0) return 1;
         if (f->file < 0) continue; /* removed, since it existed */
@@ -120,7 +123,7 @@ static int take(struct ownership *f)
         f->file = -1;
     }
     errno = ENOENT;
-    return complaint("write", f->path);
+    return ownership_complaint("write", f->path);
 }
 
 /* --- contents of the folder ----------------------------------------------- */
@@ -141,7 +144,7 @@ static int lists_foreign(const struct ownership *f)
     return 0;
 }
 
-static int is_foreign(const struct ownership *f, const char *name)
+static int ownership_is_foreign(const struct ownership *f, const char *name)
 {
     const char *const end = strrchr(name, '.');
 
@@ -181,7 +184,7 @@ static int looked_into(const struct ownership *f, const char *folder)
         if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0)
             continue;
         char *const name = file_join(folder, e->d_name);
-        wrong = is_foreign(f, name[0] == '.' ? name + 2 : name);
+        wrong = ownership_is_foreign(f, name[0] == '.' ? name + 2 : name);
         free(name);
     }
     closedir(list);
@@ -232,7 +235,8 @@ struct ownership *ownership_take(const char *dir)
     f->dir = strcpy(alloc_zeroed(strlen(dir) + 1, 1), dir);
     f->path = file_join(dir, manifest);
     f->there = length_there(dir);
-    int wrong = take(f) || manifest_read(&f->old, f->file, f->path);
+    int wrong =
+        ownership_open_locked(f) || manifest_read(&f->old, f->file, f->path);
     for (int i = 0; written_folders[i] != NULL && !wrong; i++)
         wrong = looked_into(f, written_folders[i]);
     if (!wrong && !lists_foreign(f)) return f;
@@ -248,7 +252,7 @@ static int write_head(struct ownership *f)
     errno = ENOSPC; /* if only a part is written */
     f->headed = ftruncate(f->file, 0) == 0 &&
                 write(f->file, MANIFEST_HEAD, (size_t)f->length) == f->length;
-    return f->headed ? 0 : complaint("write", f->path);
+    return f->headed ? 0 : ownership_complaint("write", f->path);
 }
 
 /* An empty list, where there is none yet. */
@@ -285,7 +289,7 @@ void ownership_state(struct ownership *f, struct state *s)
     long length = (long)f->length;
 
     if (!s->loading && fsync(f->file) != 0)
-        s->failed = complaint("write", f->path);
+        s->failed = ownership_complaint("write", f->path);
     state_long(s, "manifest_bytes", "-", &length);
     if (!s->loading || s->failed) return;
     s->failed = manifest_cut(f->file, f->path, length, f->here, f->dir) != 0;
@@ -309,8 +313,8 @@ int ownership_list(struct ownership *f, const char *name)
         f->length += n;
         return 0;
     }
-    complaint("write", f->path);
+    ownership_complaint("write", f->path);
     if (n > 0 && ftruncate(f->file, f->length) != 0)
-        complaint("take half a line off", f->path);
+        ownership_complaint("take half a line off", f->path);
     return 1;
 }

@@ -41,7 +41,7 @@ void block_means_free(struct block_means *b)
 
 /* Neighbours are joined to one block, and the second half of the array is free.
  */
-static void join(struct block_means *b, double *sum)
+static void block_means_join(struct block_means *b, double *sum)
 {
     const int n = b->n, half = MOST_BLOCKS / 2;
 
@@ -63,8 +63,8 @@ void block_means_add(struct block_means *b, const double *x, const double *w)
     if (++b->filled < b->length) return;
     b->filled = 0;
     if (++b->full < MOST_BLOCKS) return;
-    join(b, b->weight);
-    join(b, b->amount);
+    block_means_join(b, b->weight);
+    block_means_join(b, b->amount);
     b->full = MOST_BLOCKS / 2;
     b->length *= 2;
 }

@@ -5,7 +5,7 @@
 
 #include "base/vector.h"
 
-static double middle(const struct box *b, int k, int i)
+static double probe_middle(const struct box *b, int k, int i)
 {
     return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
 }
@@ -16,12 +16,12 @@ static int row_below(const struct box *b, int k, double x, double *upper)
 {
     int i = 0;
 
-    while (i < b->n[k] - 1 && middle(b, k, i + 1) <= x)
+    while (i < b->n[k] - 1 && probe_middle(b, k, i + 1) <= x)
         i++;
     *upper = 0.0;
-    if (i < b->n[k] - 1 && x > middle(b, k, i))
-        *upper =
-            (x - middle(b, k, i)) / (middle(b, k, i + 1) - middle(b, k, i));
+    if (i < b->n[k] - 1 && x > probe_middle(b, k, i))
+        *upper = (x - probe_middle(b, k, i)) /
+                 (probe_middle(b, k, i + 1) - probe_middle(b, k, i));
     return i;
 }
 

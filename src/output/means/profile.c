@@ -37,7 +37,7 @@ struct profile {
     struct block_means *blocks;
 };
 
-static double middle(const struct box *b, int k, int i)
+static double profile_middle(const struct box *b, int k, int i)
 {
     return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
 }
@@ -48,15 +48,15 @@ static void find_rows(struct profile *p, const struct box *b)
     const int k = p->line.across;
     int j = 0;
 
-    while (j < b->n[k] - 1 && middle(b, k, j + 1) <= p->line.at)
+    while (j < b->n[k] - 1 && profile_middle(b, k, j + 1) <= p->line.at)
         j++;
-    const double low = middle(b, k, j);
+    const double low = profile_middle(b, k, j);
     p->row[0] = p->row[1] = j;
     p->share[0] = 1.0;
     if (j == b->n[k] - 1 || p->line.at < low)
         return; /* beyond the last centre */
     p->row[1] = j + 1;
-    p->share[1] = (p->line.at - low) / (middle(b, k, j + 1) - low);
+    p->share[1] = (p->line.at - low) / (profile_middle(b, k, j + 1) - low);
     p->share[0] = 1.0 - p->share[1];
 }
 
@@ -72,7 +72,7 @@ static void lay_out(struct profile *p, const struct box *b)
     p->n = b->n[a];
     p->x = alloc_doubles(p->n);
     for (int i = 0; i < p->n; i++)
-        p->x[i] = middle(b, a, i);
+        p->x[i] = profile_middle(b, a, i);
     p->n_deep = b->n[deep];
     p->dz = alloc_doubles(p->n_deep);
     for (int i = 0; i < p->n_deep; i++)
@@ -174,8 +174,9 @@ static double seen(const struct profile *p, const struct profile_field *f,
 }
 
 /* The sample of one field at point i of the line, and its weight. */
-static double sampled(const struct profile *p, const struct profile_field *f,
-                      int i, double *weight)
+static double profile_sampled(const struct profile *p,
+                              const struct profile_field *f, int i,
+                              double *weight)
 {
     double amount = 0.0;
 
@@ -201,7 +202,8 @@ void profile_add(struct profile *p, double time, double dt)
     for (int f = 0; f < p->n_fields; f++)
         for (int i = 0; i < p->n; i++) {
             const int at = f * p->n + i;
-            p->sample[at] = sampled(p, &p->fields[f], i, &p->weight[at]);
+            p->sample[at] =
+                profile_sampled(p, &p->fields[f], i, &p->weight[at]);
             p->amount[at] = dt * p->weight[at];
         }
     mean_add(p->mean, dt, p->sample, p->weight);

@@ -74,7 +74,7 @@ void animation_free(struct animation *a)
 }
 
 /* Room for n frames. */
-static void reserve(struct animation *a, int n)
+static void animation_reserve(struct animation *a, int n)
 {
     if (n <= a->capacity) return;
     double *const time = alloc_doubles(2 * n + 64);
@@ -89,7 +89,7 @@ int animation_add(struct animation *a, const struct picture *p)
 {
     char name[40];
 
-    reserve(a, a->n + 1);
+    animation_reserve(a, a->n + 1);
     a->time[a->n++] = p->time;
     a->fast = fmax(a->fast, picture_speed_scale(p));
     snprintf(name, sizeof name, "frames/frame_%05d.txt", a->n);
@@ -120,7 +120,7 @@ void animation_state(struct animation *a, struct state *s)
 
     state_begin(s, "animation");
     state_count(s, "frames", &n, INT_MAX / 4);
-    if (!s->failed) reserve(a, n);
+    if (!s->failed) animation_reserve(a, n);
     a->n = n;
     state_reals(s, "time", "s", a->time, n, 1);
     state_real(s, "fast", "m/s", &a->fast);
@@ -129,7 +129,8 @@ void animation_state(struct animation *a, struct state *s)
 }
 
 /* The script with the numbers of this run before it. */
-static int put_script(const struct animation *a, const struct picture *p)
+static int animation_put_script(const struct animation *a,
+                                const struct picture *p)
 {
     struct file *const f = picture_open(a->folder, "frames/bed.gp");
     if (f == NULL) return 1;
@@ -155,7 +156,7 @@ int animation_draw(const struct animation *a, const struct picture *p)
         free(path);
         if (path == NULL) return 1;
     }
-    if (put_script(a, p) != 0) return 1;
+    if (animation_put_script(a, p) != 0) return 1;
     char *const below = file_join(folder_name(a->folder), "frames");
     gnuplot_draw(&(struct gnuplot){.folder = below,
                                    .script = "bed.gp",

@@ -75,7 +75,7 @@ static int command_result(char *const arguments[], const char *log)
     return result;
 }
 
-static int complaint(const struct gnuplot *g, int result, int reason)
+static int gnuplot_complaint(const struct gnuplot *g, int result, int reason)
 {
     if ((result < 0 && reason == ENOENT) || result == NO_PROGRAM)
         fprintf(stderr,
@@ -106,9 +106,9 @@ static int drawn(const struct gnuplot *g)
     int failed = 0;
 
     if (result != 0)
-        failed = complaint(g, result, errno);
+        failed = gnuplot_complaint(g, result, errno);
     else if (rename(partial, g->png) != 0)
-        failed = complaint(g, -1, errno);
+        failed = gnuplot_complaint(g, -1, errno);
     if (failed) remove(partial);
     free(partial);
     return failed;
@@ -121,12 +121,12 @@ int gnuplot_draw(const struct gnuplot *g)
     const int home = open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 
     if (home < 0 || chdir(g->folder) != 0) {
-        complaint(g, -1, errno == ENOENT ? EIO : errno);
+        gnuplot_complaint(g, -1, errno == ENOENT ? EIO : errno);
         if (home >= 0) close(home);
         return 1;
     }
     int failed = drawn(g);
-    if (fchdir(home) != 0) failed = complaint(g, -1, errno);
+    if (fchdir(home) != 0) failed = gnuplot_complaint(g, -1, errno);
     close(home);
     return failed;
 }

@@ -131,7 +131,8 @@ static void put_columns(FILE *out, const struct picture *p)
 
 /* Mean of the cells at n points along the depth from x on; 0 if all points are
  * outside the mesh. */
-static double sampled(const struct picture *p, double x[3], double step, int n)
+static double picture_sampled(const struct picture *p, double x[3], double step,
+                              int n)
 {
     double sum = 0.0, offset[3];
     int met = 0;
@@ -167,7 +168,7 @@ static void put_squares(FILE *out, const struct picture *p)
             const double y = m->lo[1] + j * width[1];
             double point[3] = {x + 0.5 * width[0], y + 0.5 * width[1],
                                m->lo[2] + 0.5 * width[2]};
-            const double eps = sampled(p, point, width[2], n[2]);
+            const double eps = picture_sampled(p, point, width[2], n[2]);
             if (eps > 0.0)
                 put_row(out, 5,
                         (double[5]){x, x + width[0], y, y + width[1], eps});
@@ -213,7 +214,7 @@ void picture_put_box(FILE *out, const struct picture *p, double fast)
     picture_put_number(out, "fast", fast, "m/s, which 99 of 100 keep below");
 }
 
-static int put_script(struct folder *folder, const struct picture *p)
+static int picture_put_script(struct folder *folder, const struct picture *p)
 {
     struct file *const f = picture_open(folder, "picture/bed.gp");
     const double speed = picture_speed_scale(p);
@@ -234,7 +235,7 @@ int picture_write(struct folder *folder, const struct picture *p)
     if (folder_make(folder, "picture") != 0) return 1;
     if (picture_flow_fits(p)) return picture_flow_write(folder, p);
     return picture_write_particles(folder, "picture/particles.txt", p) ||
-           put_void_fraction(folder, p) || put_script(folder, p);
+           put_void_fraction(folder, p) || picture_put_script(folder, p);
 }
 
 /* Adds the files that gnuplot will write to the manifest; non-zero after a

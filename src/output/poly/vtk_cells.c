@@ -32,7 +32,7 @@ struct vtk_cells {
     int polyhedra; /* [-] how many */
 };
 
-static void add(struct list *l, int value)
+static void vtk_cells_add(struct list *l, int value)
 {
     if (l->n == l->room) {
         const int room = 2 * l->room + 64;
@@ -45,7 +45,7 @@ static void add(struct list *l, int value)
     l->value[l->n++] = value;
 }
 
-static int is_in(const int *list, int n, int value)
+static int vtk_cells_is_in(const int *list, int n, int value)
 {
     for (int i = 0; i < n; i++)
         if (list[i] == value) return 1;
@@ -61,7 +61,7 @@ static int polygon(const struct mesh_shape *s, int c, int i, const int **corner)
     return s->start[p + 1] - s->start[p];
 }
 
-static int faces_of(const struct mesh_shape *s, int c)
+static int vtk_cells_faces_of(const struct mesh_shape *s, int c)
 {
     return s->cell_start[c + 1] - s->cell_start[c];
 }
@@ -71,13 +71,13 @@ static int all_have(const struct mesh_shape *s, int c, int corners)
 {
     const int *corner;
 
-    for (int i = 0; i < faces_of(s, c); i++)
+    for (int i = 0; i < vtk_cells_faces_of(s, c); i++)
         if (polygon(s, c, i, &corner) != corners) return 0;
     return 1;
 }
 
 /* The first face of the cell, its normal inward. */
-static void base_of(const struct mesh *m, int c, int n, int *base)
+static void vtk_cells_base_of(const struct mesh *m, int c, int n, int *base)
 {
     const struct mesh_shape *const s = m->shape;
     const double *const x = &m->centre[3 * c];
@@ -100,18 +100,19 @@ static void base_of(const struct mesh *m, int c, int n, int *base)
 
 /* The point that is joined to a point of the base by an edge outside the base;
  * -1 if there is no such edge, or more than one. */
-static int across(const struct mesh_shape *s, int c, int n, const int *base,
-                  int point)
+static int vtk_cells_across(const struct mesh_shape *s, int c, int n,
+                            const int *base, int point)
 {
     int found = -1;
 
-    for (int i = 1; i < faces_of(s, c); i++) {
+    for (int i = 1; i < vtk_cells_faces_of(s, c); i++) {
         const int *corner;
         const int corners = polygon(s, c, i, &corner);
         for (int k = 0; k < corners; k++)
             for (int way = -1; way < 2; way += 2) {
                 const int to = corner[(k + way + corners) % corners];
-                if (corner[k] != point || is_in(base, n, to)) continue;
+                if (corner[k] != point || vtk_cells_is_in(base, n, to))
+                    continue;
                 if (found >= 0 && found != to) return -1;
                 found = to;
             }
@@ -122,20 +123,23 @@ static int across(const struct mesh_shape *s, int c, int n, const int *base,
 /* The eight points of a hexahedron; 0 if the cell is none. */
 static int is_hexahedron(const struct mesh *m, int c, int point[8])
 {
-    if (faces_of(m->shape, c) != 6 || !all_have(m->shape, c, 4)) return 0;
-    base_of(m, c, 4, point);
+    if (vtk_cells_faces_of(m->shape, c) != 6 || !all_have(m->shape, c, 4))
+        return 0;
+    vtk_cells_base_of(m, c, 4, point);
     for (int i = 0; i < 4; i++) {
-        point[4 + i] = across(m->shape, c, 4, point, point[i]);
-        if (point[4 + i] < 0 || is_in(&point[4], i, point[4 + i])) return 0;
+        point[4 + i] = vtk_cells_across(m->shape, c, 4, point, point[i]);
+        if (point[4 + i] < 0 || vtk_cells_is_in(&point[4], i, point[4 + i]))
+            return 0;
     }
     return 1;
 }
 
 static int is_tetrahedron(const struct mesh *m, int c, int point[4])
 {
-    if (faces_of(m->shape, c) != 4 || !all_have(m->shape, c, 3)) return 0;
-    base_of(m, c, 3, point);
-    point[3] = across(m->shape, c, 3, point, point[0]);
+    if (vtk_cells_faces_of(m->shape, c) != 4 || !all_have(m->shape, c, 3))
+        return 0;
+    vtk_cells_base_of(m, c, 3, point);
+    point[3] = vtk_cells_across(m->shape, c, 3, point, point[0]);
     return point[3] >= 0;
 }
 
@@ -144,15 +148,16 @@ static void add_polyhedron(struct vtk_cells *v, int c)
     const struct mesh_shape *const s = v->mesh->shape;
     const int first = v->points.n;
 
-    add(&v->faces, faces_of(s, c));
-    for (int i = 0; i < faces_of(s, c); i++) {
+    vtk_cells_add(&v->faces, vtk_cells_faces_of(s, c));
+    for (int i = 0; i < vtk_cells_faces_of(s, c); i++) {
         const int *corner;
         const int corners = polygon(s, c, i, &corner);
-        add(&v->faces, corners);
+        vtk_cells_add(&v->faces, corners);
         for (int k = 0; k < corners; k++) {
-            add(&v->faces, corner[k]);
-            if (!is_in(&v->points.value[first], v->points.n - first, corner[k]))
-                add(&v->points, corner[k]);
+            vtk_cells_add(&v->faces, corner[k]);
+            if (!vtk_cells_is_in(&v->points.value[first], v->points.n - first,
+                                 corner[k]))
+                vtk_cells_add(&v->points, corner[k]);
         }
     }
     v->polyhedra++;
@@ -166,7 +171,7 @@ static void add_cell(struct vtk_cells *v, int c)
                                                       : 0;
 
     for (int i = 0; i < n; i++)
-        add(&v->points, point[i]);
+        vtk_cells_add(&v->points, point[i]);
     v->type[c] = n == 8 ? HEXAHEDRON : n == 4 ? TETRAHEDRON : POLYHEDRON;
     if (n == 0) add_polyhedron(v, c);
     v->end[c] = v->points.n;
@@ -197,7 +202,7 @@ void vtk_cells_free(struct vtk_cells *v)
     free(v);
 }
 
-static void put(struct vtk_file *f, const struct vtk_cells *v)
+static void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *v)
 {
     const struct mesh *const m = v->mesh;
     const struct vtk_array points = {
@@ -241,7 +246,7 @@ int vtk_cells_write(struct vtk_file *f, const char *path,
                     const struct vtk_array *arrays)
 {
     if (vtk_file_begin(f, path, "UnstructuredGrid", "", time) != 0) return 1;
-    put(f, v);
+    vtk_cells_put(f, v);
     vtk_file_section(f, "CellData", v->mesh->n_cells, n_arrays, arrays);
     fprintf(vtk_file_stream(f), "</Piece>\n");
     return vtk_file_end(f);

@@ -19,7 +19,7 @@ void outline_release(struct outline *o)
     *o = (struct outline){0};
 }
 
-static void *longer(void *old, int used, int room, size_t size)
+static void *outline_longer(void *old, int used, int room, size_t size)
 {
     void *const made = alloc_zeroed((size_t)room, size);
 
@@ -28,25 +28,28 @@ static void *longer(void *old, int used, int room, size_t size)
     return made;
 }
 
-static void reserve(struct outline *o, int points)
+static void outline_reserve(struct outline *o, int points)
 {
     if (o->n_points + points > o->point_room) {
         o->point_room = 2 * (o->n_points + points);
-        o->x = longer(o->x, 3 * o->n_points, 3 * o->point_room, sizeof *o->x);
-        o->corner =
-            longer(o->corner, o->n_points, o->point_room, sizeof *o->corner);
+        o->x = outline_longer(o->x, 3 * o->n_points, 3 * o->point_room,
+                              sizeof *o->x);
+        o->corner = outline_longer(o->corner, o->n_points, o->point_room,
+                                   sizeof *o->corner);
     }
     if (o->n_polygons == o->polygon_room) {
         o->polygon_room = 2 * o->n_polygons + 64;
-        o->end = longer(o->end, o->n_polygons, o->polygon_room, sizeof *o->end);
-        o->of = longer(o->of, o->n_polygons, o->polygon_room, sizeof *o->of);
+        o->end = outline_longer(o->end, o->n_polygons, o->polygon_room,
+                                sizeof *o->end);
+        o->of = outline_longer(o->of, o->n_polygons, o->polygon_room,
+                               sizeof *o->of);
     }
 }
 
-static void add(struct outline *o, int surface, int n, double (*x)[3])
+static void outline_add(struct outline *o, int surface, int n, double (*x)[3])
 {
     if (n < 3) return;
-    reserve(o, n);
+    outline_reserve(o, n);
     for (int k = 0; k < n; k++) {
         memcpy(&o->x[3 * o->n_points], x[k], sizeof x[k]);
         o->corner[o->n_points] = o->n_points;
@@ -111,12 +114,13 @@ static void draw_plane(struct outline *o, int surface, const double at[3],
         corners = clip(corners, x, k, 1.0, lo[k]);
         if (corners > 0) corners = clip(corners, x, k, -1.0, hi[k]);
     }
-    add(o, surface, corners, x);
+    outline_add(o, surface, corners, x);
 }
 
 /* How far the box reaches along the axis from a point of it [m]. */
-static void along(const double at[3], const double axis[3], const double lo[3],
-                  const double hi[3], double range[2])
+static void outline_along(const double at[3], const double axis[3],
+                          const double lo[3], const double hi[3],
+                          double range[2])
 {
     range[0] = range[1] = -vector_dot(at, axis);
     for (int k = 0; k < 3; k++) {
@@ -133,7 +137,7 @@ static void draw_cylinder(struct outline *o, int surface, double radius,
     double f[3], range[2];
 
     vector_cross(axis, e, f);
-    along(at, axis, lo, hi, range);
+    outline_along(at, axis, lo, hi, range);
     for (int side = 0; side < SIDES; side++) {
         double x[4][3];
         for (int c = 0; c < 4; c++) {
@@ -142,7 +146,7 @@ static void draw_cylinder(struct outline *o, int surface, double radius,
             vector_along(x[c], radius * cos(a), e, x[c]);
             vector_along(x[c], radius * sin(a), f, x[c]);
         }
-        add(o, surface, 4, x);
+        outline_add(o, surface, 4, x);
     }
 }
 
@@ -153,7 +157,7 @@ static void draw_triangles(struct outline *o, int surface,
         double x[3][3];
         for (int c = 0; c < 3; c++)
             motion_place(p, t->corner[i][c], x[c]);
-        add(o, surface, 3, x);
+        outline_add(o, surface, 3, x);
     }
 }
 
@@ -170,7 +174,7 @@ static void draw_points(struct outline *o, int surface, const struct surface *s,
                             (double)(row + c / 2) / ROWS, lo, hi, y);
             motion_place(p, y, x[c]);
         }
-        add(o, surface, 4, x);
+        outline_add(o, surface, 4, x);
     }
 }
 

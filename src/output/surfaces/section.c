@@ -5,8 +5,8 @@
 
 /* The points where the sides of a polygon cross the plane; a convex one has two
  * of them, or none. */
-static int cross(const struct outline *o, int first, int end, double z,
-                 double at[2][2])
+static int section_cross(const struct outline *o, int first, int end, double z,
+                         double at[2][2])
 {
     int n = 0;
 
@@ -29,7 +29,7 @@ void section_write(FILE *out, const struct outline *o, double z)
     int first = 0;
 
     for (int p = 0; p < o->n_polygons; first = o->end[p++]) {
-        if (cross(o, first, o->end[p], z, at) < 2) continue;
+        if (section_cross(o, first, o->end[p], z, at) < 2) continue;
         for (int i = 0; i < 2; i++)
             fprintf(out, "%s %s\n", number_rounded(at[i][0], 6, x),
                     number_rounded(at[i][1], 6, y));

@@ -18,7 +18,7 @@ static void before_particles(void *memory, struct simulation *sim)
     among_grains_set_forces(memory, sim->dt);
 }
 
-static int along(void *memory, struct simulation *sim, int steps)
+static int among_effect_along(void *memory, struct simulation *sim, int steps)
 {
     return among_grains_run(memory, sim, steps);
 }
@@ -30,14 +30,14 @@ static void after_particles(void *memory, struct simulation *sim)
 }
 
 /* They have moved along with the particles. */
-static int move(void *memory, struct simulation *sim)
+static int among_effect_move(void *memory, struct simulation *sim)
 {
     (void)memory, (void)sim;
     return 0;
 }
 
-static const struct effect_mover mover = {.move = move,
-                                          .move_particles = along,
+static const struct effect_mover mover = {.move = among_effect_move,
+                                          .move_particles = among_effect_along,
                                           .failure = bodies_effect_trouble,
                                           .momentum = momentum};
 

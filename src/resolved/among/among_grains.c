@@ -34,7 +34,7 @@ static void take_pose(struct solid_bodies *b, int i, double t)
 
 /* At rest until the run begins, though it may begin with a velocity: the bed
  * settles before. */
-static void place(struct solid_bodies *b, int i)
+static void among_grains_place(struct solid_bodies *b, int i)
 {
     struct pose *const p = &b->among->carrier[i].pose;
 
@@ -46,7 +46,7 @@ static void place(struct solid_bodies *b, int i)
         p->rotation[k][k] = 1.0;
 }
 
-static void release(struct solid_bodies *b)
+static void among_grains_release(struct solid_bodies *b)
 {
     struct among_grains *const g = b->among;
 
@@ -62,7 +62,7 @@ static void release(struct solid_bodies *b)
     free(g);
 }
 
-static void visit(struct solid_bodies *b, struct state *s)
+static void among_grains_visit(struct solid_bodies *b, struct state *s)
 {
     struct among_grains *const g = b->among;
     const int n = b->ps->n;
@@ -82,8 +82,8 @@ void among_grains_create(struct solid_bodies *b, int first)
     const size_t n = (size_t)b->ps->n;
     struct among_grains *const g = b->among = alloc_zeroed(1, sizeof *g);
 
-    b->free_among = release;
-    b->visit_among = visit;
+    b->free_among = among_grains_release;
+    b->visit_among = among_grains_visit;
     g->first = first;
     g->carrier = alloc_zeroed(n, sizeof *g->carrier);
     g->surface = alloc_zeroed(n, sizeof *g->surface);
@@ -92,7 +92,7 @@ void among_grains_create(struct solid_bodies *b, int first)
     g->pushed = alloc_zeroed(n, sizeof *g->pushed);
     g->held = alloc_doubles(3 * b->ps->n);
     for (int i = 0; i < b->ps->n; i++) {
-        place(b, i);
+        among_grains_place(b, i);
         g->surface[i] = body_surface(b, i);
         g->surface[i].motion.carrier = &g->carrier[i];
     }

@@ -162,7 +162,7 @@ static void add_mirror(struct mirrors *all, int c,
     all->stuck++;
 }
 
-static void make_room(struct mirrors *all)
+static void mirrors_make_room(struct mirrors *all)
 {
     if (all->n < all->capacity) return;
     const int room = 2 * all->n + 1024;
@@ -193,7 +193,7 @@ static void mirror_cell(void *by, int i, int c, const double r[3], double s)
     const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
 
     if (s > 0.0 || all->closed[c] != 1) return;
-    make_room(all);
+    mirrors_make_room(all);
     all->closed[c] = 2;
     add_mirror(all, c, &b->shape[i], x, r, s);
 }

@@ -31,7 +31,8 @@ static void impulse_of(const struct material *of, double m, double depth,
 }
 
 /* Overlap over the diameter of the ball, or over the width of a surface. */
-static double touch(struct solid_bodies *b, const struct body_gap *g, double dt)
+static double block_contacts_touch(struct solid_bodies *b,
+                                   const struct body_gap *g, double dt)
 {
     double J[3];
 
@@ -44,7 +45,7 @@ static double touch(struct solid_bodies *b, const struct body_gap *g, double dt)
 double block_contacts_act(struct solid_bodies *b, double dt)
 {
     b->touching = 0;
-    return body_gaps_each(b, 0.0, dt, touch);
+    return body_gaps_each(b, 0.0, dt, block_contacts_touch);
 }
 
 /* A ball beside a body that is no sphere, or a ball of a clump. Points and

@@ -34,7 +34,7 @@ static int is_disc(const struct solid_bodies *b, int i)
 }
 
 /* Mass with what is added to it [kg]. */
-static double mass_of(const struct solid_bodies *b, int i)
+static double body_gaps_mass_of(const struct solid_bodies *b, int i)
 {
     return (b->motion[i] == BODY_SPRING ? b->mass[i] : b->ps->m[i]) +
            b->ps->added_mass[i];
@@ -45,7 +45,7 @@ static double mass_of(const struct solid_bodies *b, int i)
 static double mass_at(const struct solid_bodies *b, int i, const double arm[3],
                       const double n[3])
 {
-    const double M = mass_of(b, i);
+    const double M = body_gaps_mass_of(b, i);
     double G[6], turn[3], spin[3];
 
     if (b->shape[i].kind != BODY_OUTLINE || b->motion[i] != BODY_FREE) return M;
@@ -57,8 +57,8 @@ static double mass_at(const struct solid_bodies *b, int i, const double arm[3],
 }
 
 /* Velocity of body i at the arm r [m] from its centre. */
-static void velocity_at(const struct particles *ps, int i, const double r[3],
-                        double v[3])
+static void body_gaps_velocity_at(const struct particles *ps, int i,
+                                  const double r[3], double v[3])
 {
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
 
@@ -66,11 +66,12 @@ static void velocity_at(const struct particles *ps, int i, const double r[3],
     v[0] += ps->vx[i], v[1] += ps->vy[i], v[2] += ps->vz[i];
 }
 
-static void push(struct solid_bodies *b, int i, const double arm[3],
-                 const double J[3], double sign)
+static void body_gaps_add_impulse(struct solid_bodies *b, int i,
+                                  const double arm[3], const double J[3],
+                                  double sign)
 {
     struct particles *const ps = b->ps;
-    const double per_mass = sign / mass_of(b, i);
+    const double per_mass = sign / body_gaps_mass_of(b, i);
     double *const v[3] = {&ps->vx[i], &ps->vy[i], &ps->vz[i]};
     double turn[3];
 
@@ -85,22 +86,24 @@ static void push(struct solid_bodies *b, int i, const double arm[3],
 void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
                     const double J[3])
 {
-    push(b, g->i, g->arm_i, J, 1.0);
-    if (g->j >= 0 && can_move(b, g->j)) push(b, g->j, g->arm_j, J, -1.0);
+    body_gaps_add_impulse(b, g->i, g->arm_i, J, 1.0);
+    if (g->j >= 0 && can_move(b, g->j))
+        body_gaps_add_impulse(b, g->j, g->arm_j, J, -1.0);
 }
 
 /* With i, j, z, R, n known: the arms, the velocity and the mass. `from` is the
  * centre of the ball from that of i, `to` from that of j [m]. */
-static void complete(const struct solid_bodies *b, const double from[3],
-                     const double to[3], struct body_gap *g)
+static void body_gaps_complete(const struct solid_bodies *b,
+                               const double from[3], const double to[3],
+                               struct body_gap *g)
 {
     const double s = g->z + g->R;
     double v_j[3] = {0.0, 0.0, 0.0};
 
     vector_along(from, -s, g->n, g->arm_i);
     vector_along(to, -s, g->n, g->arm_j);
-    velocity_at(b->ps, g->i, g->arm_i, g->v);
-    if (g->j >= 0) velocity_at(b->ps, g->j, g->arm_j, v_j);
+    body_gaps_velocity_at(b->ps, g->i, g->arm_i, g->v);
+    if (g->j >= 0) body_gaps_velocity_at(b->ps, g->j, g->arm_j, v_j);
     vector_between(g->v, v_j, g->v);
     const double m_i = mass_at(b, g->i, g->arm_i, g->n);
     g->m = m_i;
@@ -143,7 +146,7 @@ static double beside_body(struct solid_bodies *b, const struct box_domain *box,
     if (g->z >= reach) return 0.0;
     body_shape_normal(&b->shape[j], r, g->n);
     g->R_j = radius_near(&b->shape[j], r);
-    complete(b, ball->at, r, g);
+    body_gaps_complete(b, ball->at, r, g);
     return act(b, g, dt);
 }
 
@@ -165,7 +168,7 @@ static double beside_walls(struct solid_bodies *b, const struct box_domain *box,
         if (g->z >= reach) continue;
         memset(g->n, 0, sizeof g->n);
         g->n[w / 2] = w % 2 ? -1.0 : 1.0;
-        complete(b, ball->at, ball->at, g);
+        body_gaps_complete(b, ball->at, ball->at, g);
         most = fmax(most, act(b, g, dt));
     }
     return most;

@@ -38,12 +38,12 @@ static void clear_impulse(struct immersed *self)
     self->gross = 0.0;
 }
 
-static void mark(struct immersed *self, struct fluid *fl)
+static void fraction_methods_mark(struct immersed *self, struct fluid *fl)
 {
     mark_bodies((struct solid_bodies *)self, fl);
 }
 
-static void nothing(struct immersed *self, struct fluid *fl)
+static void fraction_methods_nothing(struct immersed *self, struct fluid *fl)
 {
     (void)self, (void)fl;
 }
@@ -171,9 +171,9 @@ static void fictitious_end(struct immersed *self, struct fluid *fl)
 static void set_fictitious(struct solid_bodies *b)
 {
     b->by_fraction = 1;
-    b->hooks = (struct immersed){.begin = mark,
-                                 .add_friction = nothing,
-                                 .change_faces = nothing,
+    b->hooks = (struct immersed){.begin = fraction_methods_mark,
+                                 .add_friction = fraction_methods_nothing,
+                                 .change_faces = fraction_methods_nothing,
                                  .end = fictitious_end};
 }
 
@@ -246,7 +246,7 @@ static void set_piso_ib(struct solid_bodies *b)
     b->by_fraction = 1;
     b->hooks = (struct immersed){.begin = keep_force,
                                  .add_friction = add_force,
-                                 .change_faces = nothing,
+                                 .change_faces = fraction_methods_nothing,
                                  .corrected = correct_force,
                                  .end = piso_ib_end};
 }

@@ -19,7 +19,8 @@ struct block {
 };
 
 /* Q^T y is the point in the frame of the block. */
-static double distance(const struct body_outline *o, const double y[3])
+static double block_outline_distance(const struct body_outline *o,
+                                     const double y[3])
 {
     const struct block *const b = (const struct block *)o;
     double r[3];
@@ -29,7 +30,7 @@ static double distance(const struct body_outline *o, const double y[3])
     return body_shape_distance(&b->shape, r);
 }
 
-static void release(struct body_outline *o)
+static void block_outline_release(struct body_outline *o)
 {
     struct block *const b = (struct block *)o;
 
@@ -38,7 +39,7 @@ static void release(struct body_outline *o)
 }
 
 /* Rodrigues: x + sin(a) n x x + (1 - cos(a)) n x (n x x), for the axes. */
-static void set_rotation(double Q[3][3], const double rotation[3])
+static void block_outline_set_rotation(double Q[3][3], const double rotation[3])
 {
     const double a = vector_length(rotation), per = a > 0.0 ? 1.0 / a : 0.0;
     const double n[3] = {per * rotation[0], per * rotation[1],
@@ -54,7 +55,7 @@ static void set_rotation(double Q[3][3], const double rotation[3])
     }
 }
 
-static void turn(double Q[3][3], double x[3])
+static void block_outline_turn(double Q[3][3], double x[3])
 {
     const double from[3] = {x[0], x[1], x[2]};
 
@@ -80,7 +81,7 @@ static void spread_of(const struct body_shape *shape, double C[3][3])
                     : (i == j ? across : 0.0) + (along - across) * a[i] * a[j];
 }
 
-static void set_moments(struct block *b)
+static void block_outline_set_moments(struct block *b)
 {
     const int *const row = body_outline_row, *const column =
                                                  body_outline_column;
@@ -108,7 +109,7 @@ static void set_surface(struct block *b)
     block_triangles_put(&b->shape, SIDES, centre, b->corner);
     for (int c = 0; c < 3 * n; c++) {
         double *const x = b->corner[c / 3][c % 3];
-        turn(b->Q, x);
+        block_outline_turn(b->Q, x);
         for (int k = 0; k < 3; k++)
             o->half[k] = fmax(o->half[k], fabs(x[k]));
     }
@@ -116,7 +117,7 @@ static void set_surface(struct block *b)
     o->corner = b->corner;
     if (b->shape.kind == BODY_BOX) return;
     struct body_shape turned = b->shape;
-    turn(b->Q, turned.axis);
+    block_outline_turn(b->Q, turned.axis);
     body_shape_extent(&turned, o->half);
 }
 
@@ -126,11 +127,11 @@ struct body_outline *block_outline_create(const struct body_shape *block,
     struct block *const b = alloc_zeroed(1, sizeof *b);
 
     b->shape = *block;
-    b->outline.distance = distance;
-    b->outline.free = release;
+    b->outline.distance = block_outline_distance;
+    b->outline.free = block_outline_release;
     b->outline.width = body_shape_width(block);
-    set_rotation(b->Q, rotation);
-    set_moments(b);
+    block_outline_set_rotation(b->Q, rotation);
+    block_outline_set_moments(b);
     set_surface(b);
     return &b->outline;
 }

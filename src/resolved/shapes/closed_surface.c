@@ -53,7 +53,8 @@ static const double *normal_at(const struct closed_surface *s, int t,
     return s->point[t][on == 4 ? 2 : on == 2 ? 1 : 0];
 }
 
-static double distance(const struct body_outline *o, const double y[3])
+static double closed_surface_distance(const struct body_outline *o,
+                                      const double y[3])
 {
     const struct closed_surface *const s = (const struct closed_surface *)o;
     double q[3], r[3];
@@ -64,7 +65,7 @@ static double distance(const struct body_outline *o, const double y[3])
     return vector_dot(r, normal_at(s, *s->last, q)) < 0.0 ? -far : far;
 }
 
-static void release(struct body_outline *o)
+static void closed_surface_release(struct body_outline *o)
 {
     struct closed_surface *const s = (struct closed_surface *)o;
 
@@ -80,7 +81,8 @@ static void release(struct body_outline *o)
 /* --- volume and moments --------------------------------------------------- */
 
 /* Of the tetrahedra between the origin and each triangle, with their signs. */
-static void set_moments(struct body_outline *o, int n, double (*corner)[3][3])
+static void closed_surface_set_moments(struct body_outline *o, int n,
+                                       double (*corner)[3][3])
 {
     const int *const row = body_outline_row, *const column =
                                                  body_outline_column;
@@ -220,7 +222,7 @@ static void join_points(struct closed_surface *s, int n, const int *number)
                sizeof s->point[0][0]);
 }
 
-static const char *join(struct closed_surface *s, int n)
+static const char *closed_surface_join(struct closed_surface *s, int n)
 {
     int *const number = alloc_ints(3 * n);
     double(*const corner)[3][3] = s->corner;
@@ -245,10 +247,10 @@ static void set_frame(struct closed_surface *s, int n)
     struct body_outline *const o = &s->outline;
     double(*const corner)[3][3] = s->corner;
 
-    set_moments(o, n, corner);
+    closed_surface_set_moments(o, n, corner);
     if (o->volume < 0.0) {
         turn_over(n, corner);
-        set_moments(o, n, corner);
+        closed_surface_set_moments(o, n, corner);
     }
     if (!(o->volume > 0.0)) memset(o->centre, 0, sizeof o->centre);
     for (int c = 0; c < 9 * n; c++) {
@@ -274,13 +276,13 @@ struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
 
     s->corner = alloc_zeroed((size_t)n, sizeof *s->corner);
     memcpy(s->corner, corner, (size_t)n * sizeof *s->corner);
-    s->outline.distance = distance;
-    s->outline.free = release;
+    s->outline.distance = closed_surface_distance;
+    s->outline.free = closed_surface_release;
     s->last = alloc_ints(1);
     set_frame(s, n);
     s->outline.n_triangles = n;
     s->outline.corner = s->corner;
-    *trouble = join(s, n);
+    *trouble = closed_surface_join(s, n);
     if (*trouble == NULL && !(s->outline.volume > 0.0))
         *trouble = "it has no volume";
     if (*trouble == NULL) {
@@ -288,6 +290,6 @@ struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
         set_width(&s->outline);
         return &s->outline;
     }
-    release(&s->outline);
+    closed_surface_release(&s->outline);
     return NULL;
 }

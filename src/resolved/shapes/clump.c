@@ -40,8 +40,8 @@ static void plant(struct clump *c)
 }
 
 /* Square of the distance along the first n axes of y from a box. */
-static double apart(int n, const double *y, const double lo[3],
-                    const double hi[3])
+static double clump_apart(int n, const double *y, const double lo[3],
+                          const double hi[3])
 {
     double square = 0.0;
 
@@ -72,11 +72,11 @@ static double from_ball(const struct clump *c, int i, const double y[3])
 static double nearness(void *by, const double lo[3], const double hi[3])
 {
     const struct near *const s = by;
-    const double far = sqrt(apart(3, s->y, lo, hi));
+    const double far = sqrt(clump_apart(3, s->y, lo, hi));
     return far - s->c->widest < s->least ? far : HUGE_VAL;
 }
 
-static void compare(void *by, int i)
+static void clump_compare(void *by, int i)
 {
     struct near *const s = by;
     const double now = from_ball(s->c, i, s->y);
@@ -86,9 +86,9 @@ static void compare(void *by, int i)
     s->found = i;
 }
 
-static double distance(const struct body_outline *o, const double y[3])
+static double clump_distance(const struct body_outline *o, const double y[3])
 {
-    static const struct triangle_tree_search search = {nearness, compare};
+    static const struct triangle_tree_search search = {nearness, clump_compare};
     const struct clump *const c = (const struct clump *)o;
     struct near s = {c, y, from_ball(c, *c->last, y), *c->last};
 
@@ -97,7 +97,7 @@ static double distance(const struct body_outline *o, const double y[3])
     return s.least;
 }
 
-static void release(struct body_outline *o)
+static void clump_release(struct body_outline *o)
 {
     struct clump *const c = (struct clump *)o;
 
@@ -118,7 +118,7 @@ static double meets(void *by, const double lo[3], const double hi[3])
 {
     const struct meeting *const s = by;
     const struct body_ball *const b = &s->c->outline.ball[s->i];
-    const double far = sqrt(apart(3, b->at, lo, hi));
+    const double far = sqrt(clump_apart(3, b->at, lo, hi));
     return !s->any && far < b->R + s->c->widest ? far : HUGE_VAL;
 }
 
@@ -160,8 +160,8 @@ static void add_sphere(struct moments *m, const struct body_ball *b)
 }
 
 /* The piece of a column at (x, y) with the cross-section dA between heights. */
-static void add_piece(struct moments *m, double x, double y, const double z[2],
-                      double dA)
+static void clump_add_piece(struct moments *m, double x, double y,
+                            const double z[2], double dA)
 {
     const double V = dA * (z[1] - z[0]),
                  Vz = 0.5 * dA * (z[1] * z[1] - z[0] * z[0]),
@@ -189,11 +189,11 @@ static double half_way(const struct column *s, const double lo[3],
                        const double hi[3])
 {
     const double R = s->c->widest;
-    return sqrt(fmax(R * R - apart(2, s->x, lo, hi), 0.0));
+    return sqrt(fmax(R * R - clump_apart(2, s->x, lo, hi), 0.0));
 }
 
 /* Where the column is in sphere i; 0: nowhere. */
-static int cut(const struct column *s, int i, double z[2])
+static int clump_cut(const struct column *s, int i, double z[2])
 {
     const struct body_ball *const b = &s->c->outline.ball[i];
     const double dx = s->x[0] - b->at[0], dy = s->x[1] - b->at[1],
@@ -205,7 +205,7 @@ static int cut(const struct column *s, int i, double z[2])
     return 1;
 }
 
-static double begins(void *by, const double lo[3], const double hi[3])
+static double clump_begins(void *by, const double lo[3], const double hi[3])
 {
     const struct column *const s = by;
     const double half = half_way(s, lo, hi);
@@ -215,17 +215,17 @@ static double begins(void *by, const double lo[3], const double hi[3])
 }
 
 /* The lowest beginning beyond the piece before. */
-static void begin(void *by, int i)
+static void clump_begin(void *by, int i)
 {
     struct column *const s = by;
     double z[2];
 
-    if (!cut(s, i, z) || z[0] <= s->past || z[0] >= s->z[0]) return;
+    if (!clump_cut(s, i, z) || z[0] <= s->past || z[0] >= s->z[0]) return;
     memcpy(s->z, z, sizeof z);
     s->end[0] = i;
 }
 
-static double goes_on(void *by, const double lo[3], const double hi[3])
+static double clump_goes_on(void *by, const double lo[3], const double hi[3])
 {
     const struct column *const s = by;
     const double half = half_way(s, lo, hi);
@@ -239,19 +239,20 @@ static void go_on(void *by, int i)
     struct column *const s = by;
     double z[2];
 
-    if (!cut(s, i, z) || z[0] > s->z[1] || z[1] <= s->z[1]) return;
+    if (!clump_cut(s, i, z) || z[0] > s->z[1] || z[1] <= s->z[1]) return;
     s->z[1] = z[1];
     s->end[1] = i;
 }
 
 static int next_piece(struct column *s)
 {
-    static const struct triangle_tree_search first = {begins, begin},
-                                             last = {goes_on, go_on};
+    static const struct triangle_tree_search first = {clump_begins,
+                                                      clump_begin},
+                                             last = {clump_goes_on, go_on};
     double before;
 
     s->z[0] = HUGE_VAL;
-    begin(s, s->end[0]);
+    clump_begin(s, s->end[0]);
     triangle_tree_walk(s->c->tree, &first, s);
     if (s->z[0] == HUGE_VAL) return 0;
     go_on(s, s->end[1]);
@@ -276,7 +277,7 @@ static void add_union(struct moments *m, const struct clump *c,
         s.x[1] = lo[1] + (i % COLUMNS + 0.5) * dy;
         s.past = -HUGE_VAL;
         while (next_piece(&s))
-            add_piece(m, s.x[0], s.x[1], s.z, dx * dy);
+            clump_add_piece(m, s.x[0], s.x[1], s.z, dx * dy);
     }
 }
 
@@ -288,8 +289,8 @@ struct body_outline *clump_create(int n, const struct body_ball *ball)
            hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     struct moments m = {0};
 
-    o->distance = distance;
-    o->free = release;
+    o->distance = clump_distance;
+    o->free = clump_release;
     o->n_balls = n;
     o->ball = alloc_zeroed((size_t)n, sizeof *o->ball);
     memcpy(o->ball, ball, (size_t)n * sizeof *o->ball);

@@ -24,7 +24,7 @@ struct cloud {
     int n, capacity;
 };
 
-static void put(struct cloud *all, const double x[3])
+static void contact_points_put(struct cloud *all, const double x[3])
 {
     if (all->n == all->capacity) {
         const int room = 2 * all->n + 64;
@@ -62,7 +62,7 @@ static void put_triangle(struct cloud *all, double t[3][3], double spacing)
             for (int k = 0; k < 3; k++)
                 x[k] = t[0][k] + (double)i / n * (t[1][k] - t[0][k]) +
                        (double)j / n * (t[2][k] - t[0][k]);
-            put(all, x);
+            contact_points_put(all, x);
         }
 }
 

@@ -61,7 +61,7 @@ static int by_size(const void *a, const void *b)
     return (*p > *q) - (*p < *q);
 }
 
-static double area_of(double x[3][3])
+static double thickness_area_of(double x[3][3])
 {
     double ab[3], ac[3], area[3];
 
@@ -74,11 +74,11 @@ double thickness_of(int n, double (*corner)[3][3])
     double all[POINTS], whole = 0.0, passed;
 
     for (int t = 0; t < n; t++)
-        whole += area_of(corner[t]);
-    passed = area_of(corner[0]);
+        whole += thickness_area_of(corner[t]);
+    passed = thickness_area_of(corner[0]);
     for (int k = 0, t = 0; k < POINTS; k++) {
         while (passed < (k + 0.5) / POINTS * whole && t + 1 < n)
-            passed += area_of(corner[++t]);
+            passed += thickness_area_of(corner[++t]);
         all[k] = thickness_at(n, corner, t);
     }
     qsort(all, POINTS, sizeof *all, by_size);

@@ -54,7 +54,7 @@ static void set_box(const struct triangle_tree *t, struct branch *b)
 }
 
 /* Halves the triangles across the longest edge of their box, and so on. */
-static void grow(struct triangle_tree *t, int first, int n)
+static void triangle_tree_grow(struct triangle_tree *t, int first, int n)
 {
     struct branch *const b = &t->branch[t->n_branches++];
     int axis = 0;
@@ -71,9 +71,9 @@ static void grow(struct triangle_tree *t, int first, int n)
         t->order[i].at = x[0][axis] + x[1][axis] + x[2][axis];
     }
     qsort(&t->order[first], (size_t)n, sizeof *t->order, by_middle);
-    grow(t, first, n / 2);
+    triangle_tree_grow(t, first, n / 2);
     b->next = t->n_branches;
-    grow(t, first + n / 2, n - n / 2);
+    triangle_tree_grow(t, first + n / 2, n - n / 2);
 }
 
 struct triangle_tree *triangle_tree_create(int n, double (*corner)[3][3])
@@ -85,7 +85,7 @@ struct triangle_tree *triangle_tree_create(int n, double (*corner)[3][3])
     t->branch = alloc_zeroed(2 * (size_t)n, sizeof *t->branch);
     for (int i = 0; i < n; i++)
         t->order[i].number = i;
-    grow(t, 0, n);
+    triangle_tree_grow(t, 0, n);
     return t;
 }
 
@@ -105,7 +105,8 @@ struct search {
     double q[3]; /* [m] */
 };
 
-static void compare(const struct triangle_tree *t, int i, struct search *s)
+static void triangle_tree_compare(const struct triangle_tree *t, int i,
+                                  struct search *s)
 {
     double q[3], r[3];
 
@@ -119,7 +120,7 @@ static void compare(const struct triangle_tree *t, int i, struct search *s)
 }
 
 /* Square of the distance from a box; 0 inside. */
-static double apart(const struct branch *b, const double y[3])
+static double triangle_tree_apart(const struct branch *b, const double y[3])
 {
     double square = 0.0;
 
@@ -136,11 +137,11 @@ static void descend(const struct triangle_tree *t, int i, struct search *s)
 
     if (b->n <= FEW) {
         for (int j = 0; j < b->n; j++)
-            compare(t, t->order[b->first + j].number, s);
+            triangle_tree_compare(t, t->order[b->first + j].number, s);
         return;
     }
-    const double one = apart(&t->branch[i + 1], s->y),
-                 two = apart(&t->branch[b->next], s->y);
+    const double one = triangle_tree_apart(&t->branch[i + 1], s->y),
+                 two = triangle_tree_apart(&t->branch[b->next], s->y);
     const int sooner = one <= two ? i + 1 : b->next,
               later = one <= two ? b->next : i + 1;
     if (fmin(one, two) < s->square) descend(t, sooner, s);
@@ -152,7 +153,7 @@ int triangle_tree_nearest(const struct triangle_tree *t, const double y[3],
 {
     struct search s = {.y = y, .square = HUGE_VAL};
 
-    compare(t, near, &s);
+    triangle_tree_compare(t, near, &s);
     descend(t, 0, &s);
     memcpy(q, s.q, sizeof s.q);
     return s.found;

@@ -18,14 +18,15 @@ struct equation_truth {
 };
 
 /* A document and a number, "XS11:4.1". */
-static int is_meant(const char *text)
+static int truth_equation_is_meant(const char *text)
 {
     const size_t n = strcspn(text, ": ");
 
     return isupper((unsigned char)text[0]) && n > 0 && text[n] == ':';
 }
 
-static void *refuse(struct equation_truth *e, const char *text, const char *why)
+static void *truth_equation_refuse(struct equation_truth *e, const char *text,
+                                   const char *why)
 {
     fprintf(stderr, "winnow: study: truth %s: %s%s%s\n", text, why,
             e->equation.what != NULL ? "; it takes " : "",
@@ -35,8 +36,9 @@ static void *refuse(struct equation_truth *e, const char *text, const char *why)
 }
 
 /* Reads "name=value name=value ..."; the number of those that are wrong. */
-static int read_inputs(struct equation_truth *e, const char *text,
-                       int given[EQUATIONS_INPUTS])
+static int truth_equation_read_inputs(struct equation_truth *e,
+                                      const char *text,
+                                      int given[EQUATIONS_INPUTS])
 {
     while (*(text += strspn(text, " ")) != '\0') {
         const size_t length = strcspn(text, "= ");
@@ -52,7 +54,7 @@ static int read_inputs(struct equation_truth *e, const char *text,
     return 0;
 }
 
-static void *create(const char *text)
+static void *truth_equation_create(const char *text)
 {
     struct equation_truth *const e = alloc_zeroed(1, sizeof *e);
     int given[EQUATIONS_INPUTS] = {0};
@@ -62,21 +64,23 @@ static void *create(const char *text)
     snprintf(name, sizeof name, "%.*s", (int)length, text);
     e->variable = -1;
     if (!equations_named(name, &e->equation))
-        return refuse(e, text, "no such equation; winnow eval lists all");
-    if (read_inputs(e, text + length, given) != 0)
-        return refuse(e, text, "expected name=value for its inputs, each once");
+        return truth_equation_refuse(e, text,
+                                     "no such equation; winnow eval lists all");
+    if (truth_equation_read_inputs(e, text + length, given) != 0)
+        return truth_equation_refuse(
+            e, text, "expected name=value for its inputs, each once");
     for (int k = 0; k < equations_inputs(&e->equation); k++) {
         if (given[k]) continue;
         equations_name(&e->equation, k, name);
         if (e->variable >= 0 ||
             (strcmp(name, "t") != 0 && strcmp(name, "x") != 0))
-            return refuse(e, text, "an input is missing");
+            return truth_equation_refuse(e, text, "an input is missing");
         e->variable = k;
     }
     return e;
 }
 
-static double value(const void *of, double x)
+static double truth_equation_value(const void *of, double x)
 {
     const struct equation_truth *const e = of;
     double input[EQUATIONS_INPUTS];
@@ -86,5 +90,6 @@ static double value(const void *of, double x)
     return equations_value(&e->equation, input);
 }
 
-const struct truth_function truth_equation = {"an equation", is_meant, create,
-                                              value, free};
+const struct truth_function truth_equation = {
+    "an equation", truth_equation_is_meant, truth_equation_create,
+    truth_equation_value, free};
