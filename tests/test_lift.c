@@ -139,6 +139,7 @@ START_TEST(ls_5_7_slow_spin_is_rubinow_and_keller)
             1e-3 * M_PI / 8.0 * rho * gsl_pow_3(d) * vector_length(cross));
     ck_assert_double_eq_tol(spin_force(rho, 0.5, d, 2.0),
                             0.25 * M_PI * rho * d * d, 1e-20);
+    ck_assert(spin_force(rho, 0.5, d, -2.0) == -spin_force(rho, 0.5, d, 2.0));
 }
 END_TEST
 

@@ -24,7 +24,7 @@ const struct equation equations_forces[] = {
      "mu [Pa s], d [m], u_r [m/s], Re_G [-]", "F", "N",
      EQUATION_BY(saffman_force)},
     {"LS:5.7", "Magnus's lift for a spin normal to the slip",
-     "F = rho_f (pi d^2 / 4) C_LR u_r^2 / 2",
+     "F = rho_f (pi d^2 / 4) C_LR |u_r| u_r / 2",
      "rho_f [kg/m^3], C_LR [-], d [m], u_r [m/s]", "F", "N",
      EQUATION_BY(spin_force)},
     {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};

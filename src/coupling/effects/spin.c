@@ -22,7 +22,8 @@ double spin_lift_coefficient(double Re, double Re_r)
 
 double spin_force(double rho, double C_LR, double d, double u_r)
 {
-    return 0.5 * rho * 0.25 * M_PI * d * d * C_LR * u_r * u_r; /* [LS 5.7] */
+    return 0.5 * rho * 0.25 * M_PI * d * d * C_LR * fabs(u_r) *
+           u_r; /* [LS 5.7] */
 }
 
 void spin_lift(double rho, double mu, double d, const double w[3],

@@ -23,7 +23,8 @@ double spin_reynolds(double rho, double mu, double d, double Omega);
 /* C_LR [-] for Re of the slip and Re_r of the spin. */
 double spin_lift_coefficient(double Re, double Re_r);
 
-/* The force [N] for a spin normal to the slip u_r [m/s] [LS 5.7]. */
+/* The force [N] for a spin normal to the slip u_r [m/s] [LS 5.7]; it turns with
+ * the slip. */
 double spin_force(double rho, double C_LR, double d, double u_r);
 
 /* F [N] for a slip w [m/s] and a spin Omega [rad/s] against the fluid's. */
