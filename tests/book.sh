@@ -132,6 +132,8 @@ fresh
 fact a_fresh_text_is_right 0 "" text
 edit 's/ \\tag{1.1}//; s/^A stone/\\tag{1.1} A stone/' $chapter
 fact a_tag_in_prose_is_told 1 "$chapter:3: \\tag outside of \$\$" text
+fresh && printf '\n$$\na\n\\tag{1.1b}\n$$\n' >>$chapter
+fact the_lines_of_a_derivation_have_letters_in_order 1 "equation (1.1b) should be (1.1a)" text
 fresh && edit 's/^v = .*/&\n/' $chapter
 fact a_blank_line_in_a_formula_is_told 1 "$chapter:7: a blank line in a formula" text
 fresh && edit 's/^v = .*/a\n+ b/' $chapter

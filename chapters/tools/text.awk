@@ -59,7 +59,7 @@ FNR == 1 {
     sub(/.*\//, "", number)
     number = number ~ /^[0-9]/ ? number + 0 : 0
     chapter = FILENAME ~ /\.md$/ && FILENAME !~ /README|equations\.md$/
-    tags = 0
+    tags = letters = 0
     if (chapter && number && $0 !~ "^# " number " [A-Z]")
         wrong("the heading is not \"# " number " Title\"")
 }
@@ -92,9 +92,9 @@ shut != "" {
 
 line ~ /\$\$/ {
     if (line !~ /^\$\$$/) wrong("$$ does not stand alone on its line")
-    if (formula && numbered == tags && number && FILENAME !~ /solutions/)
+    if (formula && numbered == all && number && FILENAME !~ /solutions/)
         wrong("a displayed formula without \\tag")
-    numbered = tags
+    numbered = all
     formula = !formula
     next
 }
@@ -109,8 +109,15 @@ match(line, /\\tag[{][^}]*[}]/) {
     tag = substr(line, RSTART + 5, RLENGTH - 6)
     if (!formula) wrong("\\tag outside of $$")
     if (tag in tagged) wrong("(" tag ") is there twice")
-    if (tag != number "." ++tags)
-        wrong("equation (" tag ") should be (" number "." tags ")")
+    # (5.3a), (5.3b), ... are the lines of a derivation after (5.3).
+    if (tag ~ /[a-z]$/) due = tags substr("abcdefghijklmnopqrstuvwxyz", ++letters, 1)
+    else {
+        due = ++tags
+        letters = 0
+    }
+    all++
+    if (tag != number "." due)
+        wrong("equation (" tag ") should be (" number "." due ")")
     tagged[tag] = 1
 }
 

@@ -15,6 +15,7 @@
 #   about <!-- number figures/drag.txt u_mf %.2f -->0.88<!-- --> m/s
 # Figures of a chapter are numbered: below a paragraph that is an image stands one that
 # begins with **Figure 9.1.**; where it is missing it is made of what the image is called.
+# Sketches, figures/step-*.svg and sketch-*.svg, have no number but **Sketch.**
 # With -v places=1 a code directive is printed with the line it was found on,
 # for the HTML. What cannot be found is said, as chapter:line, and ends in 1.
 
@@ -95,9 +96,9 @@ function directive(line,    words, n, text, mark) {
 function caption(line,    mark, n, words, i, out) {
     mark = FILENAME
     sub(/.*\//, "", mark)
-    mark = mark ~ /^step-/ ? "**Sketch.**" : "**Figure " (mark + 0) "." ++figures ".**"
-    if (line ~ /^\*\*Figure/) {
-        sub(/^\*\*Figure[^*]*\*\*/, mark, line)
+    mark = sketch ? "**Sketch.**" : "**Figure " (mark + 0) "." ++figures ".**"
+    if (line ~ /^\*\*(Figure|Sketch)/) {
+        sub(/^\*\*(Figure|Sketch)[^*]*\*\*/, mark, line)
         return line
     }
     out = mark
@@ -120,6 +121,7 @@ function see_image(line) {
         image = image (image == "" ? "" : " ") line
         if (line ~ /[.](svg|png)\)$/) {
             opened = ""
+            sketch = line ~ /figures\/(step|sketch)-/
             sub(/^!\[/, "", image)
             sub(/\]\([^()]*\)$/, "", image)
             if (image !~ /[.]$/) image = image "."
