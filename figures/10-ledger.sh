@@ -1,15 +1,15 @@
 #!/bin/sh
-# Data of figures/10-ledger.svg: what the fluid owes, step by step, in the closed
-# box. From the top folder: sh figures/10-ledger.sh
+# Data of figures/10-ledger.svg: the fluid's unpaid impulse, step by step, in the
+# closed box. From the top folder: sh figures/10-ledger.sh
 set -eu
 run=$(mktemp -d)
 trap 'rm -rf "$run"' EXIT
 build/winnow run cases/closed-box.cfg -o "$run" -j 1 --quiet >"$run/said"
 awk -F, -v sums=figures/10-ledger-sums.txt 'BEGIN { print "# cases/closed-box.cfg, momenta over that at the start"
-        print "# time [s], sum of what was owed [-], |change of the total| [-]" }
+        print "# time [s], sum of the unpaid impulse [-], |change of the total| [-]" }
     NR == 1 { for (i = 1; i <= NF; i++) {
         if ($i ~ /^momentum_x/) m = i
-        if ($i ~ /^owed_x/) o = i } }
+        if ($i ~ /^unpaid_impulse_x/) o = i } }
     NR == 2 { first = $m }
     NR > 2 { sum += $o; d = ($m - first) / first; if (d < 0) d = -d
         if (d > worst) worst = d

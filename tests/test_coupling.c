@@ -249,11 +249,11 @@ END_TEST
 START_TEST(without_the_unpaid_impulse_algorithm_3_1_loses_momentum)
 {
     struct simulation *const sim = build(&air);
-    double owed[3];
+    double unpaid[3];
     run(sim, 20);
-    coupling_unpaid_impulse(sim, owed);
+    coupling_unpaid_impulse(sim, unpaid);
     /* a hundred times what the test above allows */
-    ck_assert_double_gt(fabs(owed[0]), 1e-10 * gross_momentum(sim));
+    ck_assert_double_gt(fabs(unpaid[0]), 1e-10 * gross_momentum(sim));
     discard(sim);
 }
 END_TEST

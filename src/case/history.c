@@ -44,7 +44,7 @@ HISTORY_VALUE(splitting, sim->fluid->report.piso_residual)
 HISTORY_VALUE(pressure_iterations, sim->fluid->report.pressure.iterations)
 HISTORY_VALUE(momentum_iterations, sim->fluid->report.momentum.iterations)
 HISTORY_VALUE(backflow_faces, sim->fluid->report.backflow_faces)
-HISTORY_VALUE(fluid_parts, sim->fluid->report.flow_substeps)
+HISTORY_VALUE(flow_substeps, sim->fluid->report.flow_substeps)
 HISTORY_VALUE(mean_gradient_x, sim->fluid->mean_gradient[0])
 HISTORY_VALUE(mean_gradient_y, sim->fluid->mean_gradient[1])
 HISTORY_VALUE(mean_gradient_z, sim->fluid->mean_gradient[2])
@@ -93,9 +93,9 @@ static const struct history_column further[] = {
     {"momentum_x [N s]", momentum_x, 0},
     {"momentum_y [N s]", momentum_y, 0},
     {"momentum_z [N s]", momentum_z, 0},
-    {"owed_x [N s]", unpaid_x, C},
-    {"owed_y [N s]", unpaid_y, C},
-    {"owed_z [N s]", unpaid_z, C},
+    {"unpaid_impulse_x [N s]", unpaid_x, C},
+    {"unpaid_impulse_y [N s]", unpaid_y, C},
+    {"unpaid_impulse_z [N s]", unpaid_z, C},
     {"max_cfl [-]", cfl, F},
     {"max_overlap [-]", max_overlap, P},
     {"contacts [-]", contacts, P},
@@ -115,7 +115,7 @@ static const struct history_column further[] = {
     {"mean_gradient_x [Pa/m]", mean_gradient_x, D},
     {"mean_gradient_y [Pa/m]", mean_gradient_y, D},
     {"mean_gradient_z [Pa/m]", mean_gradient_z, D},
-    {"fluid_parts [-]", fluid_parts, N},
+    {"flow_substeps [-]", flow_substeps, N},
     {NULL, NULL, 0}};
 
 /* 1 if the pressure has a mean gradient, given or adapted. */

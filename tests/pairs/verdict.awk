@@ -72,7 +72,7 @@ FNR == 2 { start = get("particles", 0) }
 # averaging moves between cells. The scale is that of the particles: a
 # milligram of them with their energy; a contact that one of two does not feel
 # is 1e-2 of it and more, and what iterations leave of the diffusion, 1e-6 of
-# what is owed, less than 1e-9.
+# the unpaid impulse, less than 1e-9.
 line ~ /^m/ {
     scale = 0
     sum = 0
