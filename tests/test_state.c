@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/checkpoint/state_file.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,6 +99,21 @@ START_TEST(the_visit_that_saves_loads_the_same_bits)
         ck_assert_mem_eq(a.list[i].x, full.list[i].x, sizeof a.list[i].x);
     }
     free(text);
+    state_file_free(f);
+}
+END_TEST
+
+START_TEST(a_single_number_is_found_by_its_name_whatever_its_type)
+{
+    const char *why;
+
+    save(&full);
+    struct state_file *const f = state_file_open(path(), &why);
+    ck_assert(state_file_number(f, "/part/t") == full.t);
+    ck_assert(state_file_number(f, "/part/n") == full.n);
+    ck_assert(state_file_number(f, "/part/steps") == (double)full.steps);
+    ck_assert(isnan(state_file_number(f, "/part/p"))); /* four of them */
+    ck_assert(isnan(state_file_number(f, "/part/none")));
     state_file_free(f);
 }
 END_TEST
@@ -263,6 +279,7 @@ FACTS("state")
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
     FACT(the_visit_that_saves_loads_the_same_bits);
+    FACT(a_single_number_is_found_by_its_name_whatever_its_type);
     FACT(a_damaged_file_is_noticed_whichever_byte_it_is);
     FACT(half_a_file_is_noticed_and_none_has_no_reason);
     FACT(the_file_of_before_is_kept_beside_the_new_one);

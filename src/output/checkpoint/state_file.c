@@ -374,8 +374,10 @@ double state_file_number(struct state_file *f, const char *path)
     double x = NAN;
 
     if (at < 0) return NAN;
-    if (bytes == sizeof x)
+    const hid_t type = H5Dget_type(at);
+    if (bytes == H5Tget_size(type))
         H5Dread(at, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &x);
+    H5Tclose(type);
     H5Dclose(at);
     return x;
 }
