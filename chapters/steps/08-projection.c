@@ -13,13 +13,16 @@
  *     build/steps/08-projection [sweeps=2] [upwind=1] */
 #include "steps.h"
 
-enum { NX = 32, NY = 32, W = NX + 2, CELLS = W * (NY + 2) }; /* W in a row */
-static const double dx = 0.03 / NX; /* [m] width of a cell */
-static double D = 1.5e-5;           /* [m^2/s] viscosity over density */
-static const double rho_f = 1.2;    /* [kg/m^3] */
-static double lid = 0.05;           /* [m/s]; Re = 100 */
-static double upwind = 0.0;         /* 0: the mean of both cells */
-static double sweeps = 40;          /* for the pressure, in a step */
+enum { W = 34, CELLS = W * 67 };             /* cells: W in a row */
+static int NX, NY;                           /* those without the ghosts */
+static double cells = 32, dx;                /* across, [m] width of a cell */
+static const double box[2] = {30e-3, 30e-3}; /* [m] */
+static const double side = -1.0; /* 1: fluid slips along walls; -1: not */
+static double D = 1.5e-5;        /* [m^2/s] viscosity over density */
+static const double rho_f = 1.2; /* [kg/m^3] */
+static double lid = 0.05;        /* [m/s]; Re = 100 */
+static double upwind = 0.0;      /* 0: the mean of both cells */
+static double sweeps = 40;       /* for the pressure, in a step */
 
 /* One value a cell. The cell before it in direction k is c - next[k]. */
 typedef double field[CELLS];
@@ -31,6 +34,7 @@ static field mob[2]; /* [m^3 s/kg] how u_k follows the slope of p; 0 at walls */
 const struct number numbers[] = {
     {"upwind", &upwind, 0.0, 1.0, 0.25, "share of upwind [-]"},
     {"lid", &lid, 0.005, 0.05, 0.005, "speed of the lid [m/s]"},
+    {"cells", &cells, 8, 32, 4, "cells across [-]"},
     {"sweeps", &sweeps, 1, 100, 1, "sweeps for the pressure"},
     {"dt", &dt, 1e-3, 0.02, 0.001, "time step [s]"},
     {"end", &end, 0.0, 20.0, 0.5, "time at which it ends [s]"},
@@ -39,18 +43,21 @@ static double dt = 0.01, end = 12.0; /* [s] */
 
 void start(void)
 {
+    NX = (int)cells;
+    NY = (int)lround(NX * box[1] / box[0]);
+    dx = box[0] / NX;
 }
 
 /* The mean of the velocities on both sides of a wall is that of the wall. */
 static void walls(void)
 {
     for (int i = 1; i <= NX; i++) {
-        u[0][i] = -u[0][i + W];
-        u[0][i + W * (NY + 1)] = 2.0 * lid - u[0][i + W * NY];
+        u[0][i] = side * u[0][i + W];
+        u[0][i + W * (NY + 1)] = side * u[0][i + W * NY] + 2.0 * lid;
     }
     for (int j = 1; j <= NY; j++) {
-        u[1][W * j] = -u[1][W * j + 1];
-        u[1][W * j + NX + 1] = -u[1][W * j + NX];
+        u[1][W * j] = side * u[1][W * j + 1];
+        u[1][W * j + NX + 1] = side * u[1][W * j + NX];
     }
 }
 
@@ -70,10 +77,10 @@ static double through(int k, field a[2], int c, int l)
     return 0.5 * (a[l][c] + a[l][c - next[k]]);
 }
 
-/* The flux of the velocity a[k] there. */
-static double flux_of(int k, field a[2], int c, int l)
+/* The flux of the velocity a[k] there, by the flow b. */
+static double flux_of(int k, field a[2], field b[2], int c, int l)
 {
-    return flux(a[k], c, l, through(k, a, c, l));
+    return flux(a[k], c, l, through(k, b, c, l));
 }
 
 /* Predicts u without p. */
@@ -86,8 +93,8 @@ static void predict(void)
             for (int c = W * j + 2 - k; c <= W * j + NX; c++) {
                 for (int l = 0; l < 2; l++)
                     u[k][c] += dt / dx *
-                               (flux_of(k, old, c, l) -
-                                flux_of(k, old, c + next[l], l));
+                               (flux_of(k, old, old, c, l) -
+                                flux_of(k, old, old, c + next[l], l));
                 mob[k][c] = dt / rho_f;
             }
 }
@@ -145,7 +152,7 @@ void report(void)
 /* The longest strokes are 3 cells long. */
 void draw(void)
 {
-    window(NX * dx, NY * dx, "30 mm wide; 3 cells long: 0.05 m/s");
+    window(box[0], box[1], "30 mm wide; 3 cells long: 0.05 m/s");
     for (int j = 1; j <= NY; j++)
         for (int i = 1; i <= NX; i++) {
             const int c = i + W * j;

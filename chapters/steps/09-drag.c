@@ -2,7 +2,7 @@
 /* Step 9: drag on one grain.
  *
  * A grain sinks through the box of step 8, which is now filled with a liquid
- * and has no lid. The force of the liquid on the grain is
+ * and has no lid. The force of the fluid on the grain is
  *
  *     f = k (u_f - u_p),   k = 3 pi mu d (1 + 0.15 Re^0.687)     (10.1) (9.4)
  *
@@ -17,14 +17,15 @@
  *     build/steps/09-drag [mu=0.05] [x=0.05] [depth=24e-3] */
 #include "steps.h"
 
-enum { N = 1 };                                              /* grains */
-enum { NX = 16, NY = 32, W = NX + 2, CELLS = W * (NY + 2) }; /* W in a row */
-static const double g = 9.81;                   /* [m/s^2] gravity */
-static const double dx = 1.5e-3;                /* [m] width of a cell */
-static const double box[2] = {24e-3, 48e-3};    /* [m] */
-static double depth = 6e-3;                     /* [m] of the box, across */
-static const double rho_f = 1000.0;             /* [kg/m^3] */
-static double mu = 0.02, D;                     /* [Pa s], [m^2/s] mu / rho_f */
+enum { N = 1, W = 18, CELLS = W * 67 };      /* grains, cells: W in a row */
+static int NX, NY;                           /* those without the ghosts */
+static double cells = 16, dx;                /* across, [m] width of a cell */
+static const double box[2] = {24e-3, 48e-3}; /* [m] */
+static const double side = -1.0;    /* 1: fluid slips along walls; -1: not */
+static const double g = 9.81;       /* [m/s^2] gravity */
+static double depth = 6e-3;         /* [m] of the box, across */
+static const double rho_f = 1000.0; /* [kg/m^3] */
+static double mu = 0.02, D;         /* [Pa s], [m^2/s] mu / rho_f */
 static const double rho_s = 2500.0, d = 1.2e-3; /* [kg/m^3], [m] grain */
 static double x_0 = 0.4;    /* [-] where it begins, of the width */
 static double upwind = 0.0; /* 0: the mean of both cells */
@@ -36,14 +37,15 @@ static const int next[2] = {1, W};
 static field p;      /* [Pa] */
 static field u[2];   /* [m/s] u_k on the lower face of a cell across k */
 static field mob[2]; /* [m^3 s/kg] how u_k follows the slope of p; 0 at walls */
-static field f[2];   /* [N/m^3] drag on the liquid, in a cell */
+static field f[2];   /* [N/m^3] drag on the fluid, in a cell */
 static double x[2][N], v[2][N], R[N], m[N]; /* [m], [m/s], [m], [kg] */
-static double P[2][N];                      /* [N] force of the liquid */
+static double P[2][N];                      /* [N] force of the fluid */
 
 const struct number numbers[] = {
     {"mu", &mu, 0.005, 0.1, 0.005, "viscosity [Pa s]"},
     {"x", &x_0, 0.05, 0.95, 0.05, "where it begins, of the width [-]"},
     {"depth", &depth, 6e-3, 24e-3, 1e-3, "depth of the box [m]"},
+    {"cells", &cells, 8, 16, 4, "cells across [-]"},
     {"dt", &dt, 1e-4, 1e-3, 1e-4, "time step [s]"},
     {"end", &end, 0.0, 2.0, 0.1, "time at which it ends [s]"},
     {0}};
@@ -51,6 +53,9 @@ static double dt = 1e-3, end = 0.5; /* [s] */
 
 void start(void)
 {
+    NX = (int)cells;
+    NY = (int)lround(NX * box[1] / box[0]);
+    dx = box[0] / NX;
     D = mu / rho_f;
     for (int i = 0; i < N; i++) {
         R[i] = 0.5 * d;
@@ -68,16 +73,16 @@ static int cell_of(int i) /* the cell of a grain */
     return (int)(x[0][i] / dx) + 1 + W * ((int)(x[1][i] / dx) + 1);
 }
 
-/* No wall moves: the mean of the velocities on both sides is zero. */
+/* The mean of the velocities on both sides of a wall is that of the wall. */
 static void walls(void)
 {
     for (int i = 1; i <= NX; i++) {
-        u[0][i] = -u[0][i + W];
-        u[0][i + W * (NY + 1)] = -u[0][i + W * NY];
+        u[0][i] = side * u[0][i + W];
+        u[0][i + W * (NY + 1)] = side * u[0][i + W * NY];
     }
     for (int j = 1; j <= NY; j++) {
-        u[1][W * j] = -u[1][W * j + 1];
-        u[1][W * j + NX + 1] = -u[1][W * j + NX];
+        u[1][W * j] = side * u[1][W * j + 1];
+        u[1][W * j + NX + 1] = side * u[1][W * j + NX];
     }
 }
 
@@ -97,10 +102,10 @@ static double through(int k, field a[2], int c, int l)
     return 0.5 * (a[l][c] + a[l][c - next[k]]);
 }
 
-/* The flux of the velocity a[k] there. */
-static double flux_of(int k, field a[2], int c, int l)
+/* The flux of the velocity a[k] there, by the flow b. */
+static double flux_of(int k, field a[2], field b[2], int c, int l)
 {
-    return flux(a[k], c, l, through(k, a, c, l));
+    return flux(a[k], c, l, through(k, b, c, l));
 }
 
 /* Predicts u without p. */
@@ -113,8 +118,8 @@ static void predict(void)
             for (int c = W * j + 2 - k; c <= W * j + NX; c++) {
                 for (int l = 0; l < 2; l++)
                     u[k][c] += dt / dx *
-                               (flux_of(k, old, c, l) -
-                                flux_of(k, old, c + next[l], l));
+                               (flux_of(k, old, old, c, l) -
+                                flux_of(k, old, old, c + next[l], l));
                 mob[k][c] = dt / rho_f;
                 u[k][c] += mob[k][c] * 0.5 * (f[k][c] + f[k][c - next[k]]);
             }
@@ -145,7 +150,7 @@ static void correct(void)
             u[k][c] -= mob[k][c] * (p[c] - p[c - next[k]]) / dx;
 }
 
-/* The velocity [m/s] of the liquid in a cell. */
+/* The velocity [m/s] of the fluid in a cell. */
 static double in_cell(int k, int c)
 {
     return 0.5 * (u[k][c] + u[k][c + next[k]]);
@@ -158,9 +163,10 @@ static double resistance(double slip)
     return 3.0 * pi * mu * d * (1.0 + 0.15 * power(Re, 0.687));
 }
 
-/* The drag on each grain, and its reaction on the liquid of its cell. */
+/* The drag on each grain, and the reaction on the fluid of its cell. */
 static void average(void)
 {
+    const double V_c = dx * dx * depth;
     memset(f, 0, sizeof f);
     for (int i = 0; i < N; i++) {
         const int c = cell_of(i);
@@ -168,7 +174,7 @@ static void average(void)
         const double drag = resistance(sqrt(a * a + b * b));
         for (int k = 0; k < 2; k++) {
             P[k][i] = drag * (in_cell(k, c) - v[k][i]);
-            f[k][c] -= P[k][i] / (dx * dx * depth);
+            f[k][c] -= P[k][i] / V_c;
         }
     }
 }

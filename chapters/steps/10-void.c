@@ -26,15 +26,16 @@ enum { N = 300, W = 18, CELLS = W * 67 };    /* grains, cells: W in a row */
 static int NX, NY;                           /* those without the ghosts */
 static double cells = 8, dx;                 /* across, [m] width of a cell */
 static const double box[2] = {16e-3, 64e-3}; /* [m] */
-static const double depth = 1.5e-3;          /* [m] of the box, across */
-static const double rho_f = 1.2;             /* [kg/m^3] */
-static const double mu = 1.8e-5;             /* [Pa s] of air */
-static const double D = 1.5e-5;              /* [m^2/s] mu / rho_f */
-static const double d = 1.2e-3;              /* [m] grain */
-static const double V_p = 9.04778684e-10;    /* [m^3] its volume */
-static double U = 0.2;                       /* [m/s] at the inlet */
-static double upwind = 1.0;                  /* 0: the mean of both cells */
-static double sweeps = 60;                   /* for the pressure, in a step */
+static const double side = 1.0;     /* 1: fluid slips along walls; -1: not */
+static const double depth = 1.5e-3; /* [m] of the box, across */
+static const double rho_f = 1.2;    /* [kg/m^3] */
+static const double mu = 1.8e-5;    /* [Pa s] of air */
+static const double D = 1.5e-5;     /* [m^2/s] mu / rho_f */
+static const double d = 1.2e-3;     /* [m] grain */
+static const double V_p = 9.04778684e-10; /* [m^3] its volume */
+static double U = 0.2;                    /* [m/s] at the inlet */
+static double upwind = 1.0;               /* 0: the mean of both cells */
+static double sweeps = 60;                /* for the pressure, in a step */
 
 /* One value a cell. The cell before it in direction k is c - next[k]. */
 typedef double field[CELLS];
@@ -42,9 +43,9 @@ static const int next[2] = {1, W};
 static field p, eps;     /* [Pa], [-] in the cell */
 static field u[2], q[2]; /* [m/s] u_k on the lower face across k, eps u_k */
 static field mob[2]; /* [m^3 s/kg] how q_k follows the slope of p; 0 at walls */
-static field f[2];   /* [N/m^3] drag on the air, in a cell */
+static field f[2];   /* [N/m^3] drag on the fluid, in a cell */
 static double x[2][N], R[N]; /* [m] grains */
-static double P[2][N];       /* [N] force of the air */
+static double P[2][N];       /* [N] force of the fluid */
 
 const struct number numbers[] = {
     {"U", &U, 0.0, 0.5, 0.05, "air at the inlet [m/s]"},
@@ -57,7 +58,7 @@ static double dt = 2e-4, end = 0.02; /* [s] */
 void start(void)
 {
     NX = (int)cells;
-    NY = 4 * NX;
+    NY = (int)lround(NX * box[1] / box[0]);
     dx = box[0] / NX;
     for (int i = 0; i < N; i++) { /* rows of twelve */
         R[i] = 0.5 * d;
@@ -87,20 +88,20 @@ static void extend(field a)
     }
 }
 
-/* Air enters below and leaves above, and slips along the walls. */
+/* The velocities on both sides of a wall. Air enters below, leaves above. */
 static void walls(void)
 {
     for (int i = 1; i <= NX; i++) {
+        u[0][i] = side * u[0][i + W];
+        u[0][i + W * (NY + 1)] = side * u[0][i + W * NY];
         q[1][i + W] = U;
         u[1][i + W] = U / eps[i + W];
-        u[0][i] = u[0][i + W];
-        u[0][i + W * (NY + 1)] = u[0][i + W * NY];
         u[1][i + W * (NY + 2)] = u[1][i + W * (NY + 1)];
         q[1][i + W * (NY + 2)] = q[1][i + W * (NY + 1)];
     }
     for (int j = 1; j <= NY + 1; j++) {
-        u[1][W * j] = u[1][W * j + 1];
-        u[1][W * j + NX + 1] = u[1][W * j + NX];
+        u[1][W * j] = side * u[1][W * j + 1];
+        u[1][W * j + NX + 1] = side * u[1][W * j + NX];
     }
 }
 
@@ -120,7 +121,7 @@ static double through(int k, field a[2], int c, int l)
     return 0.5 * (a[l][c] + a[l][c - next[k]]);
 }
 
-/* The flux of the velocity a[k] there. */
+/* The flux of the velocity a[k] there, by the flow b. */
 static double flux_of(int k, field a[2], field b[2], int c, int l)
 {
     return flux(a[k], c, l, through(k, b, c, l));
@@ -181,7 +182,7 @@ static void correct(void)
         }
 }
 
-/* The velocity [m/s] of the air in a cell. */
+/* The velocity [m/s] of the fluid in a cell. */
 static double in_cell(int k, int c)
 {
     return 0.5 * (q[k][c] + q[k][c + next[k]]) / eps[c];

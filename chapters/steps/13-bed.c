@@ -26,17 +26,18 @@ static double friction = 0.1;                /* [-] friction */
 static double pressure = 1.0; /* 0: without its force on grains */
 static double cells = 8, dx;  /* across, [m] width of a cell */
 static const double box[2] = {16e-3, 64e-3}; /* [m] */
-static const double depth = 1.5e-3;          /* [m] of the box, across */
-static const double rho_f = 1.2;             /* [kg/m^3] */
-static const double mu = 1.8e-5;             /* [Pa s] of air */
-static const double D = 1.5e-5;              /* [m^2/s] mu / rho_f */
-static const double d = 1.2e-3;              /* [m] grain */
-static const double V_p = 9.04778684e-10;    /* [m^3] its volume */
-static double bw = 4.8e-3;                   /* [m] bandwidth, b in (8.9) */
-static double parts = 24;                    /* steps of the diffusion */
-static double U = 1.0;                       /* [m/s] at the inlet */
-static double upwind = 1.0;                  /* 0: the mean of both cells */
-static double sweeps = 60;                   /* for the pressure, in a step */
+static const double side = 1.0;     /* 1: fluid slips along walls; -1: not */
+static const double depth = 1.5e-3; /* [m] of the box, across */
+static const double rho_f = 1.2;    /* [kg/m^3] */
+static const double mu = 1.8e-5;    /* [Pa s] of air */
+static const double D = 1.5e-5;     /* [m^2/s] mu / rho_f */
+static const double d = 1.2e-3;     /* [m] grain */
+static const double V_p = 9.04778684e-10; /* [m^3] its volume */
+static double bw = 4.8e-3;                /* [m] bandwidth, b in (8.9) */
+static double parts = 24;                 /* steps of the diffusion */
+static double U = 1.0;                    /* [m/s] at the inlet */
+static double upwind = 1.0;               /* 0: the mean of both cells */
+static double sweeps = 60;                /* for the pressure, in a step */
 
 /* One value a cell. The cell before it in direction k is c - next[k]. */
 typedef double field[CELLS];
@@ -52,7 +53,7 @@ static double w[N + 1], M[N + 1];                    /* [rad/s], [N m] */
 static double xi[N][N + 4]; /* [m] springs of pairs, and of four walls */
 static double drag[N];      /* [kg/s] k in (10.1) */
 static double sum_drop;     /* [Pa s] over the second half of the time */
-static double P[2][N];      /* [N] force of the air */
+static double P[2][N];      /* [N] force of the fluid */
 
 const struct number numbers[] = {
     {"U", &U, 0.0, 2.5, 0.1, "air at the inlet [m/s]"},
@@ -71,7 +72,7 @@ void start(void)
 {
     zeta = -log(e) / sqrt(pi * pi + log(e) * log(e));
     NX = (int)cells;
-    NY = 4 * NX;
+    NY = (int)lround(NX * box[1] / box[0]);
     dx = box[0] / NX;
     for (int i = 0; i < N; i++) { /* rows of twelve */
         R[i] = 0.5 * d;
@@ -172,20 +173,20 @@ static void diffuse(field a)
     extend(a);
 }
 
-/* Air enters below, slowly at first, and leaves above; it slips along walls. */
+/* The velocities on both sides of a wall. Air enters below, leaves above. */
 static void walls(void)
 {
     for (int i = 1; i <= NX; i++) {
+        u[0][i] = side * u[0][i + W];
+        u[0][i + W * (NY + 1)] = side * u[0][i + W * NY];
         q[1][i + W] = U * fmin((t + dt) / 0.05, 1.0);
         u[1][i + W] = q[1][i + W] / eps[i + W];
-        u[0][i] = u[0][i + W];
-        u[0][i + W * (NY + 1)] = u[0][i + W * NY];
         u[1][i + W * (NY + 2)] = u[1][i + W * (NY + 1)];
         q[1][i + W * (NY + 2)] = q[1][i + W * (NY + 1)];
     }
     for (int j = 1; j <= NY + 1; j++) {
-        u[1][W * j] = u[1][W * j + 1];
-        u[1][W * j + NX + 1] = u[1][W * j + NX];
+        u[1][W * j] = side * u[1][W * j + 1];
+        u[1][W * j + NX + 1] = side * u[1][W * j + NX];
     }
 }
 
@@ -205,7 +206,7 @@ static double through(int k, field a[2], int c, int l)
     return 0.5 * (a[l][c] + a[l][c - next[k]]);
 }
 
-/* The flux of the velocity a[k] there. */
+/* The flux of the velocity a[k] there, by the flow b. */
 static double flux_of(int k, field a[2], field b[2], int c, int l)
 {
     return flux(a[k], c, l, through(k, b, c, l));
@@ -287,7 +288,7 @@ static void correct(void)
         }
 }
 
-/* The velocity [m/s] of the air in a cell. */
+/* The velocity [m/s] of the fluid in a cell. */
 static double in_cell(int k, int c)
 {
     return 0.5 * (q[k][c] + q[k][c + next[k]]) / eps[c];
