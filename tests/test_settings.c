@@ -76,14 +76,17 @@ static struct settings *read_case(const char *text,
                                   const char *const *overrides, int *code,
                                   char said[CAPTURE_TEXT])
 {
-    const struct key *tables[CASE_FILE_TABLES] = {keys_mesh, fluid_keys,
-                                                  keys_core, effect_keys};
+    const struct key *tables[CASE_FILE_TABLES] = {
+        keys_case, mesh_keys, fluid_keys, keys_core, effect_keys};
 
-    models_tables(&tables[4], CASE_FILE_TABLES - 5);
     struct settings *s;
     struct capture c;
     int n = 0;
 
+    while (tables[n] != NULL)
+        n++;
+    models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
+    n = 0;
     while (overrides[n] != NULL)
         n++;
     if (text != NULL) write_file(path, text);

@@ -21,7 +21,8 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 {
     int n = 0;
 
-    tables[n++] = keys_mesh;
+    tables[n++] = keys_case;
+    tables[n++] = mesh_keys;
     tables[n++] = fluid_keys;
     tables[n++] = keys_core;
     tables[n++] = case_surfaces_keys;

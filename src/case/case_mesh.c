@@ -6,17 +6,6 @@
 
 /* --- making it ------------------------------------------------------------ */
 
-struct box_spec case_mesh_box(const struct settings *s)
-{
-    struct box_spec spec;
-
-    settings_vector(s, "mesh.size", spec.size);
-    settings_counts(s, "mesh.cells", spec.cells);
-    settings_vector(s, "mesh.grading", spec.grading);
-    settings_flags(s, "mesh.periodic", spec.periodic);
-    return spec;
-}
-
 static struct mesh *
 case_mesh_make(const struct settings *s,
                struct mesh *(*make)(const struct box_spec *))
@@ -24,10 +13,7 @@ case_mesh_make(const struct settings *s,
     struct mesh *own;
     const struct mesh *const kept = settings_mesh(s);
 
-    if (kept == NULL) {
-        const struct box_spec spec = case_mesh_box(s);
-        return make(&spec);
-    }
+    if (kept == NULL) return make(&s->mesh.box);
     memcpy(&own, &kept,
            sizeof own); /* a further reference; nobody changes the mesh */
     return mesh_retain(own);
@@ -49,9 +35,9 @@ void case_mesh_ends(const struct settings *s, double lo[3], double hi[3])
 {
     const struct mesh *const m = settings_mesh(s);
 
-    if (m == NULL) settings_vector(s, "mesh.size", hi);
     for (int k = 0; k < 3; k++) {
         lo[k] = m == NULL ? 0.0 : m->lo[k];
+        hi[k] = s->mesh.box.size[k];
         if (m == NULL) continue;
         const double period = mesh_period(m, k);
         hi[k] = period > 0.0 ? lo[k] + period : m->hi[k];
@@ -62,7 +48,7 @@ void case_mesh_periodic(const struct settings *s, int periodic[3])
 {
     const struct mesh *const m = settings_mesh(s);
 
-    if (m == NULL) settings_flags(s, "mesh.periodic", periodic);
-    for (int k = 0; k < 3 && m != NULL; k++)
-        periodic[k] = mesh_period(m, k) > 0.0;
+    for (int k = 0; k < 3; k++)
+        periodic[k] =
+            m == NULL ? s->mesh.box.periodic[k] : mesh_period(m, k) > 0.0;
 }

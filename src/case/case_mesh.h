@@ -10,9 +10,6 @@
 #include "mesh/mesh.h"
 #include "case/settings.h"
 
-/* The plain box that the case gives. */
-struct box_spec case_mesh_box(const struct settings *s);
-
 /* The mesh, which the caller releases by mesh_free. */
 struct mesh *case_mesh_create(const struct settings *s);
 

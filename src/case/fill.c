@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/fill.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,12 +10,14 @@
 #include "case/schema.h"
 
 /* The struct that the keys of a group fill, and the int that says that the case
- * names it. A group within another one, with a struct of its own, stands before
- * it. */
+ * names it; REQUIRED: every case does. A group within another one, with a
+ * struct of its own, stands before it. */
+#define REQUIRED SIZE_MAX
 static const struct {
     const char *name;
     size_t at, has;
 } groups[] = {
+    {"mesh", offsetof(struct settings, mesh), REQUIRED},
     {"fluid", offsetof(struct settings, fluid),
      offsetof(struct settings, has.fluid)},
 };
@@ -132,7 +135,9 @@ static char *fill_base_of(struct settings *s, const struct key *key)
 void fill_settings(struct settings *s, const struct key *const *tables)
 {
     for (int g = 0; g < GROUPS; g++)
-        *(int *)((char *)s + groups[g].has) = settings_has(s, groups[g].name);
+        if (groups[g].has != REQUIRED)
+            *(int *)((char *)s + groups[g].has) =
+                settings_has(s, groups[g].name);
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
             create_list(s, k,

@@ -1,35 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/keys.h"
 
-#include <stddef.h>
+#include "case/settings.h"
 
 /* A row: path, type, unit, allowed, default, meaning, source, needs. NULL as
  * the default means that the key must be given. */
-const struct key keys_mesh[] = {
-    {"title", KEY_TEXT, "", "", "", "what the case shows, in one line", "", ""},
+const struct key keys_case[] = {
+    {"title", KEY_TEXT, "", "", "", "what the case shows, in one line", "", "",
+     .at = KEY_AT(settings, title)},
     {"cites", KEY_TEXT, "", "", "", "the paper, table or figure it follows", "",
-     ""},
-
-    {"mesh", KEY_GROUP, "", "", NULL,
-     "a box and its cells, or a mesh from files", "", ""},
-    {"mesh.size", KEY_VECTOR, "m", "> 0", "",
-     "length of the box in x, y, z; y points upward; needed by a box",
-     "SX15 Table 1", ""},
-    {"mesh.cells", KEY_COUNTS, "-", ">= 1", "",
-     "cells in x, y, z; 1 where the flow does not vary; needed by a box",
-     "SX15 Table 2", ""},
-    {"mesh.grading", KEY_VECTOR, "-", "> 0", "[1.0, 1.0, 1.0]",
-     "width of the last cell over that of the first", "", ""},
-    {"mesh.periodic", KEY_FLAGS, "", "", "[false, false, false]",
-     "periodic directions", "", ""},
-    {"mesh.polymesh", KEY_FILE, "", "", "",
-     "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
-     "it begins with /; its patches take the place of the sides under fluid",
-     "", ""},
-    {"mesh.shear", KEY_VECTOR, "-", "", "",
-     "shift of the box along x over height y, along x over depth z, along y "
-     "over depth z; left out: none",
-     "", ""},
+     "", .at = KEY_AT(settings, cites)},
     KEY_END};
 
 const struct key keys_core[] = {

@@ -59,6 +59,7 @@ struct settings *settings_create(const char *file, int n_overrides,
     if (*code == 0) *code = schema_check_check(&s->text->tree, s->text->tables);
     if (*code == 0) {
         schema_check_fill(&s->text->tree, s->text->tables);
+        s->title = s->cites = "";
         fill_settings(s, s->text->tables);
         return s;
     }

@@ -15,7 +15,7 @@
 
 #include "base/key.h"
 #include "fluid/fluid.h"
-#include "mesh/mesh.h"
+#include "mesh/mesh_options.h"
 
 #include <stddef.h>
 
@@ -26,6 +26,10 @@ struct settings {
     struct {
         int fluid; /* [-] 1: the case names the group */
     } has;
+    const char *title, *cites;  /* "" if left out */
+    const char *engine;         /* "one" or "distributed" */
+    int ranks[3], layers;       /* [-] of several machines; 0: left out */
+    struct mesh_options mesh;   /* mesh/mesh_keys.c */
     struct fluid_options fluid; /* fluid/fluid_keys.c */
     struct settings_text *text; /* the case as it is written */
 };

@@ -72,7 +72,7 @@ static void put_deck(FILE *f, const struct settings *s, const struct words *w,
     const double steps = (double)case_steps_until_end(s) * case_steps_within(s);
 
     fputs("# ", f);
-    text_put(f, settings_text(s, "title"), TEXT_LAMMPS);
+    text_put(f, s->title, TEXT_LAMMPS);
     fputs("\n# particles and walls of ", f);
     text_put(f, settings_file(s), TEXT_LAMMPS);
     fputs(", written by winnow export; without the fluid\n"

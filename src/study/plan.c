@@ -248,8 +248,7 @@ static int plan_complete(struct plan *p)
     if (code == 0) tell_reversed(p);
     if (code == 0) add_output(p, s);
     if (code == 0 && w->seeds > 1) code = check_seeds(p);
-    if (w->title == NULL)
-        w->title = texts_add(&w->made, "%s", settings_text(s, "title"));
+    if (w->title == NULL) w->title = texts_add(&w->made, "%s", s->title);
     if (w->dir == NULL) w->dir = plan_default_dir(w);
     settings_free(s);
     return code;

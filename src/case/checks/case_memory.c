@@ -53,8 +53,7 @@ static double of_particles(const struct settings *s)
 
 static double of_cells(const struct settings *s)
 {
-    const int corners =
-        settings_has(s, "mesh.polymesh") || settings_has(s, "mesh.shear");
+    const int corners = s->mesh.polymesh != NULL || s->mesh.has_shear;
 
     return case_extent_cells(s) * per_cell[corners][s->has.fluid];
 }
@@ -80,18 +79,14 @@ static const char *largest_key(const struct settings *s, double more)
     if (more > of_cells(s) && more > of_particles(s))
         return "averaging.bandwidth";
     if (of_cells(s) > of_particles(s))
-        return settings_has(s, "mesh.cells") ? "mesh.cells" : "mesh.polymesh";
+        return s->mesh.polymesh == NULL ? "mesh.cells" : "mesh.polymesh";
     return bed(s) > inserted(s) ? "particles.bed.count" : insert;
 }
 
 /* A case that several machines hold (chapter "Past one machine"). */
 static int is_divided(const struct settings *s)
 {
-    static const char key[] = "engine";
-
-    return processes_engine != NULL ||
-           (settings_has(s, key) &&
-            strcmp(settings_text(s, key), "distributed") == 0);
+    return processes_engine != NULL || strcmp(s->engine, "distributed") == 0;
 }
 
 /* The lower of two limits; the second may be absent. */

@@ -15,37 +15,38 @@
 /* A mesh from files has no key of a box. */
 static int check_files(const struct settings *s)
 {
-    static const char *const of_box[] = {"mesh.size", "mesh.cells",
-                                         "mesh.grading", "mesh.periodic",
-                                         "mesh.shear"};
+    const struct mesh_options *const m = &s->mesh;
+    const char *const of_box = m->box.size[0] > 0.0  ? "mesh.size"
+                               : m->box.cells[0] > 0 ? "mesh.cells"
+                               : m->has_grading      ? "mesh.grading"
+                               : m->has_periodic     ? "mesh.periodic"
+                               : m->has_shear        ? "mesh.shear"
+                                                     : NULL;
 
-    for (int i = 0; i < 5; i++)
-        if (settings_has(s, of_box[i]))
-            return settings_wrong(s, of_box[i],
-                                  "the mesh comes from files; leave this key "
-                                  "or mesh.polymesh out");
-    return 0;
+    if (of_box == NULL) return 0;
+    return settings_wrong(s, of_box,
+                          "the mesh comes from files; leave this key or "
+                          "mesh.polymesh out");
 }
 
 static int check_box(const struct settings *s)
 {
-    static const char *const asked[] = {"mesh.size", "mesh.cells"};
+    const struct box_spec *const b = &s->mesh.box;
+    const char *const missing = !(b->size[0] > 0.0) ? "size"
+                                : b->cells[0] == 0  ? "cells"
+                                                    : NULL;
 
-    for (int i = 0; i < 2; i++)
-        if (!settings_has(s, asked[i]))
-            return settings_wrong(s, "mesh",
-                                  "%s is missing: a box needs mesh.size, three "
-                                  "numbers [m], and mesh.cells; or give "
-                                  "mesh.polymesh",
-                                  asked[i]);
-    return 0;
+    if (missing == NULL) return 0;
+    return settings_wrong(s, "mesh",
+                          "mesh.%s is missing: a box needs mesh.size, three "
+                          "numbers [m], and mesh.cells; or give mesh.polymesh",
+                          missing);
 }
 
 /* A box of more faces than can be numbered. */
 static int check_numbers(const struct settings *s)
 {
-    const struct box_spec spec = case_mesh_box(s);
-    const double faces = mesh_box_faces(&spec);
+    const double faces = mesh_box_faces(&s->mesh.box);
 
     if (faces <= MESH_MOST_FACES) return 0;
     return settings_wrong(s, "mesh.cells",
@@ -56,7 +57,7 @@ static int check_numbers(const struct settings *s)
 
 int mesh_check_keys(const struct settings *s)
 {
-    if (settings_has(s, "mesh.polymesh")) return check_files(s);
+    if (s->mesh.polymesh != NULL) return check_files(s);
     const int code = check_box(s);
     return code != 0 ? code : check_numbers(s);
 }
@@ -83,7 +84,7 @@ static int mesh_check_shape(const struct settings *s, const struct mesh *m)
 {
     const double most_uneven = 1e6, tiny = 1e-60, huge = 1e60; /* [-], [m^3] */
     const char *const key =
-        settings_has(s, "mesh.polymesh") ? "mesh.polymesh" : "mesh.size";
+        s->mesh.polymesh != NULL ? "mesh.polymesh" : "mesh.size";
     double least, most, mean;
 
     for (int k = 0; k < 3 && m->face_centre == NULL; k++)

@@ -45,9 +45,8 @@ static int has_side(const struct settings *s, const char *patch)
 static int check_direction(const struct settings *s, int k)
 {
     const int both = has_side(s, validate_side_of(k, 2));
-    int periodic[3];
+    const int *const periodic = s->mesh.box.periodic;
 
-    settings_flags(s, "mesh.periodic", periodic);
     for (int i = 0; i < 2; i++) {
         const int given = has_side(s, validate_side_of(k, i)) + both;
 
@@ -148,7 +147,7 @@ static int validate_check_parts(const struct settings *s)
 
 static int check_fluid(const struct settings *s)
 {
-    const int files = settings_has(s, "mesh.polymesh");
+    const int files = s->mesh.polymesh != NULL;
     int code = mesh_check_fluid(s);
 
     for (int k = 0; k < 3 && code == 0 && !files; k++)

@@ -16,20 +16,20 @@
 const struct key case_engine_keys[] = {
     {"engine", KEY_NAME, "", "one | distributed", "one",
      "one: this machine; distributed: several processes, by build/winnow-mpi",
-     "", ""},
+     "", "", .at = KEY_AT(settings, engine)},
     {"ranks", KEY_COUNTS, "-", ">= 1", "",
      "processes in x, y, z; left out: as many as there are, side by side "
      "across gravity",
-     "", ""},
+     "", "", .at = KEY_AT(settings, ranks)},
     {"layers", KEY_INT, "-", ">= 1, <= 16", "",
      "layers of neighbours' cells around those of a rank; left out: as many as "
      "the schemes read",
-     "", ""},
+     "", "", .at = KEY_AT(settings, layers)},
     KEY_END};
 
 static int is_distributed(const struct settings *s)
 {
-    return strcmp(settings_text(s, "engine"), "distributed") == 0;
+    return strcmp(s->engine, "distributed") == 0;
 }
 
 int case_engine_check(const struct settings *s)

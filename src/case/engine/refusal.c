@@ -164,11 +164,8 @@ static int check_sides(const struct settings *s)
 
 static int check_grading(const struct settings *s)
 {
-    double g[3];
-
-    settings_vector(s, "mesh.grading", g);
     for (int k = 0; k < 3; k++)
-        if (g[k] != 1.0)
+        if (s->mesh.box.grading[k] != 1.0)
             return refusal_refuse(s, "mesh.grading",
                                   "cells of different width are "
                                   "not divided yet");

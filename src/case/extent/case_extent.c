@@ -6,23 +6,21 @@
 double case_extent_cells(const struct settings *s)
 {
     const struct mesh *const kept = settings_mesh(s);
+    const int *const n = s->mesh.box.cells;
 
-    if (kept != NULL) return kept->n_cells;
-    if (!settings_has(s, "mesh.cells")) return 0.0;
-    const struct box_spec spec = case_mesh_box(s);
-    return (double)spec.cells[0] * spec.cells[1] * spec.cells[2];
+    return kept != NULL ? kept->n_cells : (double)n[0] * n[1] * n[2];
 }
 
 /* Of a box the product of its sides. */
 double case_extent_volume(const struct settings *s)
 {
     const struct mesh *const m = settings_mesh(s);
-    double size[3], sum = 0.0;
+    const double *const size = s->mesh.box.size;
+    double sum = 0.0;
 
     for (int c = 0; m != NULL && c < m->n_cells; c++)
         sum += m->V[c];
     if (m != NULL) return sum;
-    settings_vector(s, "mesh.size", size);
     return size[0] * size[1] * size[2];
 }
 

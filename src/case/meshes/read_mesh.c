@@ -55,25 +55,18 @@ static struct mesh *read_files(const struct settings *s)
 {
     char dir[SETTINGS_PATH];
 
-    settings_beside(s, settings_text(s, "mesh.polymesh"), dir, sizeof dir);
+    settings_beside(s, s->mesh.polymesh, dir, sizeof dir);
     return poly_read(dir);
-}
-
-static struct mesh *shear_box(const struct settings *s)
-{
-    const struct box_spec spec = case_mesh_box(s);
-    double shear[3];
-
-    settings_vector(s, "mesh.shear", shear);
-    return mesh_create_sheared(&spec, shear);
 }
 
 int read_mesh(struct settings *s)
 {
-    const int from_files = settings_has(s, "mesh.polymesh");
+    const struct mesh_options *const o = &s->mesh;
 
-    if (!from_files && !settings_has(s, "mesh.shear")) return 0;
-    struct mesh *const m = from_files ? read_files(s) : shear_box(s);
+    if (o->polymesh == NULL && !o->has_shear) return 0;
+    struct mesh *const m = o->polymesh != NULL
+                               ? read_files(s)
+                               : mesh_create_sheared(&o->box, o->shear);
     settings_keep_mesh(s, m);
     return m == NULL ? 2 : 0;
 }

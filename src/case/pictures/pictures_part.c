@@ -46,7 +46,7 @@ static struct picture picture_of(const struct recorder_view *v)
 {
     const struct snapshot *const s = v->whole;
 
-    return (struct picture){.title = settings_text(v->settings, "title"),
+    return (struct picture){.title = v->settings->title,
                             .time = s->t,
                             .mesh = v->drawn->mesh,
                             .eps = s->eps,

@@ -95,7 +95,7 @@ static void print_off(const struct settings *s)
 
 int explain_case(const struct settings *s)
 {
-    printf("%s\n", settings_text(s, "title"));
+    printf("%s\n", s->title);
     print_on(s);
     print_off(s);
     return 0;

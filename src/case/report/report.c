@@ -209,7 +209,7 @@ int report_case(const struct settings *s)
     if (case_scales_check_memory(s, &k) != 0) return 2;
     if (settings_has(s, "particles") && build_particles_check(s) != 0) return 2;
 
-    printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
+    printf("%s\n%s\n", s->title, s->cites);
     print_resolution(&k);
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);

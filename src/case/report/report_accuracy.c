@@ -71,11 +71,11 @@ static double order_of_cells(const struct settings *s)
 static int report_accuracy_directions_of(const struct settings *s,
                                          double *cells)
 {
-    int n[3], directions = 0;
+    const int *const n = s->mesh.box.cells;
+    int directions = 0;
 
     *cells = 1.0;
-    if (!settings_has(s, "mesh.cells")) return 0;
-    settings_counts(s, "mesh.cells", n);
+    if (s->mesh.polymesh != NULL) return 0;
     for (int i = 0; i < 3; i++) {
         directions += n[i] > 1;
         *cells *= n[i];
@@ -147,15 +147,14 @@ static int carries_nothing(const struct settings *s, int direction)
 static struct carried carried_in(const struct settings *s,
                                  const struct case_scales *k, int only)
 {
-    double cells, L[3];
+    double cells;
     const int directions = report_accuracy_directions_of(s, &cells);
 
     if (only < 0 || !has_end(s, only, "inlet") || k->inlet == 0.0)
         return (struct carried){0, pow(cells, 1.0 / directions) / 4.0};
     const double nu = s->fluid.mu / s->fluid.rho;
-    settings_vector(s, "mesh.size", L);
-    return (struct carried){1,
-                            6.0 * cells * fmin(nu / k->inlet / L[only], 0.2)};
+    return (struct carried){
+        1, 6.0 * cells * fmin(nu / k->inlet / s->mesh.box.size[only], 0.2)};
 }
 
 static double left_by(const struct scheme_cost *scheme, struct carried c)
@@ -179,13 +178,12 @@ static void print_scheme(const struct settings *s, const struct case_scales *k,
 /* The only direction that has cells, of a flow without grains; else -1. */
 static int only_direction(const struct settings *s)
 {
+    const int *const n = s->mesh.box.cells;
     double cells;
-    int n[3];
 
     if (report_accuracy_directions_of(s, &cells) != 1 ||
         settings_has(s, "exchange"))
         return -1;
-    settings_counts(s, "mesh.cells", n);
     return n[0] > 1 ? 0 : n[1] > 1 ? 1 : 2;
 }
 

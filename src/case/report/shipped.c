@@ -101,8 +101,7 @@ static void shipped_print_case(const char *path, const struct settings *s,
     shipped_name_of(path, name);
     purpose(text, line);
     printf("%-22s %6d cells %6d particles  %s%s%s\n", name, k.cells,
-           k.particles, settings_text(s, "title"),
-           line[0] != '\0' ? ". Look at: " : "", line);
+           k.particles, s->title, line[0] != '\0' ? ". Look at: " : "", line);
 }
 
 int shipped_list(void)

@@ -146,9 +146,8 @@ static struct solid_bodies *case_bodies_create(const struct settings *s)
         .lubrication = gaps(s),
         .others = &block_contacts};
     const int n = case_bodies_count(s);
-    int cells[3];
+    const int *const cells = s->mesh.box.cells;
 
-    settings_counts(s, "mesh.cells", cells);
     particle_options_gravity(s, o.gravity);
     struct solid_bodies *const b = solid_bodies_create(
         n, cells[0] * cells[1] * cells[2], s->fluid.rho, &o);

@@ -35,23 +35,20 @@ int case_bodies_is(const struct settings *s, const char *of, int i,
 void case_bodies_cell_widths(const struct settings *s, double h[3])
 {
     double lo[3], hi[3];
-    int n[3];
 
     case_mesh_ends(s, lo, hi);
-    settings_counts(s, "mesh.cells", n);
     for (int k = 0; k < 3; k++)
-        h[k] = (hi[k] - lo[k]) / n[k];
+        h[k] = (hi[k] - lo[k]) / s->mesh.box.cells[k];
 }
 
 static int check_mesh(const struct settings *s)
 {
-    double grading[3];
+    const double *const grading = s->mesh.box.grading;
 
     if (settings_mesh(s) != NULL)
         return settings_wrong(s, "bodies",
                               "bodies are held in the cells of a plain box; "
                               "leave out mesh.polymesh and mesh.shear");
-    settings_vector(s, "mesh.grading", grading);
     for (int k = 0; k < 3; k++)
         if (fabs(grading[k] - 1.0) > 0.01)
             return settings_wrong(s, "mesh.grading",

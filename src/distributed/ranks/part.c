@@ -41,23 +41,18 @@ static int direction_down(const struct settings *s)
  * more. */
 static int layers_of(const struct settings *s)
 {
-    if (settings_has(s, "layers")) return settings_int(s, "layers");
+    if (s->layers > 0) return s->layers;
     return strcmp(s->fluid.convection->name, "upwind") == 0 ? 2 : 3;
 }
 
 int part_divide(const struct settings *s, MPI_Comm comm, struct partition *p)
 {
-    struct box_spec box;
-    int P[3] = {0, 0, 0}, rank, size;
+    int rank, size;
 
-    settings_vector(s, "mesh.size", box.size);
-    settings_counts(s, "mesh.cells", box.cells);
-    settings_flags(s, "mesh.periodic", box.periodic);
-    if (settings_has(s, "ranks")) settings_counts(s, "ranks", P);
     MPI_Comm_rank(comm, &rank);
     MPI_Comm_size(comm, &size);
-    return partition_init(p, &box, P, direction_down(s), rank, size,
-                          layers_of(s));
+    return partition_init(p, &s->mesh.box, s->ranks, direction_down(s), rank,
+                          size, layers_of(s));
 }
 
 /* What a step of a cell and of a particle costs [s]: measured, chapter "Past
