@@ -103,6 +103,23 @@ fact case_that_cannot_fit_in_memory_is_refused_before_it_is_made 2 \
 fact samples_that_cannot_fit_in_memory_are_refused_before_they_are_made 2 \
     "effects.mixing.sample: 1e+09 samples need about 16 GB, and this machine has 0.512 GB" \
     sh -c 'ulimit -v 500000 && $0 run tiny.cfg -s "effects.mixing={sample=1e-9;}"' "$winnow"
+cp -r "$top/tests/data/poly/sheared" bomb
+{ cat bomb/points; head -c 110000000 /dev/zero; } | gzip -1 >bomb/points.gz
+rm bomb/points
+cat >bomb.cfg <<'END'
+mesh = { polymesh = "bomb"; };
+particles = { contact = "linear"; step = 1e-5; place = ();
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; }; };
+effects = {}; output = { end = 0.02; every = 0.01; };
+END
+fact mesh_that_unpacks_beyond_memory_is_refused_before_it_is_unpacked 2 \
+    "bomb/points.gz:1: cannot be read: it takes more memory than is left" \
+    sh -c 'ulimit -v 200000 && $0 check bomb.cfg' "$winnow"
+truncate -s 110M vast.stl
+fact file_beyond_memory_is_refused_before_it_is_read 2 \
+    "vast.stl: cannot be read: it takes more memory than is left" \
+    sh -c 'ulimit -v 200000 && $0 check tiny.cfg -s "particles.surfaces=({name=\"a\";shape=\"stl\";file=\"vast.stl\";})"' "$winnow"
+rm -r bomb vast.stl
 fact bed_that_cannot_fit_in_memory_is_refused_at_once 2 \
     "particles; no more than 134217727 can be numbered" timeout 5 "$winnow" \
     check "$top/cases/rebound.cfg" -s 'particles.bed={count=2000000000;diameter=1e-3;}'

@@ -2,15 +2,58 @@
 #include "base/alloc.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <unistd.h>
+
+/* What is large enough to be asked for: the kernel promises more than it has,
+ * and ends the program that takes it [byte]. */
+enum { LARGE = 1 << 26 };
+
+/* The lower of a limit and the number that stands in a file, if it does. */
+static double alloc_lower(double most, const char *file, const char *format,
+                          double unit)
+{
+    FILE *const in = fopen(file, "r");
+    double limit = 0.0;
+
+    if (in == NULL) return most;
+    if (fscanf(in, format, &limit) != 1) limit = 0.0;
+    fclose(in);
+    return limit > 0.0 ? fmin(most, unit * limit) : most;
+}
+
+/* A group of processes may have less memory than the machine. */
+double alloc_most(void)
+{
+    struct rlimit own;
+    double most =
+        (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+
+    most = alloc_lower(most, "/sys/fs/cgroup/memory.max", "%lf", 1.0);
+    most = alloc_lower(most, "/sys/fs/cgroup/memory/memory.limit_in_bytes",
+                       "%lf", 1.0);
+    if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
+        most = fmin(most, (double)own.rlim_cur);
+    return most;
+}
+
+/* The third line of three words each. */
+double alloc_left(void)
+{
+    return alloc_lower(alloc_most(), "/proc/meminfo",
+                       "%*s %*s %*s %*s %*s %*s MemAvailable: %lf", 1024.0);
+}
 
 void *alloc_zeroed(size_t n, size_t size)
 {
     const size_t bytes = (n * size + 64) / 64 * 64; /* never 0 */
-    void *const p = n > (size_t)-1 / 2 / size ? NULL : aligned_alloc(64, bytes);
+    const int fits = n <= (size_t)-1 / 2 / size &&
+                     (bytes < LARGE || (double)bytes <= alloc_left());
+    void *const p = fits ? aligned_alloc(64, bytes) : NULL;
 
     if (p == NULL) {
         fprintf(stderr, "winnow: out of memory: %zu items of %zu bytes\n", n,

@@ -20,6 +20,11 @@ int *alloc_ints(int n);
  * `used` ones of `old`, which is freed; the others are zero. */
 void *alloc_grown(void *old, int used, int n, size_t size);
 
+/* The most memory that this program can have, that of the machine or the limit
+ * of the process, and what is left of it at present [byte]. */
+double alloc_most(void);
+double alloc_left(void);
+
 /* The largest memory that this program has used so far [byte]. */
 double alloc_peak(void);
 

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 const char *input_wrong(const char *path)
 {
@@ -29,6 +30,16 @@ static long length_of(FILE *in)
     return length >= 0 && fseek(in, 0, SEEK_SET) == 0 ? length : -1;
 }
 
+/* Room for so many bytes and the zero; NULL, with the reason, if there is not
+ * twice as much memory: the numbers of a file take about as much as itself. */
+static char *input_room(double size, const char **why)
+{
+    if (2.0 * size < alloc_left()) return alloc_zeroed((size_t)size + 1, 1);
+    *why = "it takes more memory than is left";
+    errno = ENOMEM;
+    return NULL;
+}
+
 char *input_text(const char *path, size_t *length, const char **why)
 {
     *why = input_wrong(path);
@@ -38,10 +49,49 @@ char *input_text(const char *path, size_t *length, const char **why)
     char *text = NULL;
 
     if (size >= 0) {
-        text = alloc_zeroed((size_t)size + 1, 1);
-        *length = fread(text, 1, (size_t)size, in);
+        text = input_room((double)size, why);
+        if (text != NULL) *length = fread(text, 1, (size_t)size, in);
+    } else {
+        *why = strerror(errno);
     }
-    if (text == NULL) *why = strerror(errno);
     if (in != NULL) fclose(in);
+    return text;
+}
+
+/* Of what is packed in some megabytes, which may be without end, no more than
+ * `most` [byte] is counted; -1 if it is damaged. */
+static double unpacked_size(gzFile f, double most)
+{
+    static const unsigned piece = 1 << 16;
+    char *const bytes = alloc_zeroed(piece, 1);
+    double size = 0.0;
+    int n;
+
+    while ((n = gzread(f, bytes, piece)) > 0 && size <= most)
+        size += n;
+    free(bytes);
+    return n < 0 || gzrewind(f) != 0 ? -1.0 : size;
+}
+
+char *input_unpacked(const char *path, size_t *length, const char **why)
+{
+    static const size_t piece = 1 << 30; /* gzread counts by an int */
+    char *text = NULL;
+
+    *why = input_wrong(path);
+    if (*why != NULL) return NULL;
+    const gzFile f = gzopen(path, "rb");
+    const double size = f != NULL ? unpacked_size(f, alloc_left()) : -1.0;
+    *why = "damaged";
+    errno = EIO;
+    if (size >= 0.0) text = input_room(size, why);
+    for (*length = 0; text != NULL && *length < (size_t)size;) {
+        const size_t rest = (size_t)size - *length;
+        const int n =
+            gzread(f, &text[*length], (unsigned)(rest < piece ? rest : piece));
+        if (n <= 0) break;
+        *length += (size_t)n;
+    }
+    if (f != NULL) gzclose(f);
     return text;
 }

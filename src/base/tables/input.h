@@ -14,8 +14,12 @@
 const char *input_wrong(const char *path);
 
 /* The whole file with a zero byte after the end, released with free(); *length
- * does not count that byte. NULL if it cannot be read, with the reason in
- * *why. */
+ * does not count that byte. NULL if it cannot be read or the memory that is
+ * left does not hold it, with the reason in *why. */
 char *input_text(const char *path, size_t *length, const char **why);
+
+/* All of a file, that is packed by gzip or not, as input_text: its bytes are
+ * counted before memory is taken. */
+char *input_unpacked(const char *path, size_t *length, const char **why);
 
 #endif

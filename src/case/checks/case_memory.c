@@ -5,8 +5,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include "base/alloc.h"
 #include "case/case_mesh.h"
@@ -89,45 +87,9 @@ static int is_divided(const struct settings *s)
     return processes_engine != NULL || strcmp(s->engine, "distributed") == 0;
 }
 
-/* The lower of two limits; the second may be absent. */
-static double case_memory_lower(double most, double limit)
-{
-    return limit > 0.0 && limit < most ? limit : most;
-}
-
-/* The first number in a file, or 0. A group of processes may have less memory
- * than the machine. */
-static double limit_in(const char *file)
-{
-    FILE *const in = fopen(file, "r");
-    double limit = 0.0;
-
-    if (in == NULL) return 0.0;
-    if (fscanf(in, "%lf", &limit) != 1) limit = 0.0;
-    fclose(in);
-    return limit;
-}
-
-/* The most memory that this program can have: that of the machine, or the limit
- * of the process [byte]. */
-static double available(void)
-{
-    struct rlimit own;
-    double most = HUGE_VAL;
-
-    most = case_memory_lower(most, (double)sysconf(_SC_PHYS_PAGES) *
-                                       (double)sysconf(_SC_PAGESIZE));
-    most = case_memory_lower(most, limit_in("/sys/fs/cgroup/memory.max"));
-    most = case_memory_lower(
-        most, limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
-    if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
-        most = case_memory_lower(most, (double)own.rlim_cur);
-    return most;
-}
-
 int case_memory_check(const struct settings *s, double more)
 {
-    const double need = case_memory_bytes(s) + more, have = available();
+    const double need = case_memory_bytes(s) + more, have = alloc_most();
     const double n = of_particles(s) / per_particle;
 
     if (is_divided(s)) return 0;
@@ -158,11 +120,11 @@ int case_memory_check_pairs(const struct settings *s, const char *key,
     const double each = 1.5 * (sizeof(int) + 3 * sizeof(double));
     const double need = each * pairs + case_memory_bytes(s);
 
-    if (pairs < INT_MAX && (is_divided(s) || need <= available())) return 0;
+    if (pairs < INT_MAX && (is_divided(s) || need <= alloc_most())) return 0;
     return settings_wrong(
         s, key,
         "%.3g m: up to that gap there are %.3g pairs of particles in the list, "
         "%.3g GB, and this machine has %.3g GB for them; expected a small part "
         "of a diameter or a few of them",
-        settings_real(s, key), pairs, 1e-9 * need, 1e-9 * available());
+        settings_real(s, key), pairs, 1e-9 * need, 1e-9 * alloc_most());
 }

@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <zlib.h>
 
 #include "base/alloc.h"
 #include "base/number.h"
@@ -78,7 +77,8 @@ void poly_file_word(struct poly_file *p, char word[POLY_WORD])
     skip_blanks(p);
     if (p->text[p->at] == '"') {
         const long end = end_of_text(p, p->at);
-        snprintf(word, POLY_WORD, "%.*s", (int)(end - p->at), &p->text[p->at]);
+        const long most = end - p->at < POLY_WORD ? end - p->at : POLY_WORD;
+        snprintf(word, POLY_WORD, "%.*s", (int)most, &p->text[p->at]);
         p->at = end;
         return;
     }
@@ -250,49 +250,25 @@ static void read_header(struct poly_file *p)
     }
 }
 
-/* The whole text of a file, which may be packed by gzip; NULL if it cannot be
- * read. */
-static char *unpack(const char *path, long *size)
-{
-    const gzFile f = input_wrong(path) == NULL ? gzopen(path, "rb") : NULL;
-    long room = 1 << 16;
-    char *text;
-    int n = 0;
-
-    *size = 0;
-    if (f == NULL) return NULL;
-    text = alloc_zeroed((size_t)room + 1, 1);
-    while ((n = gzread(f, &text[*size], (unsigned)(room - *size))) > 0) {
-        *size += n;
-        if (*size < room) continue;
-        char *const more = alloc_zeroed(2 * (size_t)room + 1, 1);
-        memcpy(more, text, (size_t)*size);
-        free(text);
-        text = more;
-        room *= 2;
-    }
-    gzclose(f);
-    if (n == 0) return text;
-    free(text);
-    return NULL;
-}
-
 void poly_file_open(struct poly_file *p, const char *dir, const char *name)
 {
+    const char *why, *still;
+    size_t size = 0;
+
     *p = (struct poly_file){.line = 1, .label = 4, .scalar = 8};
     snprintf(p->path, sizeof p->path, "%s/%s", dir, name);
-    errno = 0;
-    p->text = unpack(p->path, &p->size);
+    p->text = input_unpacked(p->path, &size, &why);
     if (p->text == NULL && errno == ENOENT) {
         snprintf(p->path, sizeof p->path, "%s/%s.gz", dir, name);
-        p->text = unpack(p->path, &p->size);
-        if (p->text == NULL)
+        p->text = input_unpacked(p->path, &size, &still);
+        if (p->text == NULL && errno == ENOENT)
             snprintf(p->path, sizeof p->path, "%s/%s", dir, name);
+        else
+            why = still;
     }
+    p->size = (long)size;
     if (p->text == NULL)
-        poly_file_wrong(p, "cannot be read: %s",
-                        input_wrong(p->path) != NULL ? input_wrong(p->path)
-                                                     : "damaged");
+        poly_file_wrong(p, "cannot be read: %s", why);
     else
         read_header(p);
 }
