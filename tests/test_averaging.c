@@ -64,7 +64,7 @@ static const struct {
      {.bandwidth = 0.2, .vary = "grains", .tolerance = 1e-9},
      POSITIVE | BOUNDED | MOVES},
     {"diffusion",
-     {.bandwidth = 0.2, .regions = &half, .n_regions = 1, .tolerance = 1e-9},
+     {.bandwidth = 0.2, .regions = {1, &half}, .tolerance = 1e-9},
      POSITIVE | BOUNDED},
 };
 enum { WAYS = sizeof ways / sizeof *ways, ALL = WAYS * CLOUD_SHAPES };
@@ -483,7 +483,7 @@ END_TEST
 START_TEST(rotated_particles_give_a_rotated_field)
 {
     const int way = _i % WAYS;
-    if (ways[way].o.n_regions > 0) return; /* these stay where they are */
+    if (ways[way].o.regions.n > 0) return; /* these stay where they are */
     struct scene s = scene_of(way, _i / WAYS, N);
     const int *const n = s.mesh->box.n;
     struct box_spec spec = cloud_shapes[_i / WAYS];

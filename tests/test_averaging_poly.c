@@ -47,7 +47,7 @@ static const struct {
      1},
     {"diffusion", {.bandwidth = 0.3, .vary = "cells", .tolerance = 1e-9}, 1},
     {"diffusion", {.bandwidth = 0.3, .vary = "grains", .tolerance = 1e-9}, 1},
-    {"diffusion", {.bandwidth = 0.3, .regions = &half, .n_regions = 1}, 1}};
+    {"diffusion", {.bandwidth = 0.3, .regions = {1, &half}}, 1}};
 enum { MESHES = 6, WAYS = sizeof ways / sizeof *ways };
 
 static struct mesh *mesh_named(const char *name)

@@ -103,10 +103,8 @@ START_TEST(a_region_has_its_own_bandwidth)
     static const double d[] = {0.1, 0.1};
     struct averaging_region right = {
         {50.0, -1.0, -1.0}, {200.0, 2.0, 2.0}, 2.0};
-    const struct averaging_options o = {.bandwidth = 4.0,
-                                        .regions = &right,
-                                        .n_regions = 1,
-                                        .tolerance = 1e-12};
+    const struct averaging_options o = {
+        .bandwidth = 4.0, .regions = {1, &right}, .tolerance = 1e-12};
     struct row r = row_of(100, 1.0, 2, cell, d, &o);
 
     ck_assert_double_eq_tol(spread_around(&r, 25.5, 0, 50), 8.0, 1e-6);
@@ -161,8 +159,8 @@ START_TEST(no_cell_has_more_than_the_largest_bandwidth)
         d[i] = i < 27 ? 1e-3 : 3e-3;
     }
     struct row r = row_of(100, 1.0, 28, cell, d, &o);
-    o.regions = &wide;
-    o.n_regions = _i;
+    o.regions.item = &wide;
+    o.regions.n = _i;
     struct bandwidth *const w = bandwidth_create(averaging_cells(r.a), &o);
     const double base = _i ? 9.0 : 1.0;
     ck_assert_double_eq_tol(bandwidth_largest(w), 2.25 * base, 1e-12);

@@ -77,7 +77,8 @@ static struct settings *read_case(const char *text,
                                   char said[CAPTURE_TEXT])
 {
     const struct key *tables[CASE_FILE_TABLES] = {
-        keys_case, mesh_keys, fluid_keys, keys_core, effect_keys};
+        keys_case,     mesh_keys,    fluid_keys,  keys_core,  averaging_keys,
+        coupling_keys, effects_keys, keys_output, effect_keys};
 
     struct settings *s;
     struct capture c;

@@ -20,23 +20,22 @@ static const struct averaging_region half = {
 static const struct {
     const char *method;
     struct averaging_options o;
-} ways[] = {
-    {"pcm", {.cap = 0.0}},
-    {"pcm", {.cap = 0.004}},
-    {"dpvm", {.cap = 0.0}},
-    {"cube", {.cap = 0.0}},
-    {"two-grid", {.bandwidth = 0.25}},
-    {"kernel", {.bandwidth = 0.21}},
-    {"gaussian", {.bandwidth = 0.11}},
-    {"images", {.bandwidth = 0.06}},
-    {"diffusion", {.bandwidth = 0.2}},
-    {"diffusion", {.bandwidth = 0.2, .scheme = "series"}},
-    {"diffusion", {.bandwidth = 0.2, .scheme = "crank-nicolson"}},
-    {"diffusion", {.bandwidth = 0.2, .scheme = "implicit-euler"}},
-    {"diffusion", {.bandwidth = 0.2, .scheme = "sdirk2"}},
-    {"diffusion", {.bandwidth = 0.2, .vary = "cells"}},
-    {"diffusion", {.bandwidth = 0.2, .vary = "grains"}},
-    {"diffusion", {.bandwidth = 0.2, .regions = &half, .n_regions = 1}}};
+} ways[] = {{"pcm", {.cap = 0.0}},
+            {"pcm", {.cap = 0.004}},
+            {"dpvm", {.cap = 0.0}},
+            {"cube", {.cap = 0.0}},
+            {"two-grid", {.bandwidth = 0.25}},
+            {"kernel", {.bandwidth = 0.21}},
+            {"gaussian", {.bandwidth = 0.11}},
+            {"images", {.bandwidth = 0.06}},
+            {"diffusion", {.bandwidth = 0.2}},
+            {"diffusion", {.bandwidth = 0.2, .scheme = "series"}},
+            {"diffusion", {.bandwidth = 0.2, .scheme = "crank-nicolson"}},
+            {"diffusion", {.bandwidth = 0.2, .scheme = "implicit-euler"}},
+            {"diffusion", {.bandwidth = 0.2, .scheme = "sdirk2"}},
+            {"diffusion", {.bandwidth = 0.2, .vary = "cells"}},
+            {"diffusion", {.bandwidth = 0.2, .vary = "grains"}},
+            {"diffusion", {.bandwidth = 0.2, .regions = {1, &half}}}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
 /* Walls on all sides; a period in one direction, in two. */
@@ -99,7 +98,7 @@ static struct scene *create(const struct frame *t, double L, int way, int shape)
     s->L = L;
     turned_scale(L, spec.size);
     o.bandwidth *= L;
-    if (o.regions != NULL) o.regions = &region;
+    if (o.regions.n > 0) o.regions.item = &region;
     if (o.tolerance == 0.0) o.tolerance = 1e-12;
     s->m = mesh_create_box(&spec);
     s->ps = scatter(t, boxes[shape].size, L);

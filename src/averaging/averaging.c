@@ -10,6 +10,7 @@
 #include "averaging/averaging_wall.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
+#include "averaging/interpolation.h"
 #include "base/alloc.h"
 #include "base/model.h"
 #include "base/number.h"
@@ -23,16 +24,30 @@ struct averaging {
     struct averaging_report report;
 };
 
+#define AT(member) .at = KEY_AT(averaging_options, member)
+
+const struct key averaging_keys[] = {
+    {"averaging", KEY_GROUP, "", "", "",
+     "from particles to fields on the mesh and back", "SX15 4-9", "particles"},
+    {"averaging.method", KEY_NAME, "", "", NULL,
+     "how a particle is spread over the cells",
+     "XS11 3.1-3.6, SX15 5, LS section 5.4, EW18 17-21", "", AT(method),
+     .models = averaging_methods},
+    {"averaging.interpolation", KEY_NAME, "", "", "same",
+     "how fields are interpolated to the particles", "XS11 3.9", "",
+     AT(interpolation), .models = interpolations},
+    KEY_END};
+
 const struct key averaging_bandwidth_keys[] = {
     {"averaging.bandwidth", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "bandwidth b of kernels and diffusion; of two-grid the width of its cells",
-     "SX15 6", ""},
+     "SX15 6", "", AT(bandwidth)},
     KEY_END};
 
 const struct key averaging_delta_keys[] = {
     {"averaging.delta_05", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "in place of the bandwidth: width of the Gaussian at half its height",
-     "EW18 20", ""},
+     "EW18 20", "", AT(delta_05)},
     KEY_END};
 
 double averaging_sigma(double delta_05)

@@ -21,6 +21,8 @@
 #include "mesh/mesh.h"
 #include "dem/particles.h"
 
+struct interpolation;
+
 /* A box with its own bandwidth, see bandwidth.h. */
 struct averaging_region {
     double low[3], high[3]; /* [m] */
@@ -29,15 +31,20 @@ struct averaging_region {
 
 /* Options of a case. 0 or NULL selects the default in brackets. */
 struct averaging_options {
+    const struct averaging_method *method;     /* of the case */
+    const struct interpolation *interpolation; /* of the case, to particles */
     double bandwidth;   /* [m] b of kernel and diffusion; required there */
+    double delta_05;    /* [m] in its place, of the case; 0: not given */
     const char *scheme; /* of the diffusion ["exponential"] */
     int steps;          /* [-] in pseudo-time, where the scheme has any [3] */
     double tolerance;   /* [-] tail of the series, or of the solver [1e-6] */
     const char
         *vary; /* of the diffusion: variation of b in space ["uniform"] */
-    const struct averaging_region *regions; /* borrowed during create */
-    int n_regions;                          /* [-] [0] */
-    double cap;                             /* [-] on eps_s, pcm only [none] */
+    struct {
+        int n;
+        const struct averaging_region *item; /* borrowed during create */
+    } regions;
+    double cap;                /* [-] on eps_s, pcm only [none] */
     double own[MODEL_NUMBERS]; /* of the keys that the method alone reads */
     int fields;  /* [-] largest number of fields in one call [8] */
     void *parts; /* of a mesh that is a part of another one, borrowed [none] */
@@ -65,6 +72,9 @@ extern const struct averaging_method pcm_method, dpvm_method, dpvm_cube_method,
     diffusion_method;
 extern const struct averaging_method *const averaging_methods[];
 const struct averaging_method *averaging_method_named(const char *name);
+
+/* The keys of the group `averaging` that all methods have. */
+extern const struct key averaging_keys[];
 
 struct averaging;
 struct averaging_wall;

@@ -91,7 +91,7 @@ const struct model bandwidth_uniform = {
 
 static int is_uniform(const struct averaging_options *o)
 {
-    return strcmp(o->vary, bandwidth_uniform.name) == 0 && o->n_regions == 0;
+    return strcmp(o->vary, bandwidth_uniform.name) == 0 && o->regions.n == 0;
 }
 
 static int diffusion_report_unknown(const char *what, const char *name,
@@ -112,7 +112,7 @@ static int wrong_options(const struct averaging_options *o)
             "sdirk2");
     if (!bandwidth_has_rule(o->vary))
         return diffusion_report_unknown("variation of its bandwidth",
-                                        o->n_regions > 0 ? "regions" : o->vary,
+                                        o->regions.n > 0 ? "regions" : o->vary,
                                         "uniform, cells or grains");
     if (o->steps < 1)
         return fprintf(stderr,

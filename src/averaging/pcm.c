@@ -89,12 +89,12 @@ static double pcm_capped_fraction(const void *state, int i)
     return p->capped_fraction == NULL ? 1.0 : p->capped_fraction[p->h->cell[i]];
 }
 
-static const struct key cap_keys[] = {{"averaging.cap", KEY_REAL, "-",
-                                       "> 0, <= 1", KEY_OPTIONAL,
-                                       "largest solid fraction of a cell with "
-                                       "pcm; the volume above it is counted",
-                                       "SX15 4", ""},
-                                      KEY_END};
+static const struct key cap_keys[] = {
+    {"averaging.cap", KEY_REAL, "-", "> 0, <= 1", KEY_OPTIONAL,
+     "largest solid fraction of a cell with "
+     "pcm; the volume above it is counted",
+     "SX15 4", "", .at = KEY_AT(averaging_options, cap)},
+    KEY_END};
 
 const struct averaging_method pcm_method = {
     .name = "pcm",

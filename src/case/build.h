@@ -17,8 +17,6 @@ struct simulation *build_simulation(const struct settings *s, int *code);
 struct simulation *build_for_run(const struct settings *s, int with_bed,
                                  const struct bed_saver *saver, int *code);
 
-enum { BUILD_MAX_REGIONS = 32 }; /* of averaging.regions */
-
 /* The averaging and the drag law that the case chooses. */
 struct averaging_options build_averaging_options(const struct settings *s);
 struct drag_law build_drag_law(const struct settings *s);

@@ -3,27 +3,16 @@
 
 #include "case/build_boundaries.h"
 #include "case/case_mesh.h"
-#include "case/models.h"
-#include "coupling/coupling.h"
-
-int build_two_way(const struct settings *s)
-{
-    return settings_has(s, "exchange") &&
-           models_value(coupling_directions,
-                        settings_text(s, "exchange.coupling"));
-}
 
 struct fluid_options build_fluid_options(const struct settings *s,
                                          const struct simulation *sim)
 {
-    const int shared = settings_has(s, "effects.pressure_gradient");
     struct fluid_options o = s->fluid;
 
     o.dt = sim->dt;
-    o.coupled = build_two_way(s);
+    o.coupled = s->exchange.two_way;
     o.pressure_shared =
-        o.coupled && shared &&
-        models_value(coupling_forms, settings_text(s, "exchange.model"));
+        o.coupled && s->effects.pressure_gradient && s->exchange.form_a;
     o.boundaries = sim->boundaries;
     if (o.has_mean_flow) case_mesh_periodic(s, o.keeps_flow);
     return o;

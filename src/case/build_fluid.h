@@ -5,9 +5,6 @@
 #include "coupling/simulation.h"
 #include "case/settings.h"
 
-/* 1 if the particles act on the fluid: the coupling is two-way. */
-int build_two_way(const struct settings *s);
-
 /* The options of the fluid; sim->dt and sim->boundaries must be set. */
 struct fluid_options build_fluid_options(const struct settings *s,
                                          const struct simulation *sim);

@@ -25,6 +25,10 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     tables[n++] = mesh_keys;
     tables[n++] = fluid_keys;
     tables[n++] = keys_core;
+    tables[n++] = averaging_keys;
+    tables[n++] = coupling_keys;
+    tables[n++] = effects_keys;
+    tables[n++] = keys_output;
     tables[n++] = case_surfaces_keys;
     tables[n++] = case_engine_keys;
     tables[n++] = case_population_keys;

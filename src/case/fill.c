@@ -20,6 +20,12 @@ static const struct {
     {"mesh", offsetof(struct settings, mesh), REQUIRED},
     {"fluid", offsetof(struct settings, fluid),
      offsetof(struct settings, has.fluid)},
+    {"averaging", offsetof(struct settings, averaging),
+     offsetof(struct settings, has.averaging)},
+    {"exchange", offsetof(struct settings, exchange),
+     offsetof(struct settings, has.exchange)},
+    {"effects", offsetof(struct settings, effects),
+     offsetof(struct settings, has.effects)},
 };
 enum { GROUPS = sizeof groups / sizeof groups[0] };
 

@@ -102,36 +102,9 @@ const struct key keys_core[] = {
      ""},
     {"particles.place.material", KEY_TEXT, "", "", "",
      "material; left out: grains", "", ""},
+    KEY_END};
 
-    {"averaging", KEY_GROUP, "", "", "",
-     "from particles to fields on the mesh and back", "SX15 4-9", "particles"},
-    {"averaging.method", KEY_NAME, "", "", NULL,
-     "how a particle is spread over the cells",
-     "XS11 3.1-3.6, SX15 5, LS section 5.4, EW18 17-21", ""},
-    {"averaging.interpolation", KEY_NAME, "", "", "same",
-     "how fields are interpolated to the particles", "XS11 3.9", ""},
-
-    {"exchange", KEY_GROUP, "", "", "", "forces between the phases",
-     "XS11 2.6, 3.13", "fluid averaging"},
-    {"exchange.drag", KEY_NAME, "", "", NULL, "drag law",
-     "XS11 2.11, LS 5.25-5.27", ""},
-    {"exchange.treatment", KEY_NAME, "", "", "semi-implicit",
-     "treatment of the drag in the fluid's equation", "XS11 3.14", ""},
-    {"exchange.slip_integration", KEY_NAME, "", "", "frozen",
-     "integration of the drag on a particle over a sub-step", "XS11 3.18", ""},
-    {"exchange.substeps", KEY_INT, "-", "auto | >= 1", "auto",
-     "drag updates in a fluid step, N_s", "XS11 3.18-3.20", ""},
-    {"exchange.model", KEY_NAME, "", "", "A",
-     "A: the fluid's equation has the fluid's share of the pressure gradient; "
-     "B: it has the whole gradient, and the reaction of the force on the "
-     "particles",
-     "XS11 2.4-2.8, SX15 2b", ""},
-    {"exchange.coupling", KEY_NAME, "", "", "two-way",
-     "one-way: particles do not act on the fluid", "LS 5", ""},
-
-    {"effects", KEY_GROUP, "", "", "",
-     "further effects; each is on only where it is named", "", ""},
-
+const struct key keys_output[] = {
     {"output", KEY_GROUP, "", "", NULL, "how long to run and what to write", "",
      ""},
     {"output.end", KEY_REAL, "s", "> 0", NULL,

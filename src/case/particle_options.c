@@ -9,14 +9,6 @@
 #include "case/population/case_population.h"
 #include "case/surfaces/surfaces_part.h"
 
-int particle_options_gravity(const struct settings *s, double g[3])
-{
-    g[0] = g[1] = g[2] = 0.0;
-    if (!settings_has(s, "effects.gravity")) return 0;
-    settings_vector(s, "effects.gravity", g);
-    return 1;
-}
-
 struct dem_options particle_options_dem(const struct settings *s, double step)
 {
     struct dem_options o = {
@@ -47,7 +39,7 @@ struct bed_options particle_options_bed(const struct settings *s)
     settings_where(s, "particles.bed.count", b.where, sizeof b.where);
 
     case_population_bed_sizes(s, &b);
-    particle_options_gravity(s, b.gravity);
+    memcpy(b.gravity, s->effects.gravity, sizeof b.gravity);
     return b;
 }
 

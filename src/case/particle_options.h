@@ -7,9 +7,6 @@
 #include "dem/bed.h"
 #include "case/settings.h"
 
-/* Gravity [m/s^2]; returns whether the case has any. */
-int particle_options_gravity(const struct settings *s, double g[3]);
-
 /* The options of dem for particle steps of this length [s]. */
 struct dem_options particle_options_dem(const struct settings *s, double step);
 

@@ -57,16 +57,15 @@ static void update_extremes(struct recorder *r)
 
 static int recorder_add_row(struct recorder *r)
 {
-    const struct effect_state *const effects = r->sim->effects;
+    const struct effect_state *const all = r->sim->effects;
     double row[MAX_COLUMNS];
     int n = r->n_own;
 
     for (int i = 0; i < r->n_own; i++)
         row[i] = r->column[i]->value(r->sim);
     for (int i = 0; i < r->sim->n_effects; i++)
-        if (effects[i].effect->columns != NULL)
-            n += effects[i].effect->columns->row(effects[i].memory, r->sim,
-                                                 &row[n]);
+        if (all[i].effect->columns != NULL)
+            n += all[i].effect->columns->row(all[i].memory, r->sim, &row[n]);
     return table_add(r->history, row) != 0;
 }
 

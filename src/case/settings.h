@@ -13,7 +13,10 @@
 #ifndef CASE_SETTINGS_H
 #define CASE_SETTINGS_H
 
+#include "averaging/averaging.h"
 #include "base/key.h"
+#include "coupling/coupling.h"
+#include "coupling/effects.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh_options.h"
 
@@ -24,14 +27,18 @@
  */
 struct settings {
     struct {
-        int fluid; /* [-] 1: the case names the group */
+        /* [-] 1: the case names the group */
+        int fluid, averaging, exchange, effects;
     } has;
     const char *title, *cites;  /* "" if left out */
     const char *engine;         /* "one" or "distributed" */
     int ranks[3], layers;       /* [-] of several machines; 0: left out */
     struct mesh_options mesh;   /* mesh/mesh_keys.c */
     struct fluid_options fluid; /* fluid/fluid_keys.c */
-    struct settings_text *text; /* the case as it is written */
+    struct averaging_options averaging; /* averaging/averaging.c */
+    struct coupling_options exchange;   /* coupling/coupling_options.c */
+    struct effects_options effects;     /* each in the file of the effect */
+    struct settings_text *text;         /* the case as it is written */
 };
 
 /* Reads and checks. tables: a list of tables, ended by NULL

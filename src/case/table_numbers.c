@@ -36,3 +36,13 @@ int table_numbers(const struct settings *s, const struct key *keys,
     }
     return n;
 }
+
+int table_numbers_of_effect(const struct settings *s, const struct effect *e,
+                            double numbers[EFFECT_NUMBERS])
+{
+    for (int k = 0; k < EFFECT_NUMBERS; k++)
+        numbers[k] = 0.0;
+    if (!settings_has(s, e->keys[0]->path)) return 0;
+    table_numbers(s, e->keys[0], numbers, EFFECT_NUMBERS);
+    return 1;
+}

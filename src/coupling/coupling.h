@@ -50,11 +50,14 @@ struct coupling_options {
     const struct drag_law *law;
     enum treatment treatment;
     enum slip_integration slip_integration;
-    const struct interpolation *interpolation;
+    const struct interpolation *interpolation; /* that of the averaging */
+    int form_a;                                /* [-] 1: model A, 0: model B */
     int substeps; /* [-] drag updates a step; 0: as many as the shortest
                      relaxation time requires [XS11 section 3.3] */
     int two_way;  /* 0: no force of the particles on the fluid */
 };
+
+extern const struct key coupling_keys[]; /* of the group `exchange` */
 
 struct coupling_report {
     int substeps;             /* [-] of the last step */

@@ -1,9 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* coupling_options.c -- the descriptors of the choices of coupling.h.
+/* coupling_options.c -- the keys of the group `exchange`, the members of struct
+ * coupling_options that they fill, and the descriptors of their choices.
  * Chapter "The coupled loop". */
 #include "coupling/coupling.h"
 
 #include <stddef.h>
+
+#define AT(member) .at = KEY_AT(coupling_options, member)
+
+const struct key coupling_keys[] = {
+    {"exchange", KEY_GROUP, "", "", "", "forces between the phases",
+     "XS11 2.6, 3.13", "fluid averaging"},
+    {"exchange.drag", KEY_NAME, "", "", NULL, "drag law",
+     "XS11 2.11, LS 5.25-5.27", "", AT(law), .models = drag_laws},
+    {"exchange.treatment", KEY_NAME, "", "", "semi-implicit",
+     "treatment of the drag in the fluid's equation", "XS11 3.14", "",
+     AT(treatment), .choices = coupling_treatments},
+    {"exchange.slip_integration", KEY_NAME, "", "", "frozen",
+     "integration of the drag on a particle over a sub-step", "XS11 3.18", "",
+     AT(slip_integration), .choices = coupling_slip_integrations},
+    {"exchange.substeps", KEY_INT, "-", "auto | >= 1", "auto",
+     "drag updates in a fluid step, N_s", "XS11 3.18-3.20", "", AT(substeps)},
+    {"exchange.model", KEY_NAME, "", "", "A",
+     "A: the fluid's equation has the fluid's share of the pressure gradient; "
+     "B: it has the whole gradient, and the reaction of the force on the "
+     "particles",
+     "XS11 2.4-2.8, SX15 2b", "", AT(form_a), .choices = coupling_forms},
+    {"exchange.coupling", KEY_NAME, "", "", "two-way",
+     "one-way: particles do not act on the fluid", "LS 5", "", AT(two_way),
+     .choices = coupling_directions},
+    KEY_END};
 
 const struct model coupling_semi_implicit = {
     .name = "semi-implicit",

@@ -66,6 +66,11 @@ void effects_measure_scale(struct simulation *sim)
     }
 }
 
+const struct key effects_keys[] = {
+    {"effects", KEY_GROUP, "", "", "",
+     "further effects; each is on only where it is named", "", ""},
+    KEY_END};
+
 const struct effect *const effects[] = {&gravity_effect,
                                         &pressure_gradient_effect,
                                         &viscous_stress_effect,

@@ -10,6 +10,16 @@
 #include "coupling/effect.h"
 #include "coupling/simulation.h"
 
+/* What a case says of the effects that others than these ask for. */
+struct effects_options {
+    double gravity[3]; /* [m/s^2] 0 unless the case names it */
+    /* [-] 1: the case names it */
+    int has_gravity, pressure_gradient, time_average, van_der_waals, capillary;
+    double mixing_sample; /* [m] 0: the case does not name the effect */
+};
+
+extern const struct key effects_keys[]; /* the group of all */
+
 extern const struct effect gravity_effect;
 extern const struct effect pressure_gradient_effect;
 

@@ -42,7 +42,8 @@ static struct effect_estimate gravity_estimate(const struct effect_scales *k)
 static const struct key keys[] = {
     {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
      "acceleration by gravity: the weight of the particles", "XS11 2.1",
-     "particles|bodies"},
+     "particles|bodies", .at = KEY_AT(effects_options, gravity),
+     .given = KEY_AT(effects_options, has_gravity)},
     {0}};
 
 const struct effect gravity_effect = {

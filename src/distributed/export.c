@@ -117,7 +117,6 @@ static int export_case(const struct settings *s, const char *dir)
 
     if (sim == NULL) return code;
     const struct words w = words_of(s, export_mean_diameter(sim->particles));
-    particle_options_gravity(s, sim->gravity);
     if (file_make_dirs(dir) != 0 ||
         write_file(dir, "data.lammps", s, &w, sim, 1) != 0 ||
         write_file(dir, "in.lammps", s, &w, sim, 0) != 0)

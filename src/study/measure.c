@@ -112,7 +112,7 @@ static int has_needed(const struct settings *s, int needs)
 {
     return (!(needs & HISTORY_FLUID) || s->has.fluid) &&
            (!(needs & HISTORY_PARTICLES) || settings_has(s, "particles")) &&
-           (!(needs & HISTORY_COUPLING) || settings_has(s, "exchange"));
+           (!(needs & HISTORY_COUPLING) || s->has.exchange);
 }
 
 static int is_in_summary(const char *name)

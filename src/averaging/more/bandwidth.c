@@ -44,9 +44,9 @@ static void find_base(struct bandwidth *w, const struct averaging_options *o)
 
     for (int c = 0; c < m->n_cells; c++) {
         w->base[c] = 1.0;
-        for (int i = 0; i < o->n_regions; i++)
-            if (bandwidth_is_in(&o->regions[i], &m->centre[3 * c]))
-                w->base[c] = gsl_pow_2(o->regions[i].bandwidth / w->b);
+        for (int i = 0; i < o->regions.n; i++)
+            if (bandwidth_is_in(&o->regions.item[i], &m->centre[3 * c]))
+                w->base[c] = gsl_pow_2(o->regions.item[i].bandwidth / w->b);
     }
 }
 
@@ -85,7 +85,7 @@ double bandwidth_minus_cell(double D, double dx, double b)
 
 int bandwidth_is_by_lines(const struct averaging_options *o)
 {
-    return strcmp(o->vary, "grains") != 0 && o->n_regions == 0;
+    return strcmp(o->vary, "grains") != 0 && o->regions.n == 0;
 }
 
 static void bandwidth_find_faces(struct bandwidth *w)

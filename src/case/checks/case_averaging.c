@@ -16,6 +16,8 @@ static const double most_lengths = 10.0, most_widths = 100.0;
 /* The cells of a second grid, at most [-]. */
 static const double most_cells = 1e8;
 
+static const int most_regions = 32; /* [-] */
+
 /* The longest and the shortest side of the box around the mesh [m]. */
 static void sides(const struct settings *s, double *longest, double *shortest)
 {
@@ -51,35 +53,28 @@ static int check_width(const struct settings *s, const char *key, double b)
 
 static int check_widths(const struct settings *s)
 {
-    static const char *const one[] = {"averaging.bandwidth",
-                                      "averaging.delta_05"};
-    static const char list[] = "averaging.regions";
-    int code = 0;
+    const struct averaging_options *const o = &s->averaging;
+    int code = check_width(s, "averaging.bandwidth", o->bandwidth);
 
-    for (int i = 0; i < 2 && code == 0; i++)
-        if (settings_has(s, one[i]))
-            code = check_width(s, one[i], settings_real(s, one[i]));
-    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
+    if (code == 0) code = check_width(s, "averaging.delta_05", o->delta_05);
+    for (int i = 0; i < o->regions.n && code == 0; i++)
         code =
-            check_width(s, list, settings_item_real(s, list, i, "bandwidth"));
+            check_width(s, "averaging.regions", o->regions.item[i].bandwidth);
     return code;
 }
 
 /* A second grid is as fine as its bandwidth. */
 static int check_second_grid(const struct settings *s)
 {
-    static const char key[] = "averaging.bandwidth";
+    const double b = s->averaging.bandwidth;
     double lo[3], hi[3], cells = 1.0;
 
-    if (!averaging_method_named(settings_text(s, "averaging.method"))
-             ->has_own_grid)
-        return 0;
-    const double b = settings_real(s, key);
+    if (!s->averaging.method->has_own_grid) return 0;
     case_mesh_ends(s, lo, hi);
     for (int k = 0; k < 3; k++)
         cells *= fmax(1.0, floor((hi[k] - lo[k]) / b));
     if (cells <= most_cells) return 0;
-    return settings_wrong(s, key,
+    return settings_wrong(s, "averaging.bandwidth",
                           "a second grid of cells of %g m would have %.3g of "
                           "them; at most %g",
                           b, cells, most_cells);
@@ -87,21 +82,20 @@ static int check_second_grid(const struct settings *s)
 
 static int case_averaging_check_given(const struct settings *s)
 {
-    const char *const method = settings_text(s, "averaging.method");
-    const int b = settings_has(s, "averaging.bandwidth");
-    const int delta = settings_has(s, "averaging.delta_05");
+    const struct averaging_options *const o = &s->averaging;
+    const int b = o->bandwidth > 0.0, delta = o->delta_05 > 0.0;
 
     if (delta && model_choice_unread(s, "averaging", "averaging.delta_05") != 0)
         return 2;
-    if (settings_length(s, "averaging.regions") > BUILD_MAX_REGIONS)
+    if (o->regions.n > most_regions)
         return settings_wrong(s, "averaging.regions", "%d at most",
-                              BUILD_MAX_REGIONS);
+                              most_regions);
     if (b && delta)
         return settings_wrong(s, "averaging.delta_05",
                               "give either bandwidth or delta_05, not both");
-    if (averaging_method_named(method)->needs_bandwidth && !b && !delta)
+    if (o->method->needs_bandwidth && !b && !delta)
         return settings_wrong(s, "averaging.method",
-                              "%s needs averaging.bandwidth", method);
+                              "%s needs averaging.bandwidth", o->method->name);
     return 0;
 }
 

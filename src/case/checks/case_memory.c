@@ -56,13 +56,13 @@ static double of_cells(const struct settings *s)
     return case_extent_cells(s) * per_cell[corners][s->has.fluid];
 }
 
-static const char sample[] = "effects.mixing.sample";
-
 /* At most a thousand along each side, of two numbers each. */
 static double of_samples(const struct settings *s)
 {
-    if (!settings_has(s, "effects.mixing")) return 0.0;
-    const double n = case_extent_volume(s) / pow(settings_real(s, sample), 3.0);
+    const double width = s->effects.mixing_sample;
+
+    if (width == 0.0) return 0.0;
+    const double n = case_extent_volume(s) / pow(width, 3.0);
     return 2.0 * sizeof(double) * fmin(n, 1e9);
 }
 
@@ -101,7 +101,7 @@ int case_memory_check(const struct settings *s, double more)
             n, most_particles);
     if (need <= have) return 0;
     if (of_samples(s) > need - of_samples(s))
-        return settings_wrong(s, sample,
+        return settings_wrong(s, "effects.mixing.sample",
                               "%.4g samples need about %.3g GB, and this "
                               "machine has %.3g GB for them",
                               of_samples(s) / (2.0 * sizeof(double)),

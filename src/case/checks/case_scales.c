@@ -85,10 +85,10 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
 static double fall_speed(const struct settings *s, double v, double d,
                          const double lo[3], const double hi[3])
 {
-    double end[2][3], g[3], gained = 0.0;
+    const double *const g = s->effects.gravity;
+    double end[2][3], gained = 0.0;
     int periodic[3];
 
-    particle_options_gravity(s, g);
     case_mesh_ends(s, end[0], end[1]);
     case_mesh_periodic(s, periodic);
     for (int k = 0; k < 3; k++) {
@@ -164,7 +164,6 @@ struct case_scales case_scales_of(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);
     struct case_scales k = {.cells = m->n_cells};
-    double g[3];
 
     k.S_c = cbrt(case_extent_volume(s) / k.cells); /* [SX15 10] */
     k.end = settings_real(s, "output.end");
@@ -176,8 +175,8 @@ struct case_scales case_scales_of(const struct settings *s)
         add_inserted(s, &k);
         k.dem_dt = k.dt / k.dem_steps;
     }
-    particle_options_gravity(s, g);
-    k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
+    k.impact =
+        fmax(k.inlet, sqrt(2.0 * vector_length(s->effects.gravity) * k.d_most));
     k.impact = fmax(k.impact, fastest_sphere(s, k.d_most));
     k.impact = fmax(k.impact, fastest_motion(s, "particles.surfaces", "point"));
     k.impact = fmax(k.impact, fastest_motion(s, "particles.prescribed", NULL));
@@ -191,12 +190,10 @@ struct case_scales case_scales_of(const struct settings *s)
 int case_scales_check_memory(const struct settings *s,
                              const struct case_scales *k)
 {
-    if (!settings_has(s, "averaging")) return 0;
+    if (!s->has.averaging) return 0;
     struct mesh *const m = case_mesh_outline(s);
     const struct averaging_options o = build_averaging_options(s);
-    const double bytes = weights_bytes(
-        averaging_method_named(settings_text(s, "averaging.method")), m,
-        k->d_most, &o);
+    const double bytes = weights_bytes(o.method, m, k->d_most, &o);
 
     mesh_free(m);
     return case_memory_check(s, bytes);

@@ -138,7 +138,7 @@ static int check_drive(const struct settings *s)
  * step with coupling is not divided. */
 static int validate_check_parts(const struct settings *s)
 {
-    if ((s->fluid.cfl > 0.0) && settings_has(s, "exchange"))
+    if (s->fluid.cfl > 0.0 && s->has.exchange)
         return settings_wrong(s, "fluid.cfl",
                               "with exchange all of fluid.step is one step; "
                               "give a shorter fluid.step instead");
@@ -248,8 +248,7 @@ static int check_integrator(const struct settings *s)
 {
     const char *const name = settings_text(s, "particles.integrator");
 
-    if (!settings_has(s, "exchange") || !integrator_named(name)->predicts)
-        return 0;
+    if (!s->has.exchange || !integrator_named(name)->predicts) return 0;
     return settings_wrong(s, "particles.integrator",
                           "%s is for cases without exchange; with it there are "
                           "velocity-verlet and symplectic-euler",
@@ -288,9 +287,7 @@ static int validate_check_particles(const struct settings *s)
 
 static int check_time_average(const struct settings *s)
 {
-    if (effect_named("time_average") == NULL ||
-        !settings_has(s, "effects.time_average") || build_two_way(s))
-        return 0;
+    if (!s->effects.time_average || s->exchange.two_way) return 0;
     return settings_wrong(s, "effects.time_average",
                           "one-way there are no averaged fields; it needs "
                           "exchange.coupling = \"two-way\"");
@@ -317,8 +314,7 @@ int validate_case(const struct settings *s)
     if (code == 0) code = model_choice_check(s);
     if (code == 0 && settings_has(s, "particles"))
         code = validate_check_particles(s);
-    if (code == 0 && settings_has(s, "averaging"))
-        code = case_averaging_check(s);
+    if (code == 0 && s->has.averaging) code = case_averaging_check(s);
     if (code == 0) code = case_engine_check(s);
     if (code == 0) code = case_bodies_check_start(s);
     return code != 0 ? code : check_output(s);

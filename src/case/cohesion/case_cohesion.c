@@ -14,8 +14,6 @@
 #include "case/checks/case_scales.h"
 #include "case/table_numbers.h"
 
-enum { MOST_NUMBERS = 16 }; /* of an effect */
-
 static int count_materials(const struct settings *s)
 {
     return 1 + settings_length(s, "particles.materials");
@@ -43,7 +41,7 @@ static int is_attraction(const struct settings *s, const struct effect *e)
 /* One block: the attractions, then the charges of the materials. */
 struct attraction *case_cohesion_create(const struct settings *s, int *n)
 {
-    double numbers[MOST_NUMBERS];
+    double numbers[EFFECT_NUMBERS];
 
     *n = 0;
     for (int k = 0; effects[k] != NULL; k++)
@@ -55,7 +53,7 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     const struct attraction_scene scene = scene_of(s, (double *)(all + *n));
     for (int k = 0, i = 0; effects[k] != NULL; k++) {
         if (!is_attraction(s, effects[k])) continue;
-        table_numbers(s, effects[k]->keys[0], numbers, MOST_NUMBERS);
+        table_numbers_of_effect(s, effects[k], numbers);
         all[i++] = effects[k]->attraction(numbers, &scene);
     }
     return all;
@@ -65,13 +63,13 @@ int case_cohesion_check(const struct settings *s)
 {
     double *const charge = alloc_doubles(count_materials(s));
     const struct attraction_scene scene = scene_of(s, charge);
-    double numbers[MOST_NUMBERS];
+    double numbers[EFFECT_NUMBERS];
     int code = 0;
 
     for (int k = 0; effects[k] != NULL && code == 0; k++) {
         const struct effect *const e = effects[k];
-        if (e->wrong == NULL || !settings_has(s, e->keys[0]->path)) continue;
-        table_numbers(s, e->keys[0], numbers, MOST_NUMBERS);
+        if (e->wrong == NULL || !table_numbers_of_effect(s, e, numbers))
+            continue;
         const char *const why = e->wrong(numbers, &scene);
         if (why != NULL) code = settings_wrong(s, e->keys[0]->path, "%s", why);
     }
@@ -85,6 +83,13 @@ int case_cohesion_complete(const struct settings *s, struct simulation *sim,
     o->attractions = sim->attractions =
         case_cohesion_create(s, &o->n_attractions);
     return 0;
+}
+
+const char *case_cohesion_of_box(const struct settings *s)
+{
+    return s->effects.van_der_waals ? "effects.van_der_waals"
+           : s->effects.capillary   ? "effects.capillary"
+                                    : NULL;
 }
 
 void case_cohesion_free(struct simulation *sim)

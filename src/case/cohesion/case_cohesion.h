@@ -15,6 +15,10 @@ int case_cohesion_check(const struct settings *s);
  * is checked. */
 int case_cohesion_check_pairs(const struct settings *s);
 
+/* The key of an attraction between particles and the walls of the box, and of
+ * nothing else, that the case names; NULL: it names none. */
+const char *case_cohesion_of_box(const struct settings *s);
+
 /* Gives a simulation its attractions, before there are particles; free releases
  * them. */
 int case_cohesion_complete(const struct settings *s, struct simulation *sim,

@@ -38,7 +38,7 @@ static int check_field(const struct settings *s, const char *list,
                               "the case has no field %s: fields are those of "
                               "a fluid",
                               field);
-    if (of_solids && !build_two_way(s))
+    if (of_solids && !s->exchange.two_way)
         return settings_wrong(s, list,
                               "the case has no field %s: it needs exchange "
                               "with coupling = \"two-way\"",

@@ -117,7 +117,7 @@ static int particle_fields_check(const struct settings *s)
         if (i < 0) return particle_fields_unknown(s, word);
         if (found[i]++)
             return settings_wrong(s, key, "%s is named twice", word);
-        if (fields[i].take == take_fluid_force && !settings_has(s, "exchange"))
+        if (fields[i].take == take_fluid_force && !s->has.exchange)
             return settings_wrong(s, key,
                                   "fluid_force needs the group exchange: no "
                                   "fluid acts on the particles");

@@ -7,7 +7,6 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/checks/check_line.h"
-#include "case/particle_options.h"
 #include "mesh/mesh.h"
 #include "mesh/geometry/measures.h"
 
@@ -47,8 +46,8 @@ static void case_averaging_print_bandwidth(const struct mesh *m, double b,
 static void print_smearing(const struct settings *s, double b,
                            const struct averaging_scales *k)
 {
-    double lo[3], size[3], g[3];
-    const int is_bed = particle_options_gravity(s, g) && k->volume > 0.0;
+    double lo[3], size[3];
+    const int is_bed = s->effects.has_gravity && k->volume > 0.0;
 
     if (k->d <= 0.0) return;
     check_line(
@@ -85,16 +84,14 @@ void case_averaging_print(const struct settings *s,
 {
     struct mesh *const m = case_mesh_outline(s);
     const struct averaging_options o = build_averaging_options(s);
-    const struct averaging_method *const method =
-        averaging_method_named(settings_text(s, "averaging.method"));
-    const double b = method->gaussian * o.bandwidth;
-    const int steps = averaging_check(method, m, &o); /* of Crank-Nicolson */
-    const double bytes = weights_bytes(method, m, k->d, &o);
+    const double b = o.method->gaussian * o.bandwidth;
+    const int steps = averaging_check(o.method, m, &o); /* of Crank-Nicolson */
+    const double bytes = weights_bytes(o.method, m, k->d, &o);
 
     puts("Averaging");
     if (o.bandwidth > 0.0)
         case_averaging_print_bandwidth(m, o.bandwidth, k->S_c,
-                                       method->uniform_widths);
+                                       o.method->uniform_widths);
     if (b > 0.0) {
         print_smearing(s, b, k);
         print_depth(m, b);

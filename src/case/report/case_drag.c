@@ -69,13 +69,12 @@ static void print_fluidization(const struct settings *s,
                                const struct drag_scales *k)
 {
     const double eps_mf = 1.0 - k->eps_s;
-    double g[3];
     char remark[96];
 
-    particle_options_gravity(s, g);
     const double u = fluidization_velocity(
         eps_mf, s->fluid.rho, settings_real(s, "particles.grains.density"),
-        s->fluid.mu, case_drag_mean_diameter(s), vector_length(g));
+        s->fluid.mu, case_drag_mean_diameter(s),
+        vector_length(s->effects.gravity));
     if (u <= 0.0) return;
     snprintf(remark, sizeof remark,
              "minimum fluidization, Ergun at eps_s = %g; the inlet has %.3g "
@@ -95,11 +94,10 @@ static struct added_mass case_drag_added_mass(const struct settings *s,
     struct added_mass sum = {0};
 
     for (int i = 0; effects[i] != NULL; i++) {
-        double numbers[16] = {0.0};
+        double numbers[EFFECT_NUMBERS];
         if (effects[i]->added_mass == NULL ||
-            !settings_has(s, effects[i]->keys[0]->path))
+            !table_numbers_of_effect(s, effects[i], numbers))
             continue;
-        table_numbers(s, effects[i]->keys[0], numbers, 16);
         k.numbers = numbers;
         effects[i]->added_mass(&k, &sum);
     }
@@ -110,8 +108,7 @@ static struct added_mass case_drag_added_mass(const struct settings *s,
 static void print_bed(const struct settings *s, const struct drag_scales *k)
 {
     const struct added_mass added = case_drag_added_mass(s, k->dt);
-    const int implicit =
-        strcmp(settings_text(s, "exchange.treatment"), "semi-implicit") == 0;
+    const int implicit = s->exchange.treatment == TREATMENT_SEMI_IMPLICIT;
     const double rho_s = settings_real(s, "particles.grains.density");
     const double rho_f = s->fluid.rho;
     const double longest = stability_longest_step(
@@ -142,7 +139,7 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
 
 void case_drag_print(const struct settings *s, const struct drag_scales *k)
 {
-    const int asked = settings_int(s, "exchange.substeps");
+    const int asked = s->exchange.substeps;
     const double bed = case_drag_relaxation_time(s, k, k->d, k->eps_s);
 
     puts("Drag");

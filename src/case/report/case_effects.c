@@ -53,8 +53,7 @@ case_effects_pair_of(const struct effect *e, const double *numbers,
 static int case_effects_applies(const struct settings *s,
                                 const struct effect *e)
 {
-    return strstr(e->keys[0]->needs, "fluid") == NULL ||
-           settings_has(s, "exchange");
+    return strstr(e->keys[0]->needs, "fluid") == NULL || s->has.exchange;
 }
 
 /* 1 if the case names an effect that takes the place of this one. */
@@ -99,8 +98,8 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
 
     for (int i = 0; effects[i] != NULL; i++) {
         const struct effect *const e = effects[i];
-        const int named = settings_has(s, e->keys[0]->path);
-        double numbers[16] = {0.0};
+        double numbers[EFFECT_NUMBERS];
+        const int named = table_numbers_of_effect(s, e, numbers);
 
         if (!case_effects_applies(s, e) || (e->estimate == NULL && !named))
             continue;
@@ -110,7 +109,6 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
                    100.0 * case_effects_cost_of(e, in, k->rho_f > 0.0));
             continue;
         }
-        if (named) table_numbers(s, e->keys[0], numbers, 16);
         k->numbers = named ? numbers : NULL;
         k->pair = named ? case_effects_pair_of(e, numbers, all, n) : NULL;
         const struct effect_estimate estimate = e->estimate(k);
@@ -135,11 +133,8 @@ static int ways_called_for(double eps_s, int particles)
  * four-way coupled: 0. */
 static int ways_of(const struct settings *s)
 {
-    const int one_way =
-        strcmp(settings_text(s, "exchange.coupling"), "one-way") == 0;
-
-    if (case_limits_no_contacts(s)) return one_way ? 1 : 2;
-    return one_way ? 0 : 4;
+    if (case_limits_no_contacts(s)) return s->exchange.two_way ? 2 : 1;
+    return s->exchange.two_way ? 4 : 0;
 }
 
 static void print_ways(const struct settings *s, int needed)
@@ -184,5 +179,5 @@ void case_effects_print(const struct settings *s, const struct case_scales *in)
     puts("Effects, over the larger one of gravity and drag; their time, over "
          "the run's");
     print_effects(s, &k, in);
-    if (settings_has(s, "exchange")) print_coupling(s, &k, in->particles);
+    if (s->has.exchange) print_coupling(s, &k, in->particles);
 }

@@ -10,7 +10,6 @@
 #include "case/checks/case_limits.h"
 #include "case/case_mesh.h"
 #include "case/extent/case_extent.h"
-#include "case/particle_options.h"
 #include "coupling/drag.h"
 
 static const double packed = 0.6; /* [-] solids fraction of a bed at rest */
@@ -191,19 +190,15 @@ struct effect_scales case_effects_scales(const struct settings *s,
                                          const struct case_scales *in)
 {
     const struct placed p = placed_of(s, in);
-    double g[3];
     struct effect_scales k = {
         .rho_s = settings_real(s, "particles.grains.density"),
         .d = in->volume > 0.0 ? cbrt(6.0 / M_PI * in->volume / in->particles)
                               : p.d,
-        .gravity = particle_options_gravity(s, g) ? vector_length(g) : 0.0};
+        .gravity = vector_length(s->effects.gravity)};
 
     k.weight = k.rho_s * effect_scales_volume(&k) * k.gravity;
-    if (settings_has(s, "exchange")) {
-        if (s->fluid.has_mean_gradient) {
-            memcpy(g, s->fluid.mean_gradient, sizeof g);
-            k.mean_gradient = vector_length(g);
-        }
+    if (s->has.exchange) {
+        k.mean_gradient = vector_length(s->fluid.mean_gradient);
         k.rho_f = s->fluid.rho;
         k.mu = s->fluid.mu;
         k.dt = in->dt;

@@ -163,15 +163,15 @@ static void print_contacts(const struct settings *s,
 static void print_weight(const struct settings *s, const struct case_scales *k)
 {
     const double rho_s = settings_real(s, "particles.grains.density");
-    double lo[3], size[3], g[3];
+    double lo[3], size[3];
 
     case_mesh_ends(s, lo, size);
     if (settings_mesh(s) != NULL) return; /* it has no one section */
-    if (!particle_options_gravity(s, g) || !settings_has(s, "particles.bed"))
-        return;
+    if (!s->effects.has_gravity || !settings_has(s, "particles.bed")) return;
     check_line("weight of the bed over its area",
-               k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
-               "the pressure drop of a fluidized bed");
+               k->volume * rho_s * fabs(s->effects.gravity[1]) /
+                   (size[0] * size[2]),
+               "Pa", "the pressure drop of a fluidized bed");
 }
 
 /* Where whole steps do not give the time between two rows or pictures. */
@@ -219,10 +219,10 @@ int report_case(const struct settings *s)
     case_bodies_report(s, &k);
     case_statistics_print(s);
     if (s->has.fluid) case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
-    if (settings_has(s, "averaging"))
+    if (s->has.averaging)
         case_averaging_print(
             s, &(struct averaging_scales){k.S_c, k.d_most, k.volume, packed});
-    if (settings_has(s, "exchange") && k.particles > 0)
+    if (s->has.exchange && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) {
         print_weight(s, &k);

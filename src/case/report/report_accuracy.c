@@ -88,7 +88,7 @@ static int report_accuracy_directions_of(const struct settings *s,
 static double time_of_flow(const struct settings *s,
                            const struct case_scales *k, double by)
 {
-    const double share = settings_has(s, "exchange") ? 0.5 : 1.0;
+    const double share = s->has.exchange ? 0.5 : 1.0;
 
     return time_with(k, 1, 1.0, 1.0, 1.0 + share * (by - 1.0));
 }
@@ -181,8 +181,7 @@ static int only_direction(const struct settings *s)
     const int *const n = s->mesh.box.cells;
     double cells;
 
-    if (report_accuracy_directions_of(s, &cells) != 1 ||
-        settings_has(s, "exchange"))
+    if (report_accuracy_directions_of(s, &cells) != 1 || s->has.exchange)
         return -1;
     return n[0] > 1 ? 0 : n[1] > 1 ? 1 : 2;
 }
@@ -263,7 +262,7 @@ static void print_cells(const struct settings *s, const struct case_scales *k)
  * bandwidth. The diffusion takes the same time for any bandwidth. */
 static void report_accuracy_print_bandwidth(const struct settings *s)
 {
-    if (strcmp(settings_text(s, "averaging.method"), "diffusion") != 0) return;
+    if (s->averaging.method != &diffusion_method) return;
     report_accuracy_line("averaging.bandwidth halved", 1.0,
                          "the damping of a wave", 2.0, 1);
     report_accuracy_line("averaging.bandwidth doubled", 1.0,
@@ -276,7 +275,7 @@ static void report_accuracy_print_bandwidth(const struct settings *s)
 static void print_substeps(const struct settings *s,
                            const struct case_scales *k)
 {
-    const int n = settings_int(s, "exchange.substeps");
+    const int n = s->exchange.substeps;
     struct case_scales one = *k;
 
     if (n == 0) return;
@@ -317,8 +316,8 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     if (flow) print_convection(s, k);
     if (flow) print_tolerance(s, k);
     if (flow) print_correctors(s, k);
-    if (settings_has(s, "averaging")) report_accuracy_print_bandwidth(s);
-    if (settings_has(s, "exchange")) print_substeps(s, k);
+    if (s->has.averaging) report_accuracy_print_bandwidth(s);
+    if (s->has.exchange) print_substeps(s, k);
     if (k->particles > 0 && !case_limits_no_contacts(s))
         print_particles(s, k, flow);
 }

@@ -148,7 +148,7 @@ static struct solid_bodies *case_bodies_create(const struct settings *s)
     const int n = case_bodies_count(s);
     const int *const cells = s->mesh.box.cells;
 
-    particle_options_gravity(s, o.gravity);
+    memcpy(o.gravity, s->effects.gravity, sizeof o.gravity);
     struct solid_bodies *const b = solid_bodies_create(
         n, cells[0] * cells[1] * cells[2], s->fluid.rho, &o);
     if (case_bodies_add_all(s, b) == 0) return b;

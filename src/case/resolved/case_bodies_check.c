@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* case_bodies_check.c -- what a case may not ask of its bodies. */
+#include "case/cohesion/case_cohesion.h"
 #include "case/resolved/case_bodies.h"
 
 #include <math.h>
@@ -180,8 +181,7 @@ static int case_bodies_check_any_moves(const struct settings *s)
  * solid fractions, a cell that a body enters, and what knows no surfaces. */
 static int case_bodies_check_particles(const struct settings *s)
 {
-    static const char *const pulls[] = {"effects.van_der_waals",
-                                        "effects.capillary"};
+    const char *const pull = case_cohesion_of_box(s);
 
     if (strcmp(settings_text(s, "bodies.method"), "hold") != 0)
         return settings_wrong(s, "bodies.method",
@@ -191,18 +191,17 @@ static int case_bodies_check_particles(const struct settings *s)
         return settings_wrong(s, case_outlines_clumps,
                               "clumps do not touch particles; give the body as "
                               "a closed surface, in bodies.surfaces");
-    if (settings_has(s, "exchange") && case_bodies_check_any_moves(s) &&
+    if (s->has.exchange && case_bodies_check_any_moves(s) &&
         s->fluid.continuity != CONTINUITY_MIXTURE)
         return settings_wrong(s, "fluid.continuity",
                               "among particles a body that moves asks for "
                               "\"mixture\": where it comes, the fluid fraction "
                               "jumps");
-    for (int k = 0; k < 2; k++)
-        if (settings_has(s, pulls[k]))
-            return settings_wrong(s, "bodies",
-                                  "%s acts between particles and the box, not "
-                                  "on bodies: leave one of them out",
-                                  pulls[k]);
+    if (pull != NULL)
+        return settings_wrong(s, "bodies",
+                              "%s acts between particles and the box, not on "
+                              "bodies: leave one of them out",
+                              pull);
     if (settings_has(s, "particles.bed") &&
         settings_has(s, "particles.bed.file"))
         return settings_wrong(s, "bodies",

@@ -19,17 +19,17 @@ static const char *const list = case_bodies_spheres;
 static void report_numbers(const struct settings *s)
 {
     const double rho = s->fluid.rho;
-    double g[3];
     int i = 0;
 
     while (i < settings_length(s, list) && !case_bodies_is(s, list, i, "free"))
         i++;
     if (i == settings_length(s, list)) return;
-    if (!particle_options_gravity(s, g)) return;
+    if (!s->effects.has_gravity) return;
     const double d = settings_item_real(s, list, i, "diameter"),
                  ratio = body_numbers_density_ratio(
                      settings_item_real(s, list, i, "density"), rho),
-                 V = sqrt(fabs(ratio - 1.0) * vector_length(g) * d),
+                 V = sqrt(fabs(ratio - 1.0) *
+                          vector_length(s->effects.gravity) * d),
                  Re = body_numbers_reynolds(rho, V, d, s->fluid.mu);
 
     check_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");

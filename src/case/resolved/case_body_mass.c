@@ -158,11 +158,10 @@ static double overlap_of(const struct settings *s, const char *of, int i,
 {
     const double rho = s->fluid.rho,
                  rho_p = settings_item_real(s, of, i, "density");
-    double V, width, g[3];
+    double V, width;
 
-    particle_options_gravity(s, g);
     if (size_of(s, of, i, &V, &width) != 0) return 0.0;
-    const double weight = fabs(rho_p - rho) * vector_length(g);
+    const double weight = fabs(rho_p - rho) * vector_length(s->effects.gravity);
     const double v = fmax(speed, sqrt(weight / rho * width));
     return (v * sqrt(contact_mass(s, of, i) / k) +
             contact_volume(s, of, i) * weight / k) /

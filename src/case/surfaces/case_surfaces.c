@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/cohesion/case_cohesion.h"
 #include "case/surfaces/case_surfaces.h"
 
 #include <math.h>
@@ -270,17 +271,13 @@ static int check_driven(const struct settings *s, int i)
 /* Attractions act between particles and the walls of the box only. */
 static int check_others(const struct settings *s)
 {
-    static const char *const pulls[] = {"effects.van_der_waals",
-                                        "effects.capillary"};
+    const char *const pull = case_cohesion_of_box(s);
 
-    if (settings_length(s, list) == 0) return 0;
-    for (int k = 0; k < 2; k++)
-        if (settings_has(s, pulls[k]))
-            return settings_wrong(s, list,
-                                  "%s acts between particles and the box, not "
-                                  "on surfaces: leave one of them out",
-                                  pulls[k]);
-    return 0;
+    if (settings_length(s, list) == 0 || pull == NULL) return 0;
+    return settings_wrong(s, list,
+                          "%s acts between particles and the box, not on "
+                          "surfaces: leave one of them out",
+                          pull);
 }
 
 int case_surfaces_check(const struct settings *s)

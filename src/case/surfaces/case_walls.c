@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/cohesion/case_cohesion.h"
 #include "case/surfaces/case_walls.h"
 
 #include <math.h>
@@ -149,17 +150,13 @@ static int check_periods(const struct settings *s)
 
 int case_walls_check(const struct settings *s)
 {
-    static const char *const pulls[] = {"effects.van_der_waals",
-                                        "effects.capillary"};
+    const char *const pull = case_cohesion_of_box(s);
 
     if (settings_mesh(s) == NULL) return 0;
-    if (case_walls_count(s) == 0) return check_periods(s);
-    for (int k = 0; k < 2; k++)
-        if (settings_has(s, pulls[k]))
-            return settings_wrong(s, pulls[k],
-                                  "it acts between particles and the walls of "
-                                  "a box, not on the walls of this mesh");
-    return check_periods(s);
+    if (pull == NULL || case_walls_count(s) == 0) return check_periods(s);
+    return settings_wrong(s, pull,
+                          "it acts between particles and the walls of a box, "
+                          "not on the walls of this mesh");
 }
 
 /* --- room ----------------------------------------------------------------- */

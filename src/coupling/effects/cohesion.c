@@ -137,7 +137,8 @@ static const char *van_der_waals_wrong(const double *p,
 
 static const struct key van_der_waals_keys[] = {
     {"effects.van_der_waals", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "attraction between close particles and to walls", "LS 4.14", "particles"},
+     "attraction between close particles and to walls", "LS 4.14", "particles",
+     .given = KEY_AT(effects_options, van_der_waals)},
     {"effects.van_der_waals.hamaker", KEY_REAL, "J", "> 0", NULL,
      "Hamaker's constant A", "LS 4.14", ""},
     {"effects.van_der_waals.min_gap", KEY_REAL, "m", "> 0", "4e-10",
@@ -173,7 +174,8 @@ static struct attraction capillary_of(const double *p,
 
 static const struct key capillary_keys[] = {
     {"effects.capillary", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "liquid bridges between particles and to walls", "LS 4.15", "particles"},
+     "liquid bridges between particles and to walls", "LS 4.15", "particles",
+     .given = KEY_AT(effects_options, capillary)},
     {"effects.capillary.tension", KEY_REAL, "N/m", "> 0", NULL,
      "surface tension of the liquid, gamma", "LS 4.15", ""},
     {"effects.capillary.angle", KEY_REAL, "rad", ">= 0, < 1.5707963", "0.0",

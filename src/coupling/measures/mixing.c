@@ -28,8 +28,8 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/state.h"
-#include "coupling/effect.h"
 #include "coupling/effect_columns.h"
+#include "coupling/effects.h"
 #include "coupling/simulation.h"
 
 struct mixing {
@@ -167,12 +167,12 @@ static const struct key keys[] = {
      "history.csv",
      "Lacey54", "particles"},
     {"effects.mixing.sample", KEY_REAL, "m", "> 0", NULL,
-     "width of the samples, about; they divide the box evenly", "Lacey54", ""},
+     "width of the samples, about; they divide the box evenly", "Lacey54", "",
+     .at = KEY_AT(effects_options, mixing_sample)},
     {"effects.mixing.direction", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
      "the half that is farther along it at the beginning is marked", "", ""},
     {0}};
 
-extern const struct effect mixing_effect;
 const struct effect mixing_effect = {
     .name = "mixing",
     .what = "mixing index of two halves of the particles",

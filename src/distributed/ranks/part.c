@@ -27,10 +27,9 @@
 /* The direction of gravity; that of y without it. */
 static int direction_down(const struct settings *s)
 {
-    double g[3];
+    const double *const g = s->effects.gravity;
     int down = 1;
 
-    particle_options_gravity(s, g);
     for (int k = 0; k < 3; k++)
         if (fabs(g[k]) > fabs(g[down])) down = k;
     return down;
@@ -251,8 +250,7 @@ static int add_coupling(struct part *part, const struct settings *s)
 {
     struct simulation *const sim = part->sim;
     struct averaging_options o = build_averaging_options(s);
-    const int diffuses =
-        strcmp(settings_text(s, "averaging.method"), "diffusion") == 0;
+    const int diffuses = o.method == &diffusion_method;
 
     part->smoothing =
         (struct smoothing){.h = part->halo,
