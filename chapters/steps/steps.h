@@ -328,8 +328,8 @@ static inline void set(const char *word)
     for (const struct number *a = numbers; a->name != NULL; a++) {
         if (strlen(a->name) != n || strncmp(a->name, word, n) != 0) continue;
         *a->value = word[n] == '=' ? strtod(word + n + 1, &rest) : NAN;
-        if (rest > word + n + 1 && *rest == '\0' && *a->value >= a->low &&
-            *a->value <= a->high)
+        if (rest != NULL && rest > word + n + 1 && *rest == '\0' &&
+            *a->value >= a->low && *a->value <= a->high)
             return;
         fprintf(stderr, "%s: %s is a number from %g to %g, the %s\n", word,
                 a->name, a->low, a->high, a->meaning);

@@ -28,7 +28,7 @@ if [ -z "$plain" ]; then
     picture="<p><img src=\"figures/$name.svg\" alt=\"What $name draws\" /></p>
 <pre>$(escaped "$work/printed")</pre>"
     if clang --target=wasm32-wasi -std=c11 -O2 -ffp-contract=off -mexec-model=reactor \
-        -Wl,--strip-all -o "$work/wasm" "$program" 2>"$work/said"; then
+        -Wl,--strip-all,--stack-first,-z,stack-size=1048576 -o "$work/wasm" "$program" 2>"$work/said"; then
         cat >"$work/live" <<PAGE
 <div id="live" data-name="$name">
 <canvas class="canvas" role="img" aria-label="What $name draws, while it runs"></canvas>
