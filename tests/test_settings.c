@@ -78,7 +78,7 @@ static struct settings *read_case(const char *text,
 {
     const struct key *tables[CASE_FILE_TABLES] = {
         keys_case,     mesh_keys,    fluid_keys,  keys_core,  averaging_keys,
-        coupling_keys, effects_keys, keys_output, effect_keys};
+        coupling_keys, effects_keys, output_keys, effect_keys};
 
     struct settings *s;
     struct capture c;

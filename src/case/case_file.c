@@ -28,7 +28,7 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     tables[n++] = averaging_keys;
     tables[n++] = coupling_keys;
     tables[n++] = effects_keys;
-    tables[n++] = keys_output;
+    tables[n++] = output_keys;
     tables[n++] = case_surfaces_keys;
     tables[n++] = case_engine_keys;
     tables[n++] = case_population_keys;

@@ -20,22 +20,18 @@ static int has_population(const struct settings *s)
 
 /* [s] of a step of the loop, before it is rounded to whole particle steps, and
  * the key that gives it. */
-static double interval(const struct settings *s, const char **key)
+static double case_steps_given(const struct settings *s, const char **key)
 {
-    static const char *const written[] = {"output.history", "output.every"};
-    double shortest = HUGE_VAL;
+    const double every = s->output.every;
+    const double history =
+        s->output.history > 0.0 ? s->output.history : HUGE_VAL;
 
     *key = "fluid.step";
-    if (settings_has(s, *key)) return settings_real(s, *key);
+    if (s->has.fluid) return s->fluid.dt;
     *key = "particles.step";
     if (has_population(s)) return POPULATION_STEPS * settings_real(s, *key);
-    for (int i = 0; i < 2; i++)
-        if (settings_has(s, written[i]) &&
-            settings_real(s, written[i]) < shortest) {
-            *key = written[i];
-            shortest = settings_real(s, *key);
-        }
-    return shortest;
+    *key = history <= every ? "output.history" : "output.every";
+    return fmin(history, every);
 }
 
 /* Without a fluid a step is the whole number of particle steps that is nearest
@@ -44,10 +40,10 @@ static double interval(const struct settings *s, const char **key)
 double case_steps_length(const struct settings *s)
 {
     const char *key;
-    const double given = interval(s, &key);
+    const double given = case_steps_given(s, &key);
 
     if (s->has.fluid) return given;
-    const double dt = fmin(given, settings_real(s, end_key));
+    const double dt = fmin(given, s->output.end);
     if (!settings_has(s, "particles")) return dt;
     const double step = settings_real(s, "particles.step");
     const double whole = step * fmax(1.0, round(dt / step));
@@ -69,7 +65,7 @@ int case_steps_within(const struct settings *s)
 
 static double until_end(const struct settings *s)
 {
-    return round(settings_real(s, end_key) / case_steps_length(s));
+    return round(s->output.end / case_steps_length(s));
 }
 
 long case_steps_until_end(const struct settings *s)
@@ -81,19 +77,20 @@ long case_steps_until_end(const struct settings *s)
 }
 
 /* An interval of more steps than can be counted is longer than any run. */
-long case_steps_between(const struct settings *s, const char *path)
+long case_steps_between(const struct settings *s, double interval)
 {
     long n = LONG_MAX;
 
-    number_long(round(settings_real(s, path) / case_steps_length(s)), &n);
+    number_long(round(interval / case_steps_length(s)), &n);
     return n < 1 ? 1 : n;
 }
 
 long case_steps_between_rows(const struct settings *s)
 {
-    if (settings_has(s, "output.history"))
-        return case_steps_between(s, "output.history");
-    return s->has.fluid ? 1 : case_steps_between(s, "output.every");
+    const struct output_options *const o = &s->output;
+
+    if (o->history > 0.0) return case_steps_between(s, o->history);
+    return s->has.fluid ? 1 : case_steps_between(s, o->every);
 }
 
 int case_steps_check(const struct settings *s)
@@ -103,17 +100,17 @@ int case_steps_check(const struct settings *s)
     int particle_steps;
     long steps;
 
-    interval(s, &key);
+    case_steps_given(s, &key);
     if (number_long(until_end(s), &steps) != 0)
         return settings_wrong(s, end_key,
                               "%g s are %.3g steps of %g s, by %s; no more "
                               "than 9e15 steps can be counted",
-                              settings_real(s, end_key), until_end(s), dt, key);
+                              s->output.end, until_end(s), dt, key);
     if (steps < 1)
         return settings_wrong(s, end_key,
                               "%g s is less than half of one step of %g s, by "
                               "%s: nothing would be computed",
-                              settings_real(s, end_key), dt, key);
+                              s->output.end, dt, key);
     if (number_int(case_steps_particle_steps(s), &particle_steps) != 0)
         return settings_wrong(s, "particles.step",
                               "%g s would be %.3g particle steps in one step "

@@ -27,9 +27,8 @@ int case_steps_within(const struct settings *s);
 /* The steps of the loop until output.end. */
 long case_steps_until_end(const struct settings *s);
 
-/* The steps of the loop nearest to an interval that the case gives, at least
- * 1. */
-long case_steps_between(const struct settings *s, const char *path);
+/* The steps of the loop nearest to an interval [s], at least 1. */
+long case_steps_between(const struct settings *s, double interval);
 
 /* The steps of the loop between two rows of the history. */
 long case_steps_between_rows(const struct settings *s);

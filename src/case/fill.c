@@ -26,6 +26,7 @@ static const struct {
      offsetof(struct settings, has.exchange)},
     {"effects", offsetof(struct settings, effects),
      offsetof(struct settings, has.effects)},
+    {"output", offsetof(struct settings, output), REQUIRED},
 };
 enum { GROUPS = sizeof groups / sizeof groups[0] };
 

@@ -103,18 +103,3 @@ const struct key keys_core[] = {
     {"particles.place.material", KEY_TEXT, "", "", "",
      "material; left out: grains", "", ""},
     KEY_END};
-
-const struct key keys_output[] = {
-    {"output", KEY_GROUP, "", "", NULL, "how long to run and what to write", "",
-     ""},
-    {"output.end", KEY_REAL, "s", "> 0", NULL,
-     "simulated time at which the run ends", "", ""},
-    {"output.every", KEY_REAL, "s", "> 0", NULL,
-     "time between two pictures of all fields and particles", "", ""},
-    {"output.checkpoint", KEY_REAL, "s", "> 0", "600.0",
-     "wall time between two checkpoints, from which --resume continues", "",
-     ""},
-    {"output.history", KEY_REAL, "s", "> 0", "",
-     "time between two rows of history.csv; left out: every fluid step", "",
-     ""},
-    KEY_END};

@@ -8,6 +8,6 @@
 
 #include "base/key.h"
 
-extern const struct key keys_case[], keys_core[], keys_output[];
+extern const struct key keys_case[], keys_core[];
 
 #endif

@@ -310,7 +310,7 @@ struct recorder *recorder_create(const struct settings *s,
     r->folder = folder;
     r->began = clock_now();
     r->eps_lowest = 1.0;
-    r->picture_every = case_steps_between(s, "output.every");
+    r->picture_every = case_steps_between(s, s->output.every);
     r->row_every = case_steps_between_rows(s);
     r->snapshot = r->whole = snapshot_create(sim);
     r->drawn = sim;

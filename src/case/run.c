@@ -112,7 +112,7 @@ static int run_advance(struct run *run)
     int code = 0;
 
     run->told = overlap_is_deeper(sim); /* before this run went on */
-    progress_init(&progress, sim->t, settings_real(run->settings, "output.end"),
+    progress_init(&progress, sim->t, run->settings->output.end,
                   settings_quiet(run->settings));
     while (code == 0 && sim->steps < steps)
         code = advance_one(run, threads, &progress);

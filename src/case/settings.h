@@ -19,6 +19,7 @@
 #include "coupling/effects.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh_options.h"
+#include "output/output_options.h"
 
 #include <stddef.h>
 
@@ -38,6 +39,7 @@ struct settings {
     struct averaging_options averaging; /* averaging/averaging.c */
     struct coupling_options exchange;   /* coupling/coupling_options.c */
     struct effects_options effects;     /* each in the file of the effect */
+    struct output_options output;       /* output/output_keys.c */
     struct settings_text *text;         /* the case as it is written */
 };
 

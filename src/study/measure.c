@@ -129,10 +129,8 @@ static int is_in_summary(const char *name)
 /* The probe of that field, or -1. */
 static int probe_of(const struct settings *s, const char *field)
 {
-    for (int i = 0; i < settings_length(s, "output.probes"); i++)
-        if (strcmp(settings_item_text(s, "output.probes", i, "field"), field) ==
-            0)
-            return i;
+    for (int i = 0; i < s->output.probes.n; i++)
+        if (strcmp(s->output.probes.item[i].field, field) == 0) return i;
     return -1;
 }
 
@@ -173,11 +171,11 @@ static int measure_locate(struct measure *m, const struct settings *s)
     if (probe >= 0 || probe_of(s, m->name) >= 0) {
         strcpy(m->file, "probes.csv");
         m->column = 1 + (probe >= 0 ? probe : probe_of(s, m->name));
-        if (m->column > settings_length(s, "output.probes"))
+        if (m->column > s->output.probes.n)
             return measure_refuse(m,
                                   "output.probes of the case has not so many");
     } else if (profile >= 0) {
-        if (profile >= settings_length(s, "output.profiles"))
+        if (profile >= s->output.profiles.n)
             return measure_refuse(
                 m, "output.profiles of the case has not so many");
         profiles_name(s, profile, name);
@@ -220,7 +218,7 @@ int measure_parse(struct measure *m, const char *text, const struct settings *s)
                         strcmp(m->file, "probes.csv") == 0;
     if (in_time && (m->from < 0.0))
         return measure_refuse(m, "begins before 0 s, the start of the run");
-    return in_time && m->from > settings_real(s, "output.end")
+    return in_time && m->from > s->output.end
                ? measure_refuse(m,
                                 "begins after output.end, the end of the run")
                : 0;

@@ -24,7 +24,7 @@ enum { MOST_RUNS = 10000 };
  * how often pictures are written: those of the start and the end will do. */
 static int needs_few_pictures(const struct settings *s)
 {
-    return s->has.fluid || settings_has(s, "output.history");
+    return s->has.fluid || s->output.history > 0.0;
 }
 
 static void add_output(struct plan *p, const struct settings *s)
@@ -34,7 +34,7 @@ static void add_output(struct plan *p, const struct settings *s)
     texts_add(&p->fixed, "output.picture=false");
     if (needs_few_pictures(s))
         texts_add(&p->fixed, "output.every=%s",
-                  number_text(settings_real(s, "output.end"), end));
+                  number_text(s->output.end, end));
 }
 
 struct settings *plan_case(const struct plan *p, const struct texts *set,

@@ -76,8 +76,7 @@ static int check_values(const struct settings *s, const struct boundary *b,
 
     for (int i = 0; i <= times; i++)
         for (int j = 0; j < r->patch->n; j++) {
-            const double t =
-                times > 0 ? settings_real(s, "output.end") * i / times : 0.0;
+            const double t = times > 0 ? s->output.end * i / times : 0.0;
             const double u = boundary_inlet_profile(b, j, t);
             if (u >= 0.0 && u < HUGE_VAL) continue;
             snprintf(wrong, INLET_PROFILE_TEXT,
@@ -151,8 +150,7 @@ void inlet_builder_shares(const struct settings *s, const char *patch,
     const struct patch *const p = mesh_patch(m, patch);
     for (int i = 0; i <= INLET_BUILDER_TIMES && all != NULL; i++)
         add_shares(m, p, &all[p - m->patches],
-                   settings_real(s, "output.end") * i / INLET_BUILDER_TIMES,
-                   mean, peak);
+                   s->output.end * i / INLET_BUILDER_TIMES, mean, peak);
     if (all != NULL) build_boundaries_free(all, m->n_patches);
     mesh_free(m);
 }

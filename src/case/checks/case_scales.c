@@ -96,8 +96,7 @@ static double fall_speed(const struct settings *s, double v, double d,
         if (!periodic[k]) gained += fabs(g[k]) * fmax(way - 0.5 * d, 0.0);
     }
     const double G = vector_length(g);
-    double dv = fmin(sqrt(v * v + 2.0 * gained) - v,
-                     G * settings_real(s, "output.end"));
+    double dv = fmin(sqrt(v * v + 2.0 * gained) - v, G * s->output.end);
     if (s->has.fluid) {
         const double ratio =
             settings_real(s, "particles.grains.density") / s->fluid.rho;
@@ -166,7 +165,7 @@ struct case_scales case_scales_of(const struct settings *s)
     struct case_scales k = {.cells = m->n_cells};
 
     k.S_c = cbrt(case_extent_volume(s) / k.cells); /* [SX15 10] */
-    k.end = settings_real(s, "output.end");
+    k.end = s->output.end;
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);
     if (s->has.fluid) k.inlet = largest_inlet(s, m);

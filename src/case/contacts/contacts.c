@@ -47,8 +47,7 @@ static void contacts_release(void *part)
 
 static void *contacts_create(const struct recorder_view *v, int *failed)
 {
-    if (v->sim->dem == NULL || !settings_bool(v->settings, "output.contacts"))
-        return NULL;
+    if (v->sim->dem == NULL || !v->settings->output.contacts) return NULL;
     struct contacts *const c = alloc_zeroed(1, sizeof *c);
 
     c->folder = v->folder;
@@ -71,7 +70,7 @@ static const struct key keys[] = {
      "contacts.pvd: a line for each contact of particles with each other, "
      "the box and surfaces, with its elastic force, at the times of the "
      "pictures",
-     "", "particles"},
+     "", "particles", .at = KEY_AT(output_options, contacts)},
     KEY_END};
 
 const struct recorder_part contacts_part = {

@@ -86,27 +86,12 @@ static struct load load_on(const struct body *b, const struct fluid *fl)
 /* --- what the case says --------------------------------------------------- */
 
 /* A direction of the case, its length made 1. */
-static void forces_direction(const struct settings *s, int i, const char *key,
-                             double e[3])
+static void forces_direction(const double given[3], double e[3])
 {
-    settings_item_vector(s, forces_list, i, key, e);
-    const double length = vector_length(e);
-    for (int k = 0; k < 3 && length > 0.0; k++)
-        e[k] /= length;
-}
+    const double length = vector_length(given);
 
-static double real_or_0(const struct settings *s, int i, const char *key)
-{
-    return settings_item_real_or(s, forces_list, i, key, 0.0);
-}
-
-/* NULL where the case does not say it. */
-static const char *text_or_none(const struct settings *s, int i,
-                                const char *key)
-{
-    return settings_item_has(s, forces_list, i, key)
-               ? settings_item_text(s, forces_list, i, key)
-               : NULL;
+    for (int k = 0; k < 3; k++)
+        e[k] = length > 0.0 ? given[k] / length : given[k];
 }
 
 /* All walls, if neither patches nor surfaces are named. */
@@ -121,26 +106,23 @@ static void mark_patches(const struct fluid *fl, const char *patches,
                 : surface_loads_has_word(patches, fl->mesh->patches[p].name);
 }
 
-static void create_body(const struct settings *s, const struct simulation *sim,
-                        int i, struct body *b)
+static void create_body(const struct output_force *o,
+                        const struct simulation *sim, struct body *b)
 {
     const struct fluid *const fl = sim->fluid;
-    const char *const patches = text_or_none(s, i, "patches");
-    const char *const surfaces = text_or_none(s, i, "surfaces");
 
-    forces_name(s, i, b->name);
-    settings_item_vector(s, forces_list, i, "centre", b->centre);
-    b->surfaces = surface_loads_create(sim, surfaces, b->centre);
-    if (patches == NULL && surfaces != NULL) return;
-    mark_patches(fl, patches, b);
-    forces_direction(s, i, "drag", b->drag);
-    forces_direction(s, i, "lift", b->lift);
-    forces_direction(s, i, "axis", b->axis);
-    const double U = real_or_0(s, i, "velocity"), A = real_or_0(s, i, "area");
-    const double L = real_or_0(s, i, "length");
-    const double force = 0.5 * fl->options.rho * U * U * A;
+    forces_name(o, b->name);
+    memcpy(b->centre, o->centre, sizeof b->centre);
+    b->surfaces = surface_loads_create(sim, o->surfaces, b->centre);
+    if (o->patches == NULL && o->surfaces != NULL) return;
+    mark_patches(fl, o->patches, b);
+    forces_direction(o->drag, b->drag);
+    forces_direction(o->lift, b->lift);
+    forces_direction(o->axis, b->axis);
+    const double force =
+        0.5 * fl->options.rho * o->velocity * o->velocity * o->area;
     b->per_force = force > 0.0 ? 1.0 / force : 0.0;
-    b->per_torque = force * L > 0.0 ? 1.0 / (force * L) : 0.0;
+    b->per_torque = force * o->length > 0.0 ? 1.0 / (force * o->length) : 0.0;
 }
 
 /* --- the table ------------------------------------------------------------ */
@@ -246,15 +228,15 @@ static void forces_release(void *memory)
 
 static void *forces_create(const struct recorder_view *v, int *failed)
 {
-    if (settings_length(v->settings, forces_list) == 0) return NULL;
+    if (v->settings->output.forces.n == 0) return NULL;
     struct forces *const f = alloc_zeroed(1, sizeof *f);
 
     f->sim = v->sim;
-    f->n = settings_length(v->settings, forces_list);
+    f->n = v->settings->output.forces.n;
     f->n_columns = 1;
     f->body = alloc_zeroed((size_t)f->n, sizeof *f->body);
     for (int i = 0; i < f->n; i++) {
-        create_body(v->settings, v->sim, i, &f->body[i]);
+        create_body(&v->settings->output.forces.item[i], v->sim, &f->body[i]);
         f->n_columns += columns_of(&f->body[i]);
     }
     f->row = alloc_doubles(f->n_columns);
@@ -269,30 +251,37 @@ static const struct key keys[] = {
     {"output.forces", KEY_LIST, "", "", "",
      "forces and torques of the fluid on walls, each { patches, ... }, without "
      "its buoyancy, and of grains on surfaces: rows of forces.csv",
-     "", ""},
+     "", "", .at = KEY_AT(output_options, forces),
+     .size = sizeof(struct output_force)},
     {"output.forces.name", KEY_TEXT, "", "", "",
      "how the names of its columns begin; left out: the patches or surfaces",
-     "", ""},
+     "", "", .at = KEY_AT(output_force, name)},
     {"output.forces.patches", KEY_TEXT, "", "", "",
-     "names, separated by blanks; left out: all no-slip walls", "", ""},
+     "names, separated by blanks; left out: all no-slip walls", "", "",
+     .at = KEY_AT(output_force, patches)},
     {"output.forces.surfaces", KEY_TEXT, "", "", "",
      "names of particles.surfaces, separated by blanks: force and torque of "
      "the grains on them, means since the row before",
-     "", "particles"},
+     "", "particles", .at = KEY_AT(output_force, surfaces)},
     {"output.forces.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
-     "the point that the torque is about", "", ""},
+     "the point that the torque is about", "", "",
+     .at = KEY_AT(output_force, centre)},
     {"output.forces.velocity", KEY_REAL, "m/s", "> 0", "",
-     "reference velocity U of the coefficients", "ST96", ""},
+     "reference velocity U of the coefficients", "ST96", "",
+     .at = KEY_AT(output_force, velocity)},
     {"output.forces.area", KEY_REAL, "m^2", "> 0", "",
-     "reference area A of the coefficients", "ST96", ""},
+     "reference area A of the coefficients", "ST96", "",
+     .at = KEY_AT(output_force, area)},
     {"output.forces.length", KEY_REAL, "m", "> 0", "",
-     "reference length L of the coefficient of the torque", "", ""},
+     "reference length L of the coefficient of the torque", "", "",
+     .at = KEY_AT(output_force, length)},
     {"output.forces.drag", KEY_VECTOR, "-", "", "[1.0, 0.0, 0.0]",
-     "direction of the drag", "", ""},
+     "direction of the drag", "", "", .at = KEY_AT(output_force, drag)},
     {"output.forces.lift", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
-     "direction of the lift", "", ""},
+     "direction of the lift", "", "", .at = KEY_AT(output_force, lift)},
     {"output.forces.axis", KEY_VECTOR, "-", "", "[0.0, 0.0, 1.0]",
-     "direction of the torque in its coefficient", "", ""},
+     "direction of the torque in its coefficient", "", "",
+     .at = KEY_AT(output_force, axis)},
     KEY_END};
 
 static void forces_visit(void *part, struct state *s)

@@ -4,12 +4,10 @@
 
 #include "case/settings.h"
 
-extern const char forces_list[]; /* "output.forces" */
-
-/* How the columns of row i begin: its name, or its patches or surfaces, of
- * which the first letters are taken if there are many. */
+/* How the columns of one begin: its name, or its patches or surfaces, of which
+ * the first letters are taken if there are many. */
 enum { FORCES_NAME = 64 };
-void forces_name(const struct settings *s, int i, char name[FORCES_NAME]);
+void forces_name(const struct output_force *o, char name[FORCES_NAME]);
 
 /* 0 if the case asks for what there is; else 2 after a message. */
 int forces_check(const struct settings *s);

@@ -123,8 +123,7 @@ static void walls_release(void *memory)
 
 static void *walls_create(const struct recorder_view *v, int *failed)
 {
-    if (v->sim->fluid == NULL || !settings_bool(v->settings, "output.walls"))
-        return NULL;
+    if (v->sim->fluid == NULL || !v->settings->output.walls) return NULL;
     const int n = v->sim->mesh->n_faces - v->sim->mesh->n_internal;
     struct walls *const w = alloc_zeroed(1, sizeof *w);
 
@@ -148,7 +147,7 @@ static const struct key keys[] = {
     {"output.walls", KEY_BOOL, "", "", "false",
      "walls.pvd: the boundary faces with pressure, wall shear stress, y+ and "
      "velocity, at the times of the pictures",
-     "", "fluid"},
+     "", "fluid", .at = KEY_AT(output_options, walls)},
     KEY_END};
 
 static void walls_visit(void *part, struct state *s)

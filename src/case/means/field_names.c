@@ -27,8 +27,8 @@ struct profile_field field_names_find(const struct snapshot *s,
 
 /* There are fields where there is a fluid, and those of the solids where the
  * particles act on it. */
-static int check_field(const struct settings *s, const char *list,
-                       const char *field)
+int field_names_check(const struct settings *s, const char *list,
+                      const char *field)
 {
     const int of_solids =
         strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
@@ -44,13 +44,4 @@ static int check_field(const struct settings *s, const char *list,
                               "with coupling = \"two-way\"",
                               field);
     return 0;
-}
-
-int field_names_check(const struct settings *s, const char *list)
-{
-    int code = 0;
-
-    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
-        code = check_field(s, list, settings_item_text(s, list, i, "field"));
-    return code;
 }

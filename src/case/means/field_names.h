@@ -14,8 +14,9 @@
 struct profile_field field_names_find(const struct snapshot *s,
                                       const char *name);
 
-/* Whether the case has the field that each group of a list names: 0, or 2 after
- * a message. */
-int field_names_check(const struct settings *s, const char *list);
+/* Whether the case has the field that a group of a list names: 0, or 2 after a
+ * message. */
+int field_names_check(const struct settings *s, const char *list,
+                      const char *field);
 
 #endif

@@ -32,11 +32,14 @@ struct probes {
 
 static int probes_check(const struct settings *s)
 {
-    int code = field_names_check(s, list);
+    const struct output_probe *const p = s->output.probes.item;
+    const int n = s->output.probes.n;
+    int code = 0;
 
-    for (int i = 0; i < settings_length(s, list) && code == 0; i++) {
-        double x[3];
-        settings_item_vector(s, list, i, "position", x);
+    for (int i = 0; i < n && code == 0; i++)
+        code = field_names_check(s, list, p[i].field);
+    for (int i = 0; i < n && code == 0; i++) {
+        const double *const x = p[i].position;
         if (!case_extent_holds(s, x))
             code = settings_wrong(
                 s, list, "the point [%g, %g, %g] m is outside the %s", x[0],
@@ -49,11 +52,10 @@ static int create_sensor(const struct recorder_view *v, int i,
                          struct sensor *sensor)
 {
     const struct settings *const s = v->settings;
-    double x[3];
+    const struct output_probe *const p = &s->output.probes.item[i];
+    const double *const x = p->position;
 
-    settings_item_vector(s, list, i, "position", x);
-    sensor->field =
-        field_names_find(v->whole, settings_item_text(s, list, i, "field"));
+    sensor->field = field_names_find(v->whole, p->field);
     if (sensor->field.values == NULL)
         return settings_wrong(s, list, "the case has no field %s",
                               sensor->field.name);
@@ -88,7 +90,7 @@ static void probes_release(void *part)
 
 static void *probes_create(const struct recorder_view *v, int *failed)
 {
-    const int n = settings_length(v->settings, list);
+    const int n = v->settings->output.probes.n;
 
     if (n == 0) return NULL;
     struct probes *const p = alloc_zeroed(1, sizeof *p);
@@ -131,11 +133,12 @@ static const struct key keys[] = {
     {"output.probes", KEY_LIST, "", "", "",
      "fields at points, each { field, position }, a row of probes.csv with "
      "each of history.csv",
-     "XS11 Fig. 3", ""},
+     "XS11 Fig. 3", "", .at = KEY_AT(output_options, probes),
+     .size = sizeof(struct output_probe)},
     {"output.probes.field", KEY_NAME, "", FIELD_NAMES, NULL, "as for profiles",
-     "", ""},
+     "", "", .at = KEY_AT(output_probe, field)},
     {"output.probes.position", KEY_VECTOR, "m", "", NULL,
-     "the point, inside the box", "", ""},
+     "the point, inside the box", "", "", .at = KEY_AT(output_probe, position)},
     KEY_END};
 
 const struct recorder_part probes_part = {.keys = keys,

@@ -34,31 +34,27 @@ static const char *const place[3] = {"x", "height", "z"};
 
 /* The line of a profile; `across` is -1 where the case does not say where it
  * lies. */
-static struct profile_line profiles_line_of(const struct settings *s, int i)
+static struct profile_line profiles_line_of(const struct output_profile *p)
 {
     struct profile_line l = {
-        .along = settings_item_text(s, list, i, "along")[0] - 'x',
-        .across = -1,
-        .from = settings_item_real(s, list, i, "from")};
+        .along = p->along[0] - 'x', .across = -1, .from = p->from};
 
     for (int k = 0; k < 3; k++)
-        if (k != l.along && settings_item_has(s, list, i, place[k])) {
+        if (k != l.along && p->has_place[k]) {
             l.across = k;
-            l.at = settings_item_real(s, list, i, place[k]);
+            l.at = p->place[k];
         }
     return l;
 }
 
 /* What the file of a profile is called but for its ending: by field, direction
  * if it is not x, and place, in millimetres. */
-static void short_name(const struct settings *s, int i,
-                       char name[PROFILES_NAME])
+static void short_name(const struct output_profile *p, char name[PROFILES_NAME])
 {
     static const char *const along[3] = {"", "_along_y", "_along_z"};
-    const struct profile_line l = profiles_line_of(s, i);
+    const struct profile_line l = profiles_line_of(p);
 
-    snprintf(name, PROFILES_NAME, "%s%s_%c%gmm",
-             settings_item_text(s, list, i, "field"), along[l.along],
+    snprintf(name, PROFILES_NAME, "%s%s_%c%gmm", p->field, along[l.along],
              "xyz"[l.across], 1e3 * l.at);
 }
 
@@ -78,11 +74,12 @@ static int profiles_by_text(const void *a, const void *b)
 /* The names of all profiles, sorted; freed by the caller. */
 static struct name *names_of(const struct settings *s)
 {
-    const int n = settings_length(s, list);
+    const struct output_profile *const p = s->output.profiles.item;
+    const int n = s->output.profiles.n;
     struct name *const all = alloc_zeroed((size_t)n, sizeof *all);
 
     for (int i = 0; i < n; i++) {
-        short_name(s, i, all[i].text);
+        short_name(&p[i], all[i].text);
         all[i].i = i;
     }
     qsort(all, (size_t)n, sizeof *all, profiles_by_text);
@@ -90,7 +87,7 @@ static struct name *names_of(const struct settings *s)
         char *const text = all[k].text;
         if (strcmp(text, all[k - 1].text) != 0) continue;
         snprintf(text + strlen(text), PROFILES_NAME - strlen(text), "_from%gs",
-                 settings_item_real(s, list, all[k].i, "from"));
+                 p[all[k].i].from);
     }
     qsort(all, (size_t)n, sizeof *all, profiles_by_text);
     return all;
@@ -113,22 +110,22 @@ void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
  * and lies within the box. */
 static int profiles_check_place(const struct settings *s, int i)
 {
-    const struct profile_line l = profiles_line_of(s, i);
-    const char *const one = place[l.along == 0];
-    const char *const two = place[l.along == 2 ? 1 : 2];
+    const struct output_profile *const p = &s->output.profiles.item[i];
+    const struct profile_line l = profiles_line_of(p);
+    const int one = l.along == 0, two = l.along == 2 ? 1 : 2;
     double lo[3], hi[3];
 
-    if (settings_item_has(s, list, i, place[l.along]))
+    if (p->has_place[l.along])
         return settings_wrong(s, list,
                               "profile %d goes along %c and so has no %s; "
                               "expected %s or %s, in m",
-                              i, "xyz"[l.along], place[l.along], one, two);
-    if (settings_item_has(s, list, i, one) ==
-        settings_item_has(s, list, i, two))
+                              i, "xyz"[l.along], place[l.along], place[one],
+                              place[two]);
+    if (p->has_place[one] == p->has_place[two])
         return settings_wrong(s, list,
                               "profile %d goes along %c: expected %s or %s, in "
                               "m, the place of its line%s",
-                              i, "xyz"[l.along], one, two,
+                              i, "xyz"[l.along], place[one], place[two],
                               l.across < 0 ? "" : ", and not both");
     case_mesh_ends(s, lo, hi);
     if (l.at >= lo[l.across] && l.at <= hi[l.across]) return 0;
@@ -148,7 +145,7 @@ static int profiles_check_names(const struct settings *s)
     const struct name *again = NULL;
     int code = 0;
 
-    for (int k = 1; k < settings_length(s, list); k++)
+    for (int k = 1; k < s->output.profiles.n; k++)
         if (strcmp(all[k].text, all[k - 1].text) == 0 &&
             (again == NULL || all[k].i < again->i))
             again = &all[k];
@@ -164,9 +161,11 @@ static int profiles_check_names(const struct settings *s)
 
 static int profiles_check(const struct settings *s)
 {
-    const int n = settings_length(s, list);
-    int code = field_names_check(s, list);
+    const int n = s->output.profiles.n;
+    int code = 0;
 
+    for (int i = 0; i < n && code == 0; i++)
+        code = field_names_check(s, list, s->output.profiles.item[i].field);
     for (int i = 0; i < n && code == 0; i++)
         code = profiles_check_place(s, i);
     return code != 0 ? code : profiles_check_names(s);
@@ -177,9 +176,9 @@ static int profiles_check(const struct settings *s)
 static int create_line(const struct recorder_view *v, int i, struct line *line)
 {
     const struct settings *const s = v->settings;
-    const struct profile_line where = profiles_line_of(s, i);
-    const struct profile_field field =
-        field_names_find(v->whole, settings_item_text(s, list, i, "field"));
+    const struct output_profile *const p = &s->output.profiles.item[i];
+    const struct profile_line where = profiles_line_of(p);
+    const struct profile_field field = field_names_find(v->whole, p->field);
 
     if (field.values == NULL)
         return settings_wrong(s, list, "the case has no field %s", field.name);
@@ -200,7 +199,7 @@ static void profiles_release(void *part)
 
 static void *profiles_create(const struct recorder_view *v, int *failed)
 {
-    const int n = settings_length(v->settings, list);
+    const int n = v->settings->output.profiles.n;
 
     if (n == 0) return NULL;
     struct profiles *const l = alloc_zeroed(1, sizeof *l);
@@ -286,21 +285,27 @@ static const struct key keys[] = {
     {"output.profiles", KEY_LIST, "", "", "",
      "time averages on lines, each { field, along, height or x or z, from }; "
      "over the third direction they are means",
-     "SX15 Fig. 4-7", ""},
+     "SX15 Fig. 4-7", "", .at = KEY_AT(output_options, profiles),
+     .size = sizeof(struct output_profile)},
     {"output.profiles.field", KEY_NAME, "", FIELD_NAMES, NULL,
      "fluid or solid fraction, pressure, velocity of the fluid (u) or of the "
      "particles (us)",
-     "", ""},
+     "", "", .at = KEY_AT(output_profile, field)},
     {"output.profiles.along", KEY_NAME, "", "x | y | z", "x",
-     "direction of the line", "SX15 Fig. 4-7", ""},
+     "direction of the line", "SX15 Fig. 4-7", "",
+     .at = KEY_AT(output_profile, along)},
     {"output.profiles.height", KEY_REAL, "m", ">= 0", KEY_OPTIONAL,
-     "y of a line along x or z", "", ""},
+     "y of a line along x or z", "", "", .at = KEY_AT(output_profile, place[1]),
+     .given = KEY_AT(output_profile, has_place[1])},
     {"output.profiles.x", KEY_REAL, "m", "", KEY_OPTIONAL,
-     "x of a line along y or z", "", ""},
+     "x of a line along y or z", "", "", .at = KEY_AT(output_profile, place[0]),
+     .given = KEY_AT(output_profile, has_place[0])},
     {"output.profiles.z", KEY_REAL, "m", "", KEY_OPTIONAL,
-     "z of a line along x or y", "", ""},
+     "z of a line along x or y", "", "", .at = KEY_AT(output_profile, place[2]),
+     .given = KEY_AT(output_profile, has_place[2])},
     {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0",
-     "time at which the average begins; later than the end: none", "", ""},
+     "time at which the average begins; later than the end: none", "", "",
+     .at = KEY_AT(output_profile, from)},
     KEY_END};
 
 const struct recorder_part profiles_part = {.keys = keys,

@@ -158,7 +158,7 @@ static void second_half_visit(void *part, struct state *s)
 static void *second_half_part_create(const struct recorder_view *v, int *failed)
 {
     (void)failed;
-    return second_half_create(v->sim, settings_real(v->settings, "output.end"));
+    return second_half_create(v->sim, v->settings->output.end);
 }
 
 static void second_half_release(void *part)

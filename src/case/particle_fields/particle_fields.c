@@ -110,9 +110,9 @@ static int particle_fields_check(const struct settings *s)
     char word[WORD];
     int used, found[FIELDS] = {0};
 
-    if (!settings_has(s, key)) return 0;
-    for (const char *text = settings_text(s, key);
-         sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used) {
+    for (const char *text = s->output.particles;
+         text != NULL && sscanf(text, " %63[^ ]%n", word, &used) == 1;
+         text += used) {
         const int i = particle_fields_number_of(word);
         if (i < 0) return particle_fields_unknown(s, word);
         if (found[i]++)
@@ -135,9 +135,9 @@ struct chosen {
 
 static void *particle_fields_create(const struct recorder_view *v, int *failed)
 {
-    const char *text =
-        settings_has(v->settings, key) ? settings_text(v->settings, key) : "";
-    struct chosen c = {.sorted = settings_bool(v->settings, "output.sorted")};
+    const struct output_options *const o = &v->settings->output;
+    const char *text = o->particles != NULL ? o->particles : "";
+    struct chosen c = {.sorted = o->sorted};
     char word[WORD];
     int used;
     (void)failed;
@@ -173,10 +173,10 @@ static const struct key keys[] = {
     {"output.particles", KEY_TEXT, "", "", KEY_OPTIONAL,
      "further arrays of particles.pvd, separated by blanks: mass material "
      "fluid_force contact_force contact_number",
-     "", "particles"},
+     "", "particles", .at = KEY_AT(output_options, particles)},
     {"output.sorted", KEY_BOOL, "", "", "false",
      "particles.pvd has the particles in the order of their ids", "",
-     "particles"},
+     "particles", .at = KEY_AT(output_options, sorted)},
     KEY_END};
 
 const struct recorder_part particle_fields_part = {

@@ -29,11 +29,9 @@ static void *pictures_part_create(const struct recorder_view *v, int *failed)
     struct pictures *const p = alloc_zeroed(1, sizeof *p);
 
     p->view = *v;
-    p->at_end = settings_bool(v->settings, "output.picture") &&
+    p->at_end = v->settings->output.picture &&
                 (v->drawn != v->sim || v->sim->processes == NULL);
-    if (v->sim->particles == NULL ||
-        !settings_bool(v->settings, "output.animation"))
-        return p;
+    if (v->sim->particles == NULL || !v->settings->output.animation) return p;
     p->animation = animation_create(v->folder);
     if (p->animation != NULL) return p;
     *failed = 1;
@@ -92,9 +90,11 @@ static void pictures_part_visit(void *part, struct state *s)
 
 static const struct key keys[] = {
     {"output.animation", KEY_BOOL, "", "", "false",
-     "bed.gif, an animation of the particles at these times", "", ""},
+     "bed.gif, an animation of the particles at these times", "", "",
+     .at = KEY_AT(output_options, animation)},
     {"output.picture", KEY_BOOL, "", "", "true",
-     "bed.png, a picture of the last state, where there is a gnuplot", "", ""},
+     "bed.png, a picture of the last state, where there is a gnuplot", "", "",
+     .at = KEY_AT(output_options, picture)},
     KEY_END};
 
 const struct recorder_part pictures_part = {.keys = keys,

@@ -158,7 +158,7 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     if (k->mean_gradient > 0.0 && k->mu > 0.0) /* at the wall of a channel */
         k->shear = fmax(k->shear, k->mean_gradient * k->length / k->mu);
     k->spin = p->spin;
-    k->time = settings_real(s, "output.end");
+    k->time = s->output.end;
     k->acceleration = k->slip / k->time;
     if (k->gravity == 0.0) k->time = 0.0; /* the slip dies out within tau */
 }

@@ -176,13 +176,12 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
 
 /* Where whole steps do not give the time between two rows or pictures. */
 static void print_interval(const struct settings *s, const char *name,
-                           const char *key, double dt)
+                           const char *key, double asked, double dt)
 {
     char remark[64];
 
-    if (!settings_has(s, key)) return;
-    const double asked = settings_real(s, key);
-    const double given = (double)case_steps_between(s, key) * dt;
+    const double given = (double)case_steps_between(s, asked) * dt;
+
     if (fabs(given - asked) <= 0.01 * asked) return;
     snprintf(remark, sizeof remark, "in whole steps; %s is %.4g s", key, asked);
     check_line(name, given, "s", remark);
@@ -190,12 +189,16 @@ static void print_interval(const struct settings *s, const char *name,
 
 static void print_cost(const struct settings *s, const struct case_scales *k)
 {
+    const struct output_options *const o = &s->output;
     const double steps = k->end / k->dt;
 
     puts("Cost");
     check_line("steps", steps, "-", "");
-    print_interval(s, "time between two rows", "output.history", k->dt);
-    print_interval(s, "time between two pictures", "output.every", k->dt);
+    if (o->history > 0.0)
+        print_interval(s, "time between two rows", "output.history", o->history,
+                       k->dt);
+    print_interval(s, "time between two pictures", "output.every", o->every,
+                   k->dt);
     check_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
     check_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
     check_line("time", case_cost_seconds(s), "s",

@@ -230,8 +230,7 @@ int case_bodies_start(const struct settings *s, struct case_bodies_first *first)
     first->left = HUGE_VAL;
     for (int i = 0; i < b->ps->n; i++)
         if (b->motion[i] == BODY_PRESCRIBED)
-            first->left = fmin(first->left,
-                               way_left(b, i, settings_real(s, "output.end")));
+            first->left = fmin(first->left, way_left(b, i, s->output.end));
     free(fl.u);
     build_boundaries_free(boundaries, m->n_patches);
     mesh_free(m);

@@ -95,7 +95,7 @@ static int ahead_save(struct ahead *a, struct bed_settling *b)
     free(path);
     a->is_there |= !failed;
     a->stays |= failed;
-    a->due = clock_now() + settings_real(a->settings, "output.checkpoint");
+    a->due = clock_now() + a->settings->output.checkpoint;
     return failed;
 }
 
@@ -145,7 +145,7 @@ static int interrupted(struct ahead *a, struct bed_settling *b)
 
 int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_stage when)
 {
-    const double every = settings_real(a->settings, "output.checkpoint");
+    const double every = a->settings->output.checkpoint;
 
     if (when == BED_STAGE_START) a->due = clock_now() + fmin(least_time, every);
     if (when == BED_STAGE_START) return has_bed(a) ? ahead_load(a, b) : 0;

@@ -121,7 +121,7 @@ static int is_other(const struct resume *r, const char *path)
 static int is_after_end(const struct resume *r)
 {
     const double t = state_file_number(r->found, "/t");
-    const double end = settings_real(r->settings, "output.end");
+    const double end = r->settings->output.end;
 
     if (!(t > end + 0.5 * case_steps_length(r->settings))) return 0;
     fprintf(stderr,
@@ -249,7 +249,7 @@ int resume_begin(struct resume *r, struct simulation *sim,
 int resume_after_step(struct resume *r)
 {
     const double now = clock_now();
-    const double every = settings_real(r->settings, "output.checkpoint");
+    const double every = r->settings->output.checkpoint;
 
     r->sampled = r->sim->steps;
     if (interrupt_save_requested()) {

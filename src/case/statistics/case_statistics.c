@@ -14,8 +14,6 @@
 #include "case/statistics/layers.h"
 #include "case/statistics/statistics_files.h"
 
-static const char group[] = "output.statistics";
-
 /* What is sampled as one number a row: the last only with a fluid. */
 static const char *const names[STATISTICS_SCALARS] = {
     "temperature_axial", "temperature_transverse", "bed_height",
@@ -43,15 +41,16 @@ static int case_statistics_axis_of(const double g[3])
 /* A run may be resumed with a later end, so this is no error. */
 static int begins_after_end(const struct settings *s)
 {
-    return settings_has(s, group) &&
-           settings_real(s, "output.statistics.from") >=
-               settings_real(s, "output.end");
+    const struct output_options *const o = &s->output;
+    return o->statistics.on && o->statistics.from >= o->end;
 }
 
 static void *case_statistics_create(const struct recorder_view *v, int *failed)
 {
+    const struct output_options *const o = &v->settings->output;
+
     (void)failed; /* nothing is written before the end */
-    if (!settings_has(v->settings, group)) return NULL;
+    if (!o->statistics.on) return NULL;
     struct case_statistics *const self = alloc_zeroed(1, sizeof *self);
     const long rows = case_steps_until_end(v->settings) /
                           case_steps_between_rows(v->settings) +
@@ -62,15 +61,15 @@ static void *case_statistics_create(const struct recorder_view *v, int *failed)
     self->names = names;
     self->columns = columns;
     self->n_scalars = STATISTICS_SCALARS - (v->sim->fluid == NULL);
-    self->from = settings_real(v->settings, "output.statistics.from");
+    self->from = o->statistics.from;
     if (begins_after_end(v->settings) && !settings_quiet(v->settings))
         fprintf(stderr,
                 "the statistics begin at %g s, after the end at %g s: they "
                 "have no samples, unless the run goes on later\n",
-                self->from, settings_real(v->settings, "output.end"));
+                self->from, o->end);
     self->quiet = settings_quiet(v->settings);
-    self->plateau = settings_real(v->settings, "output.statistics.plateau");
-    self->blocks = settings_int(v->settings, "output.statistics.blocks");
+    self->plateau = o->statistics.plateau;
+    self->blocks = o->statistics.blocks;
     self->dt = (double)case_steps_between_rows(v->settings) * v->sim->dt;
     self->axis = case_statistics_axis_of(v->sim->gravity);
     self->rows = (int)rows;
@@ -79,10 +78,8 @@ static void *case_statistics_create(const struct recorder_view *v, int *failed)
     self->room = alloc_doubles(2 * v->sim->particles->capacity);
     if (v->sim->fluid != NULL)
         self->layers = layers_create(v->sim->mesh, self->axis, self->rows);
-    if (v->sim->coupling != NULL &&
-        settings_has(v->settings, "output.statistics.lags")) {
-        const double lags =
-            settings_real(v->settings, "output.statistics.lags") / self->dt;
+    if (v->sim->coupling != NULL && o->statistics.lags > 0.0) {
+        const double lags = o->statistics.lags / self->dt;
         self->lags = number_clamped(lags, 0, self->rows / 2) + 1;
         /* Of a run that is resumed there are none yet. */
         self->grains =
@@ -171,27 +168,29 @@ static int case_statistics_finish(void *memory)
 const struct key case_statistics_keys[] = {
     {"output.statistics", KEY_GROUP, "", "", KEY_OPTIONAL,
      "means, errors, correlations of a bed, in the folder statistics",
-     "EW18 23-31", "particles"},
+     "EW18 23-31", "particles", .given = KEY_AT(output_options, statistics.on)},
     {"output.statistics.from", KEY_REAL, "s", ">= 0", "0.0",
-     "time of the first sample; each row of history.csv is one", "EW18 23", ""},
+     "time of the first sample; each row of history.csv is one", "EW18 23", "",
+     .at = KEY_AT(output_options, statistics.from)},
     {"output.statistics.blocks", KEY_INT, "-", ">= 2, <= 1000", "8",
      "blocks for the standard errors; each should be longer than the "
      "correlation time",
-     "", ""},
+     "", "", .at = KEY_AT(output_options, statistics.blocks)},
     {"output.statistics.lags", KEY_REAL, "s", "> 0", KEY_OPTIONAL,
      "longest time of the correlation of the grains' drag coefficients, whose "
      "series are then kept as long as no grain is inserted or removed; left "
      "out: none",
-     "EW18 28", "exchange"},
+     "EW18 28", "exchange", .at = KEY_AT(output_options, statistics.lags)},
     {"output.statistics.plateau", KEY_REAL, "s", ">= 0", "0.0",
-     "integral times are means over ends beyond this", "EW18 31", ""},
+     "integral times are means over ends beyond this", "EW18 31", "",
+     .at = KEY_AT(output_options, statistics.plateau)},
     KEY_END};
 
 void case_statistics_print(const struct settings *s)
 {
     if (begins_after_end(s))
-        check_line("statistics", settings_real(s, "output.statistics.from"),
-                   "s", "they begin after the end: there are no samples");
+        check_line("statistics", s->output.statistics.from, "s",
+                   "they begin after the end: there are no samples");
 }
 
 const struct recorder_part case_statistics_output = {

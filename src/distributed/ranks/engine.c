@@ -139,17 +139,15 @@ static void engine_release(struct processes *self)
 static void outline(struct engine *e)
 {
     const struct settings *const s = e->settings;
-    const int moving = settings_bool(s, "output.animation");
+    const int moving = s->output.animation;
     const int many = e->hooks.particles > most_drawn;
-    const int drawn = moving || (settings_bool(s, "output.picture") && !many);
+    const int drawn = moving || (s->output.picture && !many);
     struct simulation *const w = &e->whole;
 
-    if (settings_bool(s, "output.picture") && !drawn && !settings_quiet(s))
+    if (s->output.picture && !drawn && !settings_quiet(s))
         fprintf(stderr, "no picture is drawn of more than %g particles\n",
                 most_drawn);
-    if (!drawn && settings_length(s, "output.profiles") == 0 &&
-        settings_length(s, "output.probes") == 0)
-        return;
+    if (!drawn && s->output.profiles.n == 0 && s->output.probes.n == 0) return;
     w->mesh = case_mesh_outline(s);
     w->mesh->V = alloc_doubles(w->mesh->n_cells);
     for (int c = 0; c < w->mesh->n_cells; c++)

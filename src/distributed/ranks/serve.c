@@ -174,7 +174,7 @@ static void serve_build(struct engine *e, int argc, char **argv,
     if (engine_agree(s == NULL ? 4 : 0) != 0) return;
     if (engine_build_part(e, file) != 0) return;
     e->last = snapshot_create(e->part->sim);
-    e->rows = second_half_create(e->part->sim, settings_real(s, "output.end"));
+    e->rows = second_half_create(e->part->sim, s->output.end);
 }
 
 /* The same sums in the same order as the recorder makes them. */
