@@ -80,8 +80,7 @@ static int run_start(struct run *run)
     if (!run->resumes && coupling_start(run->sim) != 0) return broke_down(run);
     if (!run->resumes && run_sample(run->recorder, run->sim) != 0)
         return NOT_WRITTEN;
-    return resume_begin(run->resume, run->sim, run->recorder) != 0 ? NOT_WRITTEN
-                                                                   : 0;
+    return resume_begin(run->resume, run->sim, run->recorder);
 }
 
 /* One step. One that was cut short is not sampled. */
@@ -178,8 +177,7 @@ static int run_simulation(struct run *run)
     }
     int code = run_start(run);
     if (code == 0) code = run_advance(run);
-    if (code == 0 || !run->resumes || run->sim->steps > 0)
-        code = run_finish(run, code);
+    if (code != WRONG) code = run_finish(run, code);
     recorder_free(run->recorder);
     return code;
 }

@@ -171,11 +171,24 @@ static void deepest_state(struct dem_overlap *deep, struct state *s)
     state_end(s);
 }
 
+/* Each is one of the case; they are loaded before. */
+static int dem_materials_exist(const struct dem *dem)
+{
+    const int *const material = dem->ps->material;
+    const int n = materials_count(dem->options.materials);
+
+    for (int i = 0; material != NULL && i < dem->ps->n; i++)
+        if (material[i] < 0 || material[i] >= n) return 0;
+    return 1;
+}
+
 void dem_state(struct dem *dem, struct state *s)
 {
     struct energy *const e = dem->energy;
 
     state_begin(s, "dem");
+    state_demand(s, dem_materials_exist(dem),
+                 "a particle of a material that the case does not have");
     state_long(s, "motion_steps", "-", &dem->motion_steps);
     state_whole(s, "motion_on", "-", &dem->motion_on);
     state_real(s, "max_overlap", "-", &dem->max_overlap);

@@ -204,17 +204,18 @@ int resume_before(struct resume *r)
 
 /* --- the run -------------------------------------------------------------- */
 
+/* Returns the exit code. */
 static int resume_load(struct resume *r)
 {
     r->written = clock_now();
     if (visit_all(r, r->found) != 0 || state_file_all_visited(r->found) != 0)
-        return 1;
+        return 2;
     state_file_free(r->found);
     r->found = NULL;
     if (!settings_quiet(r->settings))
         fprintf(stderr, "%s: resumed at t = %g s, after %ld steps\n",
                 folder_name(r->folder), r->sim->t, r->sim->steps);
-    return recorder_begin(r->recorder);
+    return recorder_begin(r->recorder) != 0 ? RECORDER_NOT_WRITTEN_CODE : 0;
 }
 
 /* Lists a file before it is written. */
@@ -233,7 +234,8 @@ int resume_begin(struct resume *r, struct simulation *sim,
 
     r->sim = sim;
     r->recorder = recorder;
-    if (goes_on && resume_load(r) != 0) return 1;
+    const int code = goes_on ? resume_load(r) : 0;
+    if (code != 0) return code;
     r->sampled = sim->steps;
     const int failed =
         goes_on ? case_copy_restore(r->copy, folder_name(r->folder)) != 0 ||
@@ -243,7 +245,7 @@ int resume_begin(struct resume *r, struct simulation *sim,
                       resume_list(r, RESUME_FILE_BEFORE) != 0 ||
                       resume_save(r) != 0;
     if (!failed) ahead_is_over(r->ahead);
-    return failed;
+    return failed ? RECORDER_NOT_WRITTEN_CODE : 0;
 }
 
 int resume_after_step(struct resume *r)

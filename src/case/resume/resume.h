@@ -37,7 +37,7 @@ int resume_settle(struct resume *r, struct bed_settling *b,
 int resume_before(struct resume *r);
 
 /* Before the first step. Simulation and recorder are borrowed; of a run that is
- * resumed they are loaded. Non-zero after a message. */
+ * resumed they are loaded. Returns the exit code: 2 if the state is refused. */
 int resume_begin(struct resume *r, struct simulation *sim,
                  struct recorder *recorder);
 

@@ -12,11 +12,13 @@
 #include "base/file.h"
 #include "base/tables/input.h"
 #include "base/text.h"
+#include "case/build.h"
 #include "case/case_file.h"
 #include "case/command.h"
 #include "case/resume/case_text.h"
 #include "case/resume/read_summary.h"
 #include "case/resume/resume.h"
+#include "coupling/processes.h"
 #include "output/checkpoint/state_file.h"
 #include "output/manifest/ownership.h"
 
@@ -199,27 +201,43 @@ static int print_ahead(const char *dir)
     return 1;
 }
 
-/* 1, after a message that names the first other value, if the state is not one
- * of the case in the folder. */
-static int is_of_another_case(const char *dir, const char *name,
+/* 1, after a message, if a run of the case could not load the state. */
+static int is_refused(const struct settings *s, struct state_file *f)
+{
+    int code, refused;
+
+    if (processes_engine != NULL || strcmp(s->engine, "one") != 0) return 0;
+    struct simulation *const sim = build_for_run(s, 0, NULL, &code);
+    refused = sim == NULL || simulation_state(sim, state_file_state(f)) != 0;
+    build_free(sim);
+    return refused;
+}
+
+/* Why the case in the folder does not go on from the state, after a message
+ * that names the first other value; NULL if it does. */
+static const char *not_of_use(const char *dir, const char *name,
                               const struct found *f)
 {
     char *const case_file = file_join(dir, "case.cfg");
     char *const path = file_join(dir, name);
-    int code, differs = 0;
+    const char *why = NULL;
+    int code;
     struct settings *const s = case_file_read(case_file, 0, NULL, &code);
 
     if (s != NULL) {
         char *const was = state_file_text(f->file, "settings");
         char *const is = case_text_lines(s);
-        differs = case_text_differs(was, is, path);
+        if (case_text_differs(was, is, path))
+            why = "is of another case";
+        else if (is_refused(s, f->file))
+            why = "cannot be used by the case";
         free(was);
         free(is);
     }
     settings_free(s);
     free(case_file);
     free(path);
-    return differs;
+    return why;
 }
 
 /* The state that a run goes on from: the last one, or the one before it; none
@@ -230,8 +248,9 @@ static const char *find_state(const char *dir, struct found *f)
 
     if (!open_state(dir, name, f))
         open_state(dir, name = RESUME_FILE_BEFORE, f);
-    if (f->file != NULL && is_of_another_case(dir, name, f)) {
-        printf("%-11s %s is of another case\n", "not used", name);
+    const char *const why = f->file != NULL ? not_of_use(dir, name, f) : NULL;
+    if (why != NULL) {
+        printf("%-11s %s %s\n", "not used", name, why);
         state_file_free(f->file);
         f->file = NULL;
     }
