@@ -77,8 +77,9 @@ static struct settings *read_case(const char *text,
                                   char said[CAPTURE_TEXT])
 {
     const struct key *tables[CASE_FILE_TABLES] = {
-        keys_case,     mesh_keys,    fluid_keys,  keys_core,  averaging_keys,
-        coupling_keys, effects_keys, output_keys, effect_keys};
+        keys_case,      mesh_keys,      fluid_keys,
+        particles_keys, averaging_keys, coupling_keys,
+        effects_keys,   output_keys,    effect_keys};
 
     struct settings *s;
     struct capture c;

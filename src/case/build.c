@@ -71,8 +71,7 @@ struct simulation *build_for_run(const struct settings *s, int with_bed,
     sim->mesh = case_mesh_create(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    if (settings_has(s, "particles"))
-        *code = build_particles(s, sim, with_bed, saver);
+    if (s->has.particles) *code = build_particles(s, sim, with_bed, saver);
     if (*code == 0 && s->has.fluid) *code = build_fluid(s, sim);
     if (*code == 0 && s->has.exchange) {
         *code = create_averaging(s, sim);

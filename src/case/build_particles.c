@@ -32,9 +32,8 @@ static int bed_lost(const struct bed_report *r)
 static int allocate_bed(const struct settings *s, struct simulation *sim,
                         const struct dem_options *o)
 {
-    const int n = settings_int(s, "particles.bed.count");
-
-    sim->particles = particles_create(n + case_population_count(s));
+    sim->particles =
+        particles_create(s->particles.bed.count + case_population_count(s));
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
 }
@@ -103,16 +102,15 @@ static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o,
                       const struct bed_saver *saver)
 {
-    const int named = settings_has(s, "particles.bed.file");
+    const char *const named = s->particles.bed_file;
     char path[SETTINGS_PATH];
     struct bed_report r;
 
-    if (named)
-        settings_beside(s, settings_text(s, "particles.bed.file"), path,
-                        sizeof path);
-    const int cached = !named && bed_cache_file(s, path, sizeof path);
+    if (named != NULL) settings_beside(s, named, path, sizeof path);
+    const int cached = named == NULL && bed_cache_file(s, path, sizeof path);
     const int was_there = cached && access(path, R_OK) == 0;
-    int found = make_bed(s, sim, o, saver, named || cached ? path : NULL, &r);
+    int found =
+        make_bed(s, sim, o, saver, named != NULL || cached ? path : NULL, &r);
     if (found == BED_REFUSED && was_there)
         found = remake_bed(s, sim, o, saver, path, &r);
     if (found == BED_UNSAVED && cached) found = BED_CREATED;
@@ -125,46 +123,33 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     return 0;
 }
 
-/* The material of the i-th group of a list: number 0 where it names none. */
-static int build_particles_material_of(const struct settings *s,
-                                       const char *list, int i)
-{
-    return settings_item_has(s, list, i, "material")
-               ? case_materials_number(
-                     s, settings_item_text(s, list, i, "material"))
-               : 0;
-}
-
 /* The spheres at the positions of the case; there is no dem yet. */
 static int build_particles_put_spheres(const struct settings *s,
                                        struct simulation *sim,
                                        const struct dem_options *o)
 {
-    static const char *const list = "particles.place";
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
-    const int n = settings_length(s, list);
+    const int n = s->particles.place.n;
 
     sim->particles = particles_create(n + case_population_count(s));
     if (sim->materials != NULL) particles_add_material(sim->particles);
     for (int k = 0; k < n; k++) {
-        const int material = build_particles_material_of(s, list, k);
-        double x[3], v[3], w[3];
-        settings_item_vector(s, list, k, "position", x);
+        const struct place_setup *const p = &s->particles.place.item[k];
+        const int material = case_materials_number(s, p->material);
+        double x[3];
+        memcpy(x, p->position, sizeof x);
         for (int a = 0; a < 3; a++)
             if (x[a] < o->lo[a] || x[a] > o->hi[a])
                 x[a] = box_domain_inside(&box, a, x[a]);
-        settings_item_vector(s, list, k, "velocity", v);
-        settings_item_vector(s, list, k, "spin", w);
-        const int i = particles_add(sim->particles, x,
-                                    settings_item_real(s, list, k, "diameter"),
-                                    case_materials_density(s, material));
+        const int i = particles_add(sim->particles, x, p->diameter,
+                                    case_materials_setup(s, material)->density);
         if (material > 0) sim->particles->material[i] = material;
-        sim->particles->vx[i] = v[0];
-        sim->particles->vy[i] = v[1];
-        sim->particles->vz[i] = v[2];
-        sim->particles->wx[i] = w[0];
-        sim->particles->wy[i] = w[1];
-        sim->particles->wz[i] = w[2];
+        sim->particles->vx[i] = p->velocity[0];
+        sim->particles->vy[i] = p->velocity[1];
+        sim->particles->vz[i] = p->velocity[2];
+        sim->particles->wx[i] = p->spin[0];
+        sim->particles->wy[i] = p->spin[1];
+        sim->particles->wz[i] = p->spin[2];
     }
     const int code = surfaces_part_place(s, sim->particles, o);
     return code != 0 ? code : case_population_place(s, sim->particles, o);
@@ -205,14 +190,6 @@ static int build_particles_complete(const struct settings *s,
     return code != 0 ? code : case_bodies_complete(s, sim, o);
 }
 
-/* What is added to the particles that there are. */
-static int build_particles_add_rest(const struct settings *s,
-                                    struct simulation *sim)
-{
-    const int code = surfaces_part_add(s, sim);
-    return code != 0 ? code : case_population_add(s, sim);
-}
-
 int build_particles_check(const struct settings *s)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
@@ -222,19 +199,18 @@ int build_particles_check(const struct settings *s)
     sim->dem_steps = case_steps_within(s);
     int code = build_particles_complete(s, sim, &o);
     if (code == 0)
-        code = settings_has(s, "particles.bed") ? place_bed(s, sim, &o)
-                                                : place_spheres(s, sim, &o);
-    if (code == 0) code = build_particles_add_rest(s, sim);
+        code = s->particles.has_bed ? place_bed(s, sim, &o)
+                                    : place_spheres(s, sim, &o);
+    if (code == 0) code = surfaces_part_add(s, sim);
     build_free(sim);
     return code;
 }
 
 void build_particles_limit(const struct settings *s, struct simulation *sim)
 {
-    const double max = settings_real(s, "particles.max_overlap");
-    const double expected = settings_real(s, "particles.expected_overlap");
+    const double max = s->particles.max_overlap;
 
-    dem_limit_overlap(sim->dem, fmin(expected, max), max);
+    dem_limit_overlap(sim->dem, fmin(s->particles.expected_overlap, max), max);
 }
 
 int build_particles(const struct settings *s, struct simulation *sim,
@@ -244,7 +220,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     int code = build_particles_complete(s, sim, &o);
 
     if (code != 0) return code;
-    if (settings_has(s, "particles.bed"))
+    if (s->particles.has_bed)
         code =
             with_bed ? create_bed(s, sim, &o, saver) : allocate_bed(s, sim, &o);
     else
@@ -252,8 +228,9 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
     build_particles_limit(s, sim);
-    code = build_particles_add_rest(s, sim);
+    code = surfaces_part_add(s, sim);
     if (code != 0) return code;
+    case_population_add(s, sim);
     sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;
 }

@@ -24,14 +24,12 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     tables[n++] = keys_case;
     tables[n++] = mesh_keys;
     tables[n++] = fluid_keys;
-    tables[n++] = keys_core;
+    tables[n++] = particles_keys;
     tables[n++] = averaging_keys;
     tables[n++] = coupling_keys;
     tables[n++] = effects_keys;
     tables[n++] = output_keys;
-    tables[n++] = case_surfaces_keys;
     tables[n++] = case_engine_keys;
-    tables[n++] = case_population_keys;
     tables[n++] = case_bodies_keys;
     tables[n++] = case_statistics_keys;
     for (int i = 0; recorder_parts[i] != NULL; i++)

@@ -1,41 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/case_materials.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "case/schema.h"
 
-static const char first[] = "grains", list[] = "particles.materials",
-                  pairs[] = "particles.pairs",
-                  wall[] = "particles.walls.material",
+static const char list[] = "particles.materials",
                   of_grains[] = "particles.grains.";
 
-/* A number of a material, 0 if not given; number 0 is a group of its own. */
-static double case_materials_value(const struct settings *s, int number,
-                                   const char *key)
+const struct material_setup *case_materials_setup(const struct settings *s,
+                                                  int number)
 {
-    char path[64];
-
-    if (number > 0) return settings_item_real_or(s, list, number - 1, key, 0.0);
-    snprintf(path, sizeof path, "particles.%s.%s", first, key);
-    return settings_real_or(s, path, 0.0);
+    return number <= 0 ? &s->particles.grains
+                       : &s->particles.materials.item[number - 1];
 }
 
 int case_materials_number(const struct settings *s, const char *name)
 {
-    if (strcmp(name, first) == 0) return 0;
-    const int k = settings_item_named(s, list, name);
-    return k < 0 ? -1 : k + 1;
+    if (name == NULL || strcmp(name, "grains") == 0) return 0;
+    for (int k = 0; k < s->particles.materials.n; k++)
+        if (strcmp(name, s->particles.materials.item[k].name) == 0)
+            return k + 1;
+    return -1;
 }
 
 /* The numbers of the keys that the contact law alone reads (contact.h). */
 static void read_own(const struct settings *s, int number, double *own)
 {
-    const struct key *k =
-        contact_law_named(settings_text(s, "particles.contact"))->own_keys;
+    const struct key *k = s->particles.contact->own_keys;
 
     for (int n = 0; k != NULL && k->path != NULL && n < MODEL_NUMBERS; k++) {
         const char *const name = strrchr(k->path, '.') + 1;
@@ -51,48 +45,35 @@ static void read_own(const struct settings *s, int number, double *own)
 
 struct material case_materials_one(const struct settings *s, int number)
 {
-    struct material m = {
-        .young = case_materials_value(s, number, "young"),
-        .poisson = case_materials_value(s, number, "poisson"),
-        .stiffness = case_materials_value(s, number, "stiffness"),
-        .tangential = case_materials_value(s, number, "tangential_ratio"),
-        .restitution = case_materials_value(s, number, "restitution"),
-        .friction = case_materials_value(s, number, "friction"),
-        .rolling = case_materials_value(s, number, "rolling_friction"),
-        .charge = case_materials_value(s, number, "charge")};
+    struct material m = case_materials_setup(s, number)->of;
 
     read_own(s, number, m.own);
     return m;
 }
 
-double case_materials_density(const struct settings *s, int number)
+static double measured(int given, double value)
 {
-    return case_materials_value(s, number, "density");
-}
-
-static int number_in_pair(const struct settings *s, int k, const char *key)
-{
-    return case_materials_number(s, settings_item_text(s, pairs, k, key));
+    return given ? value : -1.0;
 }
 
 struct materials_measured case_materials_pair(const struct settings *s, int k)
 {
+    const struct pair_setup *const p = &s->particles.pairs.item[k];
+
     return (struct materials_measured){
-        .a = number_in_pair(s, k, "between"),
-        .b = number_in_pair(s, k, "and"),
-        .stiffness = settings_item_real_or(s, pairs, k, "stiffness", -1.0),
-        .tangential =
-            settings_item_real_or(s, pairs, k, "tangential_ratio", -1.0),
-        .restitution = settings_item_real_or(s, pairs, k, "restitution", -1.0),
-        .friction = settings_item_real_or(s, pairs, k, "friction", -1.0),
-        .rolling =
-            settings_item_real_or(s, pairs, k, "rolling_friction", -1.0)};
+        .a = case_materials_number(s, p->between),
+        .b = case_materials_number(s, p->and),
+        .stiffness = measured(p->of.stiffness > 0.0, p->of.stiffness),
+        .tangential = measured(p->of.tangential > 0.0, p->of.tangential),
+        .restitution = measured(p->has_restitution, p->of.restitution),
+        .friction = measured(p->has_friction, p->of.friction),
+        .rolling = measured(p->has_rolling, p->of.rolling)};
 }
 
 /* One block: the struct, the materials, the pairs. */
 struct materials *case_materials_create(const struct settings *s)
 {
-    const int n = settings_length(s, list), m = settings_length(s, pairs);
+    const int n = s->particles.materials.n, m = s->particles.pairs.n;
     struct materials *all;
     struct material *further;
     struct materials_measured *taken;
@@ -106,8 +87,7 @@ struct materials *case_materials_create(const struct settings *s)
         further[k] = case_materials_one(s, k + 1);
     for (int k = 0; k < m; k++)
         taken[k] = case_materials_pair(s, k);
-    *all = (struct materials){n + 1, further, m, taken, 0};
-    if (settings_has(s, wall))
-        all->wall = case_materials_number(s, settings_text(s, wall));
+    *all = (struct materials){n + 1, further, m, taken,
+                              case_materials_number(s, s->particles.walls)};
     return all;
 }

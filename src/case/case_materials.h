@@ -10,12 +10,14 @@
 #include "dem/materials.h"
 #include "case/settings.h"
 
-/* The number of a name; -1 if there is no such material. */
+/* The number of a name, 0 of NULL; -1 if there is no such material. */
 int case_materials_number(const struct settings *s, const char *name);
 
-/* The material of a number, and its density [kg/m^3], 0 if not given. */
+/* What the case says of the material of a number; and the material itself, with
+ * the numbers that the contact law alone reads. */
+const struct material_setup *case_materials_setup(const struct settings *s,
+                                                  int number);
 struct material case_materials_one(const struct settings *s, int number);
-double case_materials_density(const struct settings *s, int number);
 
 /* All but number 0, to be released with free(); NULL if there is no other. */
 struct materials *case_materials_create(const struct settings *s);

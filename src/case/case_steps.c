@@ -12,12 +12,6 @@ static const char end_key[] = "output.end";
  */
 enum { POPULATION_STEPS = 20 };
 
-static int has_population(const struct settings *s)
-{
-    return settings_has(s, "particles.insert") ||
-           settings_has(s, "particles.sinks");
-}
-
 /* [s] of a step of the loop, before it is rounded to whole particle steps, and
  * the key that gives it. */
 static double case_steps_given(const struct settings *s, const char **key)
@@ -29,7 +23,8 @@ static double case_steps_given(const struct settings *s, const char **key)
     *key = "fluid.step";
     if (s->has.fluid) return s->fluid.dt;
     *key = "particles.step";
-    if (has_population(s)) return POPULATION_STEPS * settings_real(s, *key);
+    if (s->particles.has_insert || s->particles.has_sinks)
+        return POPULATION_STEPS * s->particles.step;
     *key = history <= every ? "output.history" : "output.every";
     return fmin(history, every);
 }
@@ -44,16 +39,16 @@ double case_steps_length(const struct settings *s)
 
     if (s->has.fluid) return given;
     const double dt = fmin(given, s->output.end);
-    if (!settings_has(s, "particles")) return dt;
-    const double step = settings_real(s, "particles.step");
+    if (!s->has.particles) return dt;
+    const double step = s->particles.step;
     const double whole = step * fmax(1.0, round(dt / step));
     return fabs(whole - dt) > 1e-9 * dt ? whole : dt; /* but for rounding */
 }
 
 static double case_steps_particle_steps(const struct settings *s)
 {
-    if (!settings_has(s, "particles")) return 0.0;
-    const double n = case_steps_length(s) / settings_real(s, "particles.step");
+    if (!s->has.particles) return 0.0;
+    const double n = case_steps_length(s) / s->particles.step;
     if (!s->has.fluid) return fmax(1.0, round(n));
     return fmax(1.0, ceil(n * (1.0 - 1e-12))); /* 5.000000000001 is 5 */
 }
@@ -115,7 +110,7 @@ int case_steps_check(const struct settings *s)
         return settings_wrong(s, "particles.step",
                               "%g s would be %.3g particle steps in one step "
                               "of %g s, by %s; expected at most %d",
-                              settings_real(s, "particles.step"),
-                              case_steps_particle_steps(s), dt, key, INT_MAX);
+                              s->particles.step, case_steps_particle_steps(s),
+                              dt, key, INT_MAX);
     return 0;
 }

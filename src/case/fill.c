@@ -20,6 +20,8 @@ static const struct {
     {"mesh", offsetof(struct settings, mesh), REQUIRED},
     {"fluid", offsetof(struct settings, fluid),
      offsetof(struct settings, has.fluid)},
+    {"particles", offsetof(struct settings, particles),
+     offsetof(struct settings, has.particles)},
     {"averaging", offsetof(struct settings, averaging),
      offsetof(struct settings, has.averaging)},
     {"exchange", offsetof(struct settings, exchange),
@@ -93,7 +95,7 @@ static void store_at(const struct settings *s, const struct key *key,
 {
     char *const of = base;
 
-    if (key->at > 0 && settings_is_set(s, path))
+    if (key->at > 0 && key->size == 0 && settings_is_set(s, path))
         fill_store(s, key, path, of + key->at - 1);
     if (key->given > 0) *(int *)(of + key->given - 1) = settings_has(s, path);
 }
@@ -153,7 +155,7 @@ void fill_settings(struct settings *s, const struct key *const *tables)
         const struct key *const list =
             k->at == 0 && k->given == 0 ? NULL : fill_list_of(tables, k);
 
-        if (k->size > 0 || (k->at == 0 && k->given == 0)) continue;
+        if (k->at == 0 && k->given == 0) continue;
         if (list == NULL)
             store_at(s, k, k->path, fill_base_of(s, k));
         else

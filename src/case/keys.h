@@ -8,6 +8,6 @@
 
 #include "base/key.h"
 
-extern const struct key keys_case[], keys_core[];
+extern const struct key keys_case[];
 
 #endif

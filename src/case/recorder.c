@@ -212,9 +212,8 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_text(f, "case", settings_file(r->settings));
     summary_text(f, "exit_reason", reason);
     summary_number(f, "exit_code", code < 0 ? (double)NAN : code);
-    if (settings_has(r->settings, "particles.bed"))
-        summary_count(f, "seed",
-                      settings_int(r->settings, "particles.bed.seed"));
+    if (r->settings->particles.has_bed)
+        summary_count(f, "seed", r->settings->particles.bed.seed);
     summary_count(f, "threads", omp_get_max_threads());
     summarize_count(f, "cells", processes_cells(sim));
     summarize_count(f, "particles", processes_particles(sim));

@@ -214,11 +214,8 @@ static struct simulation *run_build(const struct run *run, int *code)
 {
     const struct settings *const s = run->settings;
 
-    static const char bed[] = "particles.bed.file";
-    struct building b = {.run = run,
-                         .folder = run->folder,
-                         .bed = settings_has(s, bed) ? settings_text(s, bed)
-                                                     : NULL};
+    struct building b = {
+        .run = run, .folder = run->folder, .bed = s->particles.bed_file};
     const struct bed_saver saver = {&b, settle};
 
     interrupt_watch_begin(&b.watch, clean_up, &b);

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "case/fill.h"
 #include "case/override.h"
+#include "case/population/case_population.h"
 #include "case/meshes/read_mesh.h"
 #include "case/schema.h"
 #include "case/source.h"
@@ -70,6 +71,7 @@ struct settings *settings_create(const char *file, int n_overrides,
 void settings_free(struct settings *s)
 {
     if (s == NULL) return;
+    case_population_release(s);
     fill_release(s, s->text->tables);
     config_destroy(&s->text->tree);
     free(s->text->tables);

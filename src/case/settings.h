@@ -17,6 +17,7 @@
 #include "base/key.h"
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
+#include "dem/particles_setup.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh_options.h"
 #include "output/output_options.h"
@@ -29,13 +30,14 @@
 struct settings {
     struct {
         /* [-] 1: the case names the group */
-        int fluid, averaging, exchange, effects;
+        int fluid, particles, averaging, exchange, effects;
     } has;
-    const char *title, *cites;  /* "" if left out */
-    const char *engine;         /* "one" or "distributed" */
-    int ranks[3], layers;       /* [-] of several machines; 0: left out */
-    struct mesh_options mesh;   /* mesh/mesh_keys.c */
-    struct fluid_options fluid; /* fluid/fluid_keys.c */
+    const char *title, *cites;        /* "" if left out */
+    const char *engine;               /* "one" or "distributed" */
+    int ranks[3], layers;             /* [-] of several machines; 0: left out */
+    struct mesh_options mesh;         /* mesh/mesh_keys.c */
+    struct fluid_options fluid;       /* fluid/fluid_keys.c */
+    struct particles_setup particles; /* dem/particles_keys.c */
     struct averaging_options averaging; /* averaging/averaging.c */
     struct coupling_options exchange;   /* coupling/coupling_options.c */
     struct effects_options effects;     /* each in the file of the effect */

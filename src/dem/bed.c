@@ -93,7 +93,7 @@ struct bed_range bed_range(const struct bed_options *bed)
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
     struct bed_range r = {bed->diameter, bed->diameter, 0.0};
 
-    gsl_rng_set(random, bed->seed);
+    gsl_rng_set(random, (unsigned long)bed->seed);
     for (int i = 0; i < bed->count; i++) {
         const double d = next_size(bed, random);
         r.min = i == 0 ? d : fmin(r.min, d);
@@ -119,8 +119,8 @@ static int fill_lattice(const struct lattice *l, const struct bed_options *bed,
     gsl_rng *const sizes = gsl_rng_alloc(gsl_rng_ranlxd1);
     int i = 0;
 
-    gsl_rng_set(random, bed->seed);
-    gsl_rng_set(sizes, bed->seed);
+    gsl_rng_set(random, (unsigned long)bed->seed);
+    gsl_rng_set(sizes, (unsigned long)bed->seed);
     double d = next_size(bed, sizes);
     for (long q = 0; i < bed->count; q++) {
         long site[3];

@@ -18,11 +18,11 @@ struct sizes;
 struct bed_saver;
 
 struct bed_options {
-    char where[256];    /* in the case, before messages; or empty */
-    int count;          /* [-] */
-    double diameter;    /* [m] of all, or the mean of sizes */
-    double density;     /* [kg/m^3] */
-    unsigned long seed; /* [-] of the jitter */
+    char where[256]; /* in the case, before messages; or empty */
+    int count;       /* [-] */
+    double diameter; /* [m] of all, or the mean of sizes */
+    double density;  /* [kg/m^3] */
+    int seed;        /* [-] of the jitter */
     double jitter; /* [-] random shift over the free space of a site, 0 ... 1 */
     double gravity[3]; /* [m/s^2] points to the bottom; the walls of the box
                           are those of the dem_options */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/contact_linear.h"
+#include "dem/particles_setup.h"
 
 #include <gsl/gsl_math.h>
 
@@ -53,17 +54,23 @@ static double contact_linear_wave_time(const struct material *m, double r,
  * normal one. A pair of materials may have constants of its own. */
 const struct key contact_linear_keys[] = {
     {"particles.grains.stiffness", KEY_REAL, "N/m", "> 0", KEY_MODEL_REQUIRED,
-     "spring constant k", "LS 4.4", ""},
+     "spring constant k", "LS 4.4", "",
+     .at = KEY_AT(particles_setup, grains.of.stiffness)},
     {"particles.grains.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
-     "tangential spring over k; left out: 2/7", "LS 4.8", ""},
+     "tangential spring over k; left out: 2/7", "LS 4.8", "",
+     .at = KEY_AT(particles_setup, grains.of.tangential)},
     {"particles.materials.stiffness", KEY_REAL, "N/m", "> 0",
-     KEY_MODEL_REQUIRED, "spring constant k of two grains of it", "LS 4.4", ""},
+     KEY_MODEL_REQUIRED, "spring constant k of two grains of it", "LS 4.4", "",
+     .at = KEY_AT(material_setup, of.stiffness)},
     {"particles.materials.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
-     "tangential spring over k; left out: 2/7", "LS 4.8", ""},
+     "tangential spring over k; left out: 2/7", "LS 4.8", "",
+     .at = KEY_AT(material_setup, of.tangential)},
     {"particles.pairs.stiffness", KEY_REAL, "N/m", "> 0", KEY_OPTIONAL,
-     "spring constant k; left out: two half springs in series", "LS 4.4", ""},
+     "spring constant k; left out: two half springs in series", "LS 4.4", "",
+     .at = KEY_AT(pair_setup, of.stiffness)},
     {"particles.pairs.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
-     "tangential spring over k; left out: the smaller one", "LS 4.8", ""},
+     "tangential spring over k; left out: the smaller one", "LS 4.8", "",
+     .at = KEY_AT(pair_setup, of.tangential)},
     KEY_END};
 
 const struct contact_law contact_linear = {

@@ -111,7 +111,7 @@ static const struct history_column *in_history(const char *name)
 static int has_needed(const struct settings *s, int needs)
 {
     return (!(needs & HISTORY_FLUID) || s->has.fluid) &&
-           (!(needs & HISTORY_PARTICLES) || settings_has(s, "particles")) &&
+           (!(needs & HISTORY_PARTICLES) || s->has.particles) &&
            (!(needs & HISTORY_COUPLING) || s->has.exchange);
 }
 

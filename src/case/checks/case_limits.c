@@ -12,18 +12,12 @@
 
 int case_limits_no_contacts(const struct settings *s)
 {
-    return dem_method_named(settings_text(s, "particles.list"))->no_contacts;
-}
-
-int case_limits_count(const struct settings *s)
-{
-    return settings_length(s, "particles.materials") + 1;
+    return s->particles.list->no_contacts;
 }
 
 const char *case_limits_name(const struct settings *s, int m)
 {
-    return m == 0 ? "grains"
-                  : settings_item_text(s, "particles.materials", m - 1, "name");
+    return m == 0 ? "grains" : s->particles.materials.item[m - 1].name;
 }
 
 /* The smaller of two diameters, of which 0 is none. */
@@ -34,16 +28,12 @@ static double smaller(double a, double b)
 
 static double smallest_placed(const struct settings *s, int m)
 {
-    static const char *const list = "particles.place";
     double least = 0.0;
 
-    for (int i = 0; i < settings_length(s, list); i++) {
-        const int own = settings_item_has(s, list, i, "material")
-                            ? case_materials_number(
-                                  s, settings_item_text(s, list, i, "material"))
-                            : 0;
-        if (own == m)
-            least = smaller(least, settings_item_real(s, list, i, "diameter"));
+    for (int i = 0; i < s->particles.place.n; i++) {
+        const struct place_setup *const p = &s->particles.place.item[i];
+        if (case_materials_number(s, p->material) == m)
+            least = smaller(least, p->diameter);
     }
     return least;
 }
@@ -51,8 +41,7 @@ static double smallest_placed(const struct settings *s, int m)
 /* A bed is of material 0. */
 static double smallest_of_bed(const struct settings *s, int m)
 {
-
-    if (m != 0 || !settings_has(s, "particles.bed")) return 0.0;
+    if (m != 0 || !s->particles.has_bed) return 0.0;
     struct bed_options b = particle_options_bed(s);
     const struct bed_range range = bed_range(&b);
     particle_options_release(&b);
@@ -61,12 +50,11 @@ static double smallest_of_bed(const struct settings *s, int m)
 
 struct case_limits case_limits_of(const struct settings *s, int m, double v)
 {
-    const struct contact_law *const law =
-        contact_law_named(settings_text(s, "particles.contact"));
+    const struct contact_law *const law = s->particles.contact;
     const struct material of = case_materials_one(s, m);
     struct case_limits k = {.material = m};
 
-    k.density = case_materials_density(s, m);
+    k.density = case_materials_setup(s, m)->density;
     k.d = smaller(smallest_of_bed(s, m), smallest_placed(s, m));
     k.d = smaller(k.d, case_population_diameters(s, m).min);
     if (k.d <= 0.0) return k;
@@ -77,29 +65,23 @@ struct case_limits case_limits_of(const struct settings *s, int m, double v)
     return k;
 }
 
-/* The fastest of a list, by the key `velocity` of its groups. */
-static double fastest_of(const struct settings *s, const char *list)
-{
-    double fastest = 0.0, v[3];
-
-    for (int i = 0; i < settings_length(s, list); i++) {
-        settings_item_vector(s, list, i, "velocity", v);
-        fastest = fmax(fastest, vector_length(v));
-    }
-    return fastest;
-}
-
 double case_limits_initial_speed(const struct settings *s)
 {
-    return fmax(fastest_of(s, "particles.place"),
-                fastest_of(s, "particles.insert"));
+    const struct particles_setup *const p = &s->particles;
+    double fastest = 0.0;
+
+    for (int i = 0; i < p->place.n; i++)
+        fastest = fmax(fastest, vector_length(p->place.item[i].velocity));
+    for (int i = 0; i < p->insert.n; i++)
+        fastest = fmax(fastest, vector_length(p->insert.item[i].of.velocity));
+    return fastest;
 }
 
 struct case_limits case_limits_tightest(const struct settings *s, double v)
 {
     struct case_limits tightest = case_limits_of(s, 0, v);
 
-    for (int m = 1; m < case_limits_count(s); m++) {
+    for (int m = 1; m <= s->particles.materials.n; m++) {
         const struct case_limits k = case_limits_of(s, m, v);
         if (k.d > 0.0 && (tightest.d <= 0.0 || k.longest < tightest.longest))
             tightest = k;

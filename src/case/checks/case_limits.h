@@ -20,9 +20,6 @@ struct case_limits {
  * each other, and no impact has to be resolved. */
 int case_limits_no_contacts(const struct settings *s);
 
-/* How many materials the case lists, grains included. */
-int case_limits_count(const struct settings *s);
-
 /* Of material number m, for impacts at v [m/s]; d = 0 if no particle is of
  * it. */
 struct case_limits case_limits_of(const struct settings *s, int m, double v);

@@ -23,30 +23,22 @@ static const double per_cell[2][2] = {{300.0, 1800.0}, {1250.0, 2300.0}};
 /* So that sixteen numbers a particle are still numbered by an int. */
 static const double most_particles = 134217727.0;
 
-static double bed(const struct settings *s)
-{
-    return settings_has(s, "particles.bed")
-               ? settings_int(s, "particles.bed.count")
-               : 0.0;
-}
-
 /* The particles of sources; those of files are counted when the files are
  * read. */
 static double inserted(const struct settings *s)
 {
     double sum = 0.0;
 
-    for (int i = 0; i < settings_length(s, insert); i++)
-        if (settings_item_has(s, insert, i, "count"))
-            sum += settings_item_int(s, insert, i, "count");
+    for (int i = 0; i < s->particles.insert.n; i++)
+        sum += s->particles.insert.item[i].count;
     return sum;
 }
 
 static double of_particles(const struct settings *s)
 {
-    if (!settings_has(s, "particles")) return 0.0;
+    if (!s->has.particles) return 0.0;
     return per_particle *
-           (bed(s) + inserted(s) + settings_length(s, "particles.place"));
+           (s->particles.bed.count + inserted(s) + s->particles.place.n);
 }
 
 static double of_cells(const struct settings *s)
@@ -78,7 +70,8 @@ static const char *largest_key(const struct settings *s, double more)
         return "averaging.bandwidth";
     if (of_cells(s) > of_particles(s))
         return s->mesh.polymesh == NULL ? "mesh.cells" : "mesh.polymesh";
-    return bed(s) > inserted(s) ? "particles.bed.count" : insert;
+    return s->particles.bed.count > inserted(s) ? "particles.bed.count"
+                                                : insert;
 }
 
 /* A case that several machines hold (chapter "Past one machine"). */
@@ -94,11 +87,13 @@ int case_memory_check(const struct settings *s, double more)
 
     if (is_divided(s)) return 0;
     if (n > most_particles)
-        return settings_wrong(
-            s, bed(s) > inserted(s) ? "particles.bed.count" : insert,
-            "%.4g particles; no more than %.0f can be "
-            "numbered",
-            n, most_particles);
+        return settings_wrong(s,
+                              s->particles.bed.count > inserted(s)
+                                  ? "particles.bed.count"
+                                  : insert,
+                              "%.4g particles; no more than %.0f can be "
+                              "numbered",
+                              n, most_particles);
     if (need <= have) return 0;
     if (of_samples(s) > need - of_samples(s))
         return settings_wrong(s, "effects.mixing.sample",

@@ -23,7 +23,7 @@ static void add_inserted(const struct settings *s, struct case_scales *k)
 {
     k->particles += case_population_count(s);
     k->d_most = fmax(k->d_most, case_population_diameters(s, -1).max);
-    for (int m = 0; m < case_limits_count(s); m++) {
+    for (int m = 0; m <= s->particles.materials.n; m++) {
         const double d = case_population_diameters(s, m).min;
         if (d > 0.0) k->d = k->d > 0.0 ? fmin(k->d, d) : d;
     }
@@ -31,10 +31,8 @@ static void add_inserted(const struct settings *s, struct case_scales *k)
 
 static void particle_scales(const struct settings *s, struct case_scales *k)
 {
-    const char *const list = "particles.place";
-
-    k->density = settings_real(s, "particles.grains.density");
-    if (settings_has(s, "particles.bed")) {
+    k->density = s->particles.grains.density;
+    if (s->particles.has_bed) {
         struct bed_options b = particle_options_bed(s);
         const struct bed_range range = bed_range(&b);
         k->particles = b.count;
@@ -44,9 +42,9 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
         particle_options_release(&b);
         return;
     }
-    k->particles = settings_length(s, list);
+    k->particles = s->particles.place.n;
     for (int i = 0; i < k->particles; i++) {
-        const double d = settings_item_real(s, list, i, "diameter");
+        const double d = s->particles.place.item[i].diameter;
 
         k->d = i == 0 ? d : fmin(k->d, d);
         k->d_most = fmax(k->d_most, d);
@@ -98,8 +96,7 @@ static double fall_speed(const struct settings *s, double v, double d,
     const double G = vector_length(g);
     double dv = fmin(sqrt(v * v + 2.0 * gained) - v, G * s->output.end);
     if (s->has.fluid) {
-        const double ratio =
-            settings_real(s, "particles.grains.density") / s->fluid.rho;
+        const double ratio = s->particles.grains.density / s->fluid.rho;
         dv = fmin(dv, sqrt(4.0 / 3.0 * G * d * fabs(ratio - 1.0) / 0.44));
     }
     return v + dv;
@@ -108,28 +105,20 @@ static double fall_speed(const struct settings *s, double v, double d,
 /* [m/s] of the spheres that are placed, and of those that are inserted. */
 static double fastest_sphere(const struct settings *s, double d_most)
 {
-    static const char *const list[] = {"particles.place", "particles.insert"};
-    double fastest = 0.0, v[3], lo[3], hi[3];
+    double fastest = 0.0;
 
-    for (int i = 0; i < settings_length(s, list[0]); i++) {
-        settings_item_vector(s, list[0], i, "velocity", v);
-        settings_item_vector(s, list[0], i, "position", lo);
-        const double d = settings_item_real(s, list[0], i, "diameter");
-        fastest = fmax(fastest, fall_speed(s, vector_length(v), d, lo, lo));
-    }
-    for (int i = 0; i < settings_length(s, list[1]); i++) {
-        settings_item_vector(s, list[1], i, "velocity", v);
-        fastest = fmax(fastest, vector_length(v));
-        if (settings_item_has(s, list[1], i, "file") &&
-            !settings_item_has(s, list[1], i, "rate"))
-            continue; /* a bed */
-        case_mesh_ends(s, lo, hi);
-        if (settings_item_has(s, list[1], i, "from")) {
-            settings_item_vector(s, list[1], i, "from", lo);
-            settings_item_vector(s, list[1], i, "to", hi);
-        }
+    for (int i = 0; i < s->particles.place.n; i++) {
+        const struct place_setup *const p = &s->particles.place.item[i];
         fastest =
-            fmax(fastest, fall_speed(s, vector_length(v), d_most, lo, hi));
+            fmax(fastest, fall_speed(s, vector_length(p->velocity), p->diameter,
+                                     p->position, p->position));
+    }
+    for (int i = 0; i < s->particles.insert.n; i++) {
+        const struct insert_setup *const in = &s->particles.insert.item[i];
+        const double v = vector_length(in->of.velocity);
+        fastest = fmax(fastest, v);
+        if (in->file != NULL && in->of.rate == 0.0) continue; /* a bed */
+        fastest = fmax(fastest, fall_speed(s, v, d_most, in->of.lo, in->of.hi));
     }
     return fastest;
 }
@@ -169,7 +158,7 @@ struct case_scales case_scales_of(const struct settings *s)
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);
     if (s->has.fluid) k.inlet = largest_inlet(s, m);
-    if (settings_has(s, "particles")) {
+    if (s->has.particles) {
         particle_scales(s, &k);
         add_inserted(s, &k);
         k.dem_dt = k.dt / k.dem_steps;
@@ -201,10 +190,9 @@ int case_scales_check_memory(const struct settings *s,
 /* Without contacts a bed does not come to rest. */
 static int case_scales_check_no_contacts(const struct settings *s)
 {
-    if (!settings_has(s, "particles.bed") ||
-        settings_int(s, "particles.bed.count") == 0 ||
-        settings_real(s, "particles.bed.settle") == 0.0)
-        return 0;
+    const struct bed_options *const bed = &s->particles.bed;
+
+    if (bed->count == 0 || bed->settle == 0.0) return 0;
     return settings_wrong(s, "particles.list",
                           "\"none\": no bed comes to rest without contacts; "
                           "give particles.bed.settle = 0.0, or place the "
@@ -213,11 +201,11 @@ static int case_scales_check_no_contacts(const struct settings *s)
 
 int case_scales_check(const struct settings *s)
 {
-    if (!settings_has(s, "particles")) return 0;
+    if (!s->has.particles) return 0;
     const struct case_scales k = case_scales_of(s);
     if (case_scales_check_memory(s, &k) != 0) return 2;
     if (case_limits_no_contacts(s)) return case_scales_check_no_contacts(s);
-    if (settings_bool(s, "particles.unsafe_step")) return 0;
+    if (s->particles.unsafe_step) return 0;
     const struct case_limits m = case_limits_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
     if (0.5 * m.d < k.impact * m.longest * (1.0 + 1e-9))

@@ -6,8 +6,7 @@
 #include "case/case_materials.h"
 #include "case/nearest.h"
 
-static const char list[] = "particles.materials", pairs[] = "particles.pairs",
-                  wall[] = "particles.walls.material";
+static const char list[] = "particles.materials", pairs[] = "particles.pairs";
 
 int materials_check_name(const struct settings *s, const char *path,
                          const char *name)
@@ -17,8 +16,8 @@ int materials_check_name(const struct settings *s, const char *path,
     if (case_materials_number(s, name) >= 0) return 0;
     nearest_init(&n, name);
     nearest_offer(&n, "grains");
-    for (int k = 0; k < settings_length(s, list); k++)
-        nearest_offer(&n, settings_item_text(s, list, k, "name"));
+    for (int k = 0; k < s->particles.materials.n; k++)
+        nearest_offer(&n, s->particles.materials.item[k].name);
     if (nearest_best(&n) == NULL)
         return settings_wrong(s, path,
                               "no material %s: there are %s and the names in "
@@ -30,7 +29,7 @@ int materials_check_name(const struct settings *s, const char *path,
 
 int materials_check_rolling(const struct settings *s)
 {
-    if (!settings_has(s, "particles")) return 0;
+    if (!s->has.particles) return 0;
     const struct material zero = case_materials_one(s, 0);
     struct materials *const all = case_materials_create(s);
     const int rolls = materials_have_rolling(&zero, all);
@@ -41,7 +40,7 @@ int materials_check_rolling(const struct settings *s)
 /* Names are used once. */
 static int materials_check_one(const struct settings *s, int k)
 {
-    const char *const name = settings_item_text(s, list, k, "name");
+    const char *const name = s->particles.materials.item[k].name;
 
     if (case_materials_number(s, name) != k + 1)
         return settings_wrong(s, list, "the name %s is given twice", name);
@@ -50,19 +49,17 @@ static int materials_check_one(const struct settings *s, int k)
 
 static int check_pair(const struct settings *s, int k)
 {
-    static const char *const ends[] = {"between", "and"};
+    const struct pair_setup *const p = &s->particles.pairs.item[k];
 
-    for (int i = 0; i < 2; i++) {
-        const char *const name = settings_item_text(s, pairs, k, ends[i]);
-        if (materials_check_name(s, pairs, name) != 0) return 2;
-    }
+    if (materials_check_name(s, pairs, p->between) != 0 ||
+        materials_check_name(s, pairs, p->and) != 0)
+        return 2;
     for (int i = 0; i < k; i++) {
         const struct materials_measured a = case_materials_pair(s, i),
                                         b = case_materials_pair(s, k);
         if ((a.a == b.a && a.b == b.b) || (a.a == b.b && a.b == b.a))
             return settings_wrong(s, pairs, "%s and %s are given twice",
-                                  settings_item_text(s, pairs, k, "between"),
-                                  settings_item_text(s, pairs, k, "and"));
+                                  p->between, p->and);
     }
     return 0;
 }
@@ -71,13 +68,11 @@ static int check_pair(const struct settings *s, int k)
 static int materials_check_place(const struct settings *s, int i)
 {
     static const char place[] = "particles.place";
-    const char *name;
+    const char *const name = s->particles.place.item[i].material;
 
-    if (!settings_item_has(s, place, i, "material")) return 0;
-    name = settings_item_text(s, place, i, "material");
     if (materials_check_name(s, place, name) != 0) return 2;
-    if (case_materials_density(s, case_materials_number(s, name)) > 0.0)
-        return 0;
+    const int number = case_materials_number(s, name);
+    if (case_materials_setup(s, number)->density > 0.0) return 0;
     return settings_wrong(s, place,
                           "sphere %d is of %s, whose density [kg/m^3] is not "
                           "given",
@@ -88,13 +83,13 @@ int materials_check(const struct settings *s)
 {
     int code = 0;
 
-    for (int k = 0; k < settings_length(s, list) && code == 0; k++)
+    for (int k = 0; k < s->particles.materials.n && code == 0; k++)
         code = materials_check_one(s, k);
-    for (int k = 0; k < settings_length(s, pairs) && code == 0; k++)
+    for (int k = 0; k < s->particles.pairs.n && code == 0; k++)
         code = check_pair(s, k);
-    for (int i = 0; i < settings_length(s, "particles.place") && code == 0; i++)
+    for (int i = 0; i < s->particles.place.n && code == 0; i++)
         code = materials_check_place(s, i);
-    if (code == 0 && settings_has(s, wall))
-        code = materials_check_name(s, wall, settings_text(s, wall));
-    return code;
+    return code != 0 ? code
+                     : materials_check_name(s, "particles.walls.material",
+                                            s->particles.walls);
 }

@@ -166,9 +166,9 @@ static int check_fluid(const struct settings *s)
 /* One diameter for all, or the name of a distribution. */
 static int check_bed_sizes(const struct settings *s)
 {
-    const int one = settings_has(s, "particles.bed.diameter");
+    const int one = s->particles.bed.diameter > 0.0;
 
-    if (one == settings_has(s, "particles.bed.sizes"))
+    if (one == (s->particles.bed_sizes != NULL))
         return settings_wrong(s, "particles.bed",
                               "give either diameter or "
                               "sizes%s",
@@ -211,15 +211,14 @@ static int check_bed(const struct settings *s)
 
 static int validate_check_place(const struct settings *s)
 {
-    double lo[3], hi[3], x[3];
+    double lo[3], hi[3];
     int periodic[3];
 
     case_mesh_ends(s, lo, hi);
     case_mesh_periodic(s, periodic);
-    for (int i = 0; i < settings_length(s, "particles.place"); i++) {
-        const double d =
-            settings_item_real(s, "particles.place", i, "diameter");
-        settings_item_vector(s, "particles.place", i, "position", x);
+    for (int i = 0; i < s->particles.place.n; i++) {
+        const double d = s->particles.place.item[i].diameter;
+        const double *const x = s->particles.place.item[i].position;
         for (int k = 0; k < 3; k++) {
             /* the period of a box that is oblique leads back into it */
             if (periodic[k] && settings_mesh(s) != NULL) continue;
@@ -246,13 +245,11 @@ static int validate_check_place(const struct settings *s)
 /* The drag is solved exactly within kick and drift; Heun has neither. */
 static int check_integrator(const struct settings *s)
 {
-    const char *const name = settings_text(s, "particles.integrator");
-
-    if (!s->has.exchange || !integrator_named(name)->predicts) return 0;
+    if (!s->has.exchange || !s->particles.integrator->predicts) return 0;
     return settings_wrong(s, "particles.integrator",
                           "%s is for cases without exchange; with it there are "
                           "velocity-verlet and symplectic-euler",
-                          name);
+                          s->particles.integrator->name);
 }
 
 /* A method that finds the pairs may not know all that a case asks for. */
@@ -266,10 +263,9 @@ static int validate_check_list(const struct settings *s)
                           unknown, dem_methods[0]->name);
 }
 
-static int validate_check_particles(const struct settings *s)
+static int validate_check_particles(struct settings *s)
 {
-    const int bed = settings_has(s, "particles.bed");
-    const int place = settings_has(s, "particles.place");
+    const int bed = s->particles.has_bed, place = s->particles.has_place;
     int code = check_integrator(s);
 
     if (code == 0) code = materials_check(s);
@@ -278,7 +274,7 @@ static int validate_check_particles(const struct settings *s)
     if (code == 0) code = case_population_check(s);
     if (code == 0) code = validate_check_list(s);
     if (code != 0) return code;
-    if (bed == place && (bed || !settings_has(s, "particles.insert")))
+    if (bed == place && (bed || !s->particles.has_insert))
         return settings_wrong(s, "particles", "give either bed or place%s",
                               bed ? ", not both" : ", or insert");
     code = bed ? check_bed(s) : validate_check_place(s);
@@ -301,19 +297,18 @@ static int check_output(const struct settings *s)
     return code != 0 ? code : check_time_average(s);
 }
 
-int validate_case(const struct settings *s)
+int validate_case(struct settings *s)
 {
     int code = 0;
 
-    if (!s->has.fluid && !settings_has(s, "particles"))
+    if (!s->has.fluid && !s->has.particles)
         return settings_wrong(s, "mesh",
                               "there is neither fluid nor particles: nothing "
                               "to compute");
     code = case_steps_check(s);
     if (code == 0 && s->has.fluid) code = check_fluid(s);
     if (code == 0) code = model_choice_check(s);
-    if (code == 0 && settings_has(s, "particles"))
-        code = validate_check_particles(s);
+    if (code == 0 && s->has.particles) code = validate_check_particles(s);
     if (code == 0 && s->has.averaging) code = case_averaging_check(s);
     if (code == 0) code = case_engine_check(s);
     if (code == 0) code = case_bodies_check_start(s);

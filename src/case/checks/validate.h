@@ -11,6 +11,6 @@
 #include "case/settings.h"
 
 /* 0, or 2 after one message. */
-int validate_case(const struct settings *s);
+int validate_case(struct settings *s);
 
 #endif

@@ -14,19 +14,14 @@
 #include "case/checks/case_scales.h"
 #include "case/table_numbers.h"
 
-static int count_materials(const struct settings *s)
-{
-    return 1 + settings_length(s, "particles.materials");
-}
-
 /* charge: room for one of each material. */
 static struct attraction_scene scene_of(const struct settings *s,
                                         double *charge)
 {
     struct attraction_scene scene = {.charge = charge};
 
-    for (int k = 0; k < count_materials(s); k++) {
-        charge[k] = case_materials_one(s, k).charge;
+    for (int k = 0; k <= s->particles.materials.n; k++) {
+        charge[k] = case_materials_setup(s, k)->of.charge;
         scene.charged |= charge[k] != 0.0;
     }
     if (s->has.fluid) scene.viscosity = s->fluid.mu;
@@ -47,9 +42,9 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     for (int k = 0; effects[k] != NULL; k++)
         *n += is_attraction(s, effects[k]);
     if (*n == 0) return NULL;
-    struct attraction *const all =
-        alloc_zeroed(1, (size_t)*n * sizeof *all +
-                            (size_t)count_materials(s) * sizeof(double));
+    struct attraction *const all = alloc_zeroed(
+        1, (size_t)*n * sizeof *all +
+               (size_t)(1 + s->particles.materials.n) * sizeof(double));
     const struct attraction_scene scene = scene_of(s, (double *)(all + *n));
     for (int k = 0, i = 0; effects[k] != NULL; k++) {
         if (!is_attraction(s, effects[k])) continue;
@@ -61,7 +56,7 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
 
 int case_cohesion_check(const struct settings *s)
 {
-    double *const charge = alloc_doubles(count_materials(s));
+    double *const charge = alloc_doubles((1 + s->particles.materials.n));
     const struct attraction_scene scene = scene_of(s, charge);
     double numbers[EFFECT_NUMBERS];
     int code = 0;
@@ -105,7 +100,7 @@ int case_cohesion_check_pairs(const struct settings *s)
     static const double packed = 0.64;
     const struct case_scales k = case_scales_of(s);
     char key[64] = "particles.skin";
-    const double skin = settings_real_or(s, key, 0.0);
+    const double skin = s->particles.skin;
     double range = 0.0;
     int n;
     struct attraction *const all = case_cohesion_create(s, &n);

@@ -137,8 +137,7 @@ static int check_absent(const struct settings *s)
     for (int i = 0; absent[i] != NULL; i++)
         if (settings_has(s, absent[i]))
             return refusal_refuse(s, absent[i], "not divided yet");
-    if (settings_has(s, "particles") &&
-        strcmp(settings_text(s, "particles.list"), "none") == 0)
+    if (s->has.particles && s->particles.list->no_contacts)
         return refusal_refuse(s, "particles.list", "LAMMPS looks for contacts");
     if (s->has.fluid && s->fluid.outer_correctors)
         return refusal_refuse(s, "fluid.outer_correctors", "not divided yet");
@@ -176,9 +175,9 @@ static int check_grading(const struct settings *s)
 int refusal_export(const struct settings *s)
 {
     static const char grains[] = "particles.grains.restitution";
-    const int n = settings_length(s, "particles.materials") + 1;
+    const int n = s->particles.materials.n + 1;
 
-    if (!settings_has(s, "particles"))
+    if (!s->has.particles)
         return settings_wrong(s, "particles", "there are none to move");
     if (n > WORDS_MATERIALS)
         return settings_wrong(s, "particles.materials", "%d at most",

@@ -16,8 +16,7 @@
 
 int words_has_law(const struct settings *s)
 {
-    const struct contact_law *const law =
-        contact_law_named(settings_text(s, "particles.contact"));
+    const struct contact_law *const law = s->particles.contact;
     return law == &contact_hertz || law == &contact_linear;
 }
 

@@ -14,7 +14,7 @@ static const char list[] = "output.forces";
 static int is_surface(const struct settings *s, const char *name)
 {
     static const char surfaces[] = "particles.surfaces";
-    if (!settings_has(s, "particles")) return 0;
+    if (!s->has.particles) return 0;
     int is = case_walls_count(s) > 0 && strcmp(name, case_walls_name) == 0;
 
     for (int k = 0; k < settings_length(s, surfaces); k++)

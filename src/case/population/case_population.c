@@ -19,63 +19,21 @@
 #include "case/population/case_sizes.h"
 #include "case/particle_options.h"
 
-static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
-                  bed_key[] = "particles.bed.sizes";
+static const char sources[] = "particles.insert", sinks[] = "particles.sinks";
 
 /* The largest share of a region that random positions can fill in a short time.
  */
 static const double densest = 0.3;
 
-static int case_population_has(const struct settings *s, int i, const char *key)
-{
-    return settings_item_has(s, sources, i, key);
-}
-
 /* A region that is not given is the whole box. */
-static void region(const struct settings *s, const char *list, int i,
+static void region(const struct settings *s, int has_from, int has_to,
                    double lo[3], double hi[3])
 {
-    case_mesh_ends(s, lo, hi);
-    if (settings_item_has(s, list, i, "from"))
-        settings_item_vector(s, list, i, "from", lo);
-    if (settings_item_has(s, list, i, "to"))
-        settings_item_vector(s, list, i, "to", hi);
-}
+    double end[2][3];
 
-static int case_population_material_of(const struct settings *s, int i)
-{
-    return case_population_has(s, i, "material")
-               ? case_materials_number(
-                     s, settings_item_text(s, sources, i, "material"))
-               : 0;
-}
-
-/* Without a file; sizes and list come after. */
-static struct insertion_options
-case_population_options(const struct settings *s, int i)
-{
-    struct insertion_options o = {
-        .diameter = settings_item_real_or(s, sources, i, "diameter", 0.0),
-        .material = case_population_material_of(s, i),
-        .count = case_population_has(s, i, "count")
-                     ? settings_item_int(s, sources, i, "count")
-                     : 0,
-        .rate = settings_item_real_or(s, sources, i, "rate", 0.0),
-        .start = settings_item_real(s, sources, i, "start"),
-        .seed = (unsigned long)settings_item_int(s, sources, i, "seed")};
-
-    region(s, sources, i, o.lo, o.hi);
-    settings_item_vector(s, sources, i, "velocity", o.velocity);
-    o.density = case_materials_density(s, o.material);
-    return o;
-}
-
-static struct sizes *sizes_of(const struct settings *s, int i)
-{
-    return case_population_has(s, i, "sizes")
-               ? case_sizes_create(s,
-                                   settings_item_text(s, sources, i, "sizes"))
-               : NULL;
+    case_mesh_ends(s, end[0], end[1]);
+    if (!has_from) memcpy(lo, end[0], sizeof end[0]);
+    if (!has_to) memcpy(hi, end[1], sizeof end[1]);
 }
 
 static struct box_domain box_of(const struct settings *s)
@@ -88,63 +46,64 @@ static struct box_domain box_of(const struct settings *s)
     return box_domain_of(lo, hi, periodic);
 }
 
-/* One source whole; non-zero after a message if its file is wrong. */
-static int create_source(const struct settings *s, int i, struct insertion *in)
+/* Non-zero after a message if the file is wrong. */
+static int read_list(const struct settings *s, struct insert_setup *in)
 {
-    *in = (struct insertion){.options = case_population_options(s, i),
-                             .own_sizes = sizes_of(s, i)};
-    in->options.sizes = in->own_sizes;
-    char path[SETTINGS_PATH];
-    double offset[3];
-
-    if (!case_population_has(s, i, "file")) return 0;
-    settings_beside(s, settings_item_text(s, sources, i, "file"), path,
-                    sizeof path);
-    in->own_list = grain_table_read(path, &in->options.count);
-    in->options.list = in->own_list;
-    if (in->options.rate == 0.0)
-        in->options.overlap = particle_options_wall_overlap(s);
     const struct box_domain box = box_of(s);
-    settings_item_vector(s, sources, i, "offset", offset);
-    if (in->own_list != NULL)
-        insertion_move(in->own_list, in->options.count, offset, &box);
-    return in->own_list == NULL;
+    char path[SETTINGS_PATH];
+
+    settings_beside(s, in->file, path, sizeof path);
+    in->list = grain_table_read(path, &in->of.count);
+    if (in->list == NULL) return 1;
+    in->of.list = in->list;
+    if (in->of.rate == 0.0) in->of.overlap = particle_options_wall_overlap(s);
+    insertion_move(in->list, in->of.count, in->offset, &box);
+    return 0;
 }
 
-static void free_source(struct insertion *in)
+/* What the other members say, in the options. */
+static int complete_source(const struct settings *s, struct insert_setup *in)
 {
-    sizes_free(in->own_sizes);
-    free(in->own_list);
+    region(s, in->has_from, in->has_to, in->of.lo, in->of.hi);
+    in->of.count = in->count;
+    in->of.material = case_materials_number(s, in->material);
+    in->of.density = case_materials_setup(s, in->of.material)->density;
+    if (in->sizes != NULL)
+        in->of.sizes = in->distribution = case_sizes_create(s, in->sizes);
+    return in->file != NULL ? read_list(s, in) : 0;
+}
+
+void case_population_release(struct settings *s)
+{
+    for (int i = 0; i < s->particles.insert.n; i++) {
+        sizes_free(s->particles.insert.item[i].distribution);
+        free(s->particles.insert.item[i].list);
+    }
 }
 
 /* --- checks -------------------------------------------------------------- */
 
-static int case_population_check_names(const struct settings *s, int i)
+static int case_population_check_names(const struct settings *s,
+                                       const struct insert_setup *in)
 {
-    if (case_population_has(s, i, "sizes") &&
-        case_sizes_check_name(s, sources,
-                              settings_item_text(s, sources, i, "sizes")) != 0)
+    if (in->sizes != NULL && case_sizes_check_name(s, sources, in->sizes) != 0)
         return 2;
-    if (case_population_has(s, i, "material"))
-        return materials_check_name(
-            s, sources, settings_item_text(s, sources, i, "material"));
-    return 0;
+    return materials_check_name(s, sources, in->material);
 }
 
-static int case_population_check_given(const struct settings *s, int i)
+static int case_population_check_given(const struct settings *s, int i,
+                                       const struct insert_setup *in)
 {
-    const int file = case_population_has(s, i, "file");
-    const int sized = case_population_has(s, i, "diameter") +
-                      case_population_has(s, i, "sizes");
+    const int sized = (in->of.diameter > 0.0) + (in->sizes != NULL);
 
-    if (file && (sized > 0 || case_population_has(s, i, "count")))
+    if (in->file != NULL && (sized > 0 || in->count > 0))
         return settings_wrong(s, sources,
                               "source %d: a file says how many there are and "
                               "how large; leave out count, diameter and sizes",
                               i);
-    if (!file && !case_population_has(s, i, "count"))
+    if (in->file == NULL && in->count == 0)
         return settings_wrong(s, sources, "source %d needs count or file", i);
-    if (!file && sized != 1)
+    if (in->file == NULL && sized != 1)
         return settings_wrong(s, sources,
                               "source %d: give either diameter or sizes%s", i,
                               sized > 1 ? ", not both" : "");
@@ -232,27 +191,21 @@ static int check_region(const struct settings *s, int i,
         i, o->count, 100.0 * c.volume / volume, 100.0 * densest);
 }
 
-static int check_source(const struct settings *s, int i)
+static int check_source(const struct settings *s, int i,
+                        struct insert_setup *in)
 {
-    struct insertion in;
-    int code = case_population_check_names(s, i);
+    int code = case_population_check_names(s, in);
 
-    if (code == 0) code = case_population_check_given(s, i);
+    if (code == 0) code = case_population_check_given(s, i, in);
     if (code != 0) return code;
-    code = create_source(s, i, &in) != 0 ? 2 : check_region(s, i, &in.options);
-    free_source(&in);
-    return code;
+    return complete_source(s, in) != 0 ? 2 : check_region(s, i, &in->of);
 }
 
 static int check_sink(const struct settings *s, int i)
 {
-    const int side =
-        settings_item_has(s, sinks, i, "side") &&
-        strcmp(settings_item_text(s, sinks, i, "side"), "none") != 0;
-    const int box = settings_item_has(s, sinks, i, "from") +
-                    settings_item_has(s, sinks, i, "to");
+    const struct sink_setup *const k = &s->particles.sinks.item[i];
 
-    if (box > 0 ? !side : side) return 0;
+    if ((k->has_from || k->has_to) == (strcmp(k->side, "none") == 0)) return 0;
     return settings_wrong(s, sinks, "sink %d: give either side, or from and to",
                           i);
 }
@@ -261,14 +214,11 @@ static int check_sink(const struct settings *s, int i)
 
 int case_population_count(const struct settings *s)
 {
-    long sum = 0;
+    double sum = 0.0;
 
-    for (int i = 0; i < settings_length(s, sources); i++) {
-        struct insertion in;
-        if (create_source(s, i, &in) == 0) sum += in.options.count;
-        free_source(&in);
-    }
-    return number_clamped((double)sum, 0, INT_MAX);
+    for (int i = 0; i < s->particles.insert.n; i++)
+        sum += (double)s->particles.insert.item[i].of.count;
+    return number_clamped(sum, 0, INT_MAX);
 }
 
 struct case_diameters case_population_diameters(const struct settings *s,
@@ -276,16 +226,13 @@ struct case_diameters case_population_diameters(const struct settings *s,
 {
     struct case_diameters all = {0.0, 0.0};
 
-    for (int i = 0; i < settings_length(s, sources); i++) {
-        struct insertion in;
-        if (material >= 0 && case_population_material_of(s, i) != material)
-            continue;
-        if (create_source(s, i, &in) == 0) {
-            const struct source_sizes c = sizes_of_source(&in.options);
-            all.min = all.min > 0.0 ? fmin(all.min, c.min) : c.min;
-            all.max = fmax(all.max, c.max);
-        }
-        free_source(&in);
+    for (int i = 0; i < s->particles.insert.n; i++) {
+        const struct insertion_options *const o =
+            &s->particles.insert.item[i].of;
+        if (material >= 0 && o->material != material) continue;
+        const struct source_sizes c = sizes_of_source(o);
+        all.min = all.min > 0.0 ? fmin(all.min, c.min) : c.min;
+        all.max = fmax(all.max, c.max);
     }
     return all;
 }
@@ -306,31 +253,32 @@ static int check_period(const struct settings *s)
 /* The distributions, and the name that a bed gives. */
 static int check_sizes(const struct settings *s)
 {
+    const char *const name = s->particles.bed_sizes;
     const int code = case_sizes_check(s);
 
-    if (code != 0 || !settings_has(s, bed_key) ||
-        settings_has(s, "particles.bed.diameter")) /* said of both later */
+    if (code != 0 || name == NULL ||
+        s->particles.bed.diameter > 0.0) /* said of both later */
         return code;
-    return case_sizes_check_name(s, bed_key, settings_text(s, bed_key));
+    return case_sizes_check_name(s, "particles.bed.sizes", name);
 }
 
-int case_population_check(const struct settings *s)
+int case_population_check(struct settings *s)
 {
     int code = check_sizes(s);
 
     if (code == 0) code = case_sizes_check_file(s);
 
-    for (int i = 0; i < settings_length(s, sources) && code == 0; i++)
-        code = check_source(s, i);
-    for (int i = 0; i < settings_length(s, sinks) && code == 0; i++)
+    for (int i = 0; i < s->particles.insert.n && code == 0; i++)
+        code = check_source(s, i, &s->particles.insert.item[i]);
+    for (int i = 0; i < s->particles.sinks.n && code == 0; i++)
         code = check_sink(s, i);
     return code != 0 ? code : check_period(s);
 }
 
 void case_population_bed_sizes(const struct settings *s, struct bed_options *b)
 {
-    if (!settings_has(s, bed_key)) return;
-    b->sizes = case_sizes_create(s, settings_text(s, bed_key));
+    if (s->particles.bed_sizes == NULL) return;
+    b->sizes = case_sizes_create(s, s->particles.bed_sizes);
     b->quantile = sizes_quantile;
     b->free_sizes = sizes_free;
     b->diameter = sizes_moment(b->sizes, 1);
@@ -339,7 +287,7 @@ void case_population_bed_sizes(const struct settings *s, struct bed_options *b)
 int case_population_place(const struct settings *s, struct particles *ps,
                           const struct dem_options *o)
 {
-    const char *const what = settings_text(s, "particles.overlaps");
+    const char *const what = s->particles.overlaps;
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const struct overlap deep = overlaps_deepest(ps, &box);
 
@@ -357,33 +305,31 @@ int case_population_place(const struct settings *s, struct particles *ps,
                           "them apart");
 }
 
-static struct population_sink sink_of(const struct settings *s, int i)
+static struct population_sink sink_of(const struct settings *s,
+                                      const struct sink_setup *sink)
 {
-    struct population_sink k = {.side = -1};
+    struct population_sink k = sink->of;
 
-    region(s, sinks, i, k.lo, k.hi);
+    region(s, sink->has_from, sink->has_to, k.lo, k.hi);
+    k.side = -1;
     for (int a = 0; a < 6; a++)
-        if (settings_item_has(s, sinks, i, "side") &&
-            strcmp(settings_item_text(s, sinks, i, "side"), mesh_sides[a]) == 0)
-            k.side = a;
+        if (strcmp(sink->side, mesh_sides[a]) == 0) k.side = a;
     return k;
 }
 
-int case_population_add(const struct settings *s, struct simulation *sim)
+void case_population_add(const struct settings *s, struct simulation *sim)
 {
-    const int n = settings_length(s, sources), m = settings_length(s, sinks);
-    int code = 0;
+    const int n = s->particles.insert.n, m = s->particles.sinks.n;
 
-    if (n + m == 0) return 0;
+    if (n + m == 0) return;
     const struct box_domain box = box_of(s);
     struct population *const l = sim->population =
         population_create(&box, n, m);
     sim->insert_remove = &replacement_functions;
-    for (int i = 0; i < n && code == 0; i++) {
-        code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
+    for (int i = 0; i < n; i++) {
+        l->sources[i].options = s->particles.insert.item[i].of;
         l->sources[i].options.region = sim->region;
     }
     for (int i = 0; i < m; i++)
-        l->sinks[i] = sink_of(s, i);
-    return code;
+        l->sinks[i] = sink_of(s, &s->particles.sinks.item[i]);
 }

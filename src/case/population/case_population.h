@@ -5,15 +5,14 @@
 #ifndef CASE_POPULATION_CASE_POPULATION_H
 #define CASE_POPULATION_CASE_POPULATION_H
 
-#include "base/key.h"
 #include "case/settings.h"
 #include "coupling/simulation.h"
 #include "dem/bed.h"
 
-extern const struct key case_population_keys[];
-
-/* 0, or 2 after a message. */
-int case_population_check(const struct settings *s);
+/* Reads the files of the sources, and completes their options. 0, or 2 after a
+ * message. */
+int case_population_check(struct settings *s);
+void case_population_release(struct settings *s);
 
 /* The sizes of the bed, where they are not all equal. */
 void case_population_bed_sizes(const struct settings *s, struct bed_options *b);
@@ -34,7 +33,8 @@ struct case_diameters case_population_diameters(const struct settings *s,
 int case_population_place(const struct settings *s, struct particles *ps,
                           const struct dem_options *o);
 
-/* Adds sources and sinks to the particles that there are. */
-int case_population_add(const struct settings *s, struct simulation *sim);
+/* Adds sources and sinks to the particles that there are; the simulation
+ * borrows their distributions and lists. */
+void case_population_add(const struct settings *s, struct simulation *sim);
 
 #endif

@@ -11,28 +11,18 @@
 
 static const char list[] = "particles.sizes";
 
-static double given(const struct settings *s, int i, const char *key)
-{
-    return settings_item_real_or(s, list, i, key, 0.0);
-}
-
 /* The points are to be released with free(). */
 static struct sizes_options case_sizes_options(const struct settings *s, int i)
 {
-    struct sizes_options o = {
-        .law = sizes_law_named(settings_item_text(s, list, i, "distribution")),
-        .mean = given(s, i, "mean"),
-        .deviation = given(s, i, "deviation"),
-        .median = given(s, i, "median"),
-        .ratio = given(s, i, "ratio"),
-        .min = given(s, i, "min"),
-        .max = given(s, i, "max"),
-        .by_mass = strcmp(settings_item_text(s, list, i, "by"), "mass") == 0};
-
+    const struct sizes_setup *const one = &s->particles.sizes.item[i];
+    struct sizes_options o = one->of;
     int n = 0;
+
+    o.by_mass = strcmp(one->by, "mass") == 0;
     for (const struct key *k = o.law->own_keys; k != NULL && k->path != NULL;
          k++)
-        o.own[n++] = given(s, i, strrchr(k->path, '.') + 1);
+        o.own[n++] =
+            settings_item_real_or(s, list, i, strrchr(k->path, '.') + 1, 0.0);
     if (!settings_item_has(s, list, i, "points")) return o;
     o.n = settings_item_points(s, list, i, "points");
     double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);
@@ -43,10 +33,20 @@ static struct sizes_options case_sizes_options(const struct settings *s, int i)
     return o;
 }
 
+static int sizes_named(const struct settings *s, const char *name)
+{
+    int i = 0;
+
+    while (i < s->particles.sizes.n &&
+           strcmp(s->particles.sizes.item[i].name, name) != 0)
+        i++;
+    return i;
+}
+
 int case_sizes_check(const struct settings *s)
 {
-    for (int i = 0; i < settings_length(s, list); i++) {
-        const char *const name = settings_item_text(s, list, i, "name");
+    for (int i = 0; i < s->particles.sizes.n; i++) {
+        const char *const name = s->particles.sizes.item[i].name;
         const struct sizes_options o = case_sizes_options(s, i);
         const char *const wrong = sizes_wrong(&o);
 
@@ -54,7 +54,7 @@ int case_sizes_check(const struct settings *s)
         if (wrong != NULL)
             return settings_wrong(s, list, "%s, which is %s: %s", name,
                                   o.law->name, wrong);
-        if (settings_item_named(s, list, name) != i)
+        if (sizes_named(s, name) != i)
             return settings_wrong(s, list, "two are called %s", name);
     }
     return 0;
@@ -65,10 +65,10 @@ int case_sizes_check_name(const struct settings *s, const char *key,
 {
     struct nearest n;
 
-    if (settings_item_named(s, list, name) >= 0) return 0;
+    if (sizes_named(s, name) < s->particles.sizes.n) return 0;
     nearest_init(&n, name);
-    for (int i = 0; i < settings_length(s, list); i++)
-        nearest_offer(&n, settings_item_text(s, list, i, "name"));
+    for (int i = 0; i < s->particles.sizes.n; i++)
+        nearest_offer(&n, s->particles.sizes.item[i].name);
     const char *const best = nearest_best(&n);
     return settings_wrong(s, key, "no distribution in %s is called %s%s%s",
                           list, name, best != NULL ? "; did you mean " : "",
@@ -77,8 +77,7 @@ int case_sizes_check_name(const struct settings *s, const char *key,
 
 struct sizes *case_sizes_create(const struct settings *s, const char *name)
 {
-    const struct sizes_options o =
-        case_sizes_options(s, settings_item_named(s, list, name));
+    const struct sizes_options o = case_sizes_options(s, sizes_named(s, name));
     struct sizes *const made = sizes_create(&o);
 
     free((void *)o.point);
@@ -90,15 +89,14 @@ MODELS_KIND(case_sizes_kind, sizes_laws, "sizes", "distributions of diameters",
 
 int case_sizes_check_file(const struct settings *s)
 {
-    static const char key[] = "particles.bed.file";
-    const char *const name = settings_has(s, key) ? settings_text(s, key) : "";
+    const char *const name = s->particles.bed_file;
     char path[SETTINGS_PATH];
 
-    settings_beside(s, name, path, sizeof path);
-    if ((name[0] != '/' && strstr(name, "..") == NULL) ||
-        access(path, F_OK) == 0)
+    if (name == NULL || (name[0] != '/' && strstr(name, "..") == NULL))
         return 0;
-    return settings_wrong(s, key,
+    settings_beside(s, name, path, sizeof path);
+    if (access(path, F_OK) == 0) return 0;
+    return settings_wrong(s, "particles.bed.file",
                           "%s is not there, and a bed is written beside the "
                           "case or in a folder there alone: expected a name "
                           "that neither begins with / nor has .. in it",

@@ -26,9 +26,9 @@ static double case_drag_relaxation_time(const struct settings *s,
 {
     const struct drag_law law = build_drag_law(s);
 
-    return drag_relaxation_time(
-        &law, settings_real(s, "particles.grains.density"), eps_s, s->fluid.rho,
-        s->fluid.mu, d, k->inlet / (1.0 - eps_s));
+    return drag_relaxation_time(&law, s->particles.grains.density, eps_s,
+                                s->fluid.rho, s->fluid.mu, d,
+                                k->inlet / (1.0 - eps_s));
 }
 
 /* The diameter [m] of a sphere of the mean volume of the bed: all sizes of a
@@ -72,9 +72,8 @@ static void print_fluidization(const struct settings *s,
     char remark[96];
 
     const double u = fluidization_velocity(
-        eps_mf, s->fluid.rho, settings_real(s, "particles.grains.density"),
-        s->fluid.mu, case_drag_mean_diameter(s),
-        vector_length(s->effects.gravity));
+        eps_mf, s->fluid.rho, s->particles.grains.density, s->fluid.mu,
+        case_drag_mean_diameter(s), vector_length(s->effects.gravity));
     if (u <= 0.0) return;
     snprintf(remark, sizeof remark,
              "minimum fluidization, Ergun at eps_s = %g; the inlet has %.3g "
@@ -109,7 +108,7 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
 {
     const struct added_mass added = case_drag_added_mass(s, k->dt);
     const int implicit = s->exchange.treatment == TREATMENT_SEMI_IMPLICIT;
-    const double rho_s = settings_real(s, "particles.grains.density");
+    const double rho_s = s->particles.grains.density;
     const double rho_f = s->fluid.rho;
     const double longest = stability_longest_step(
         1.0 - k->eps_s,
@@ -131,7 +130,7 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
     /* Spheres of many sizes settle at up to three quarters. */
     check_line("largest stable solid fraction", densest, "-",
                densest < 0.75 && k->eps_s < densest &&
-                       settings_has(s, "particles.bed.sizes")
+                       s->particles.bed_sizes != NULL
                    ? "eps_s; NOT STABLE where many sizes are denser"
                : added.C > 0.0 ? "eps_s, with the added mass"
                                : "eps_s, without an added mass");
@@ -149,8 +148,7 @@ void case_drag_print(const struct settings *s, const struct drag_scales *k)
     check_line(
         "sub-steps", asked > 0 ? asked : coupling_needed_substeps(k->dt / bed),
         "-", asked > 0 ? "as the case asks" : "drag updates in a step, about");
-    const int is_bed = settings_has(s, "particles.bed") &&
-                       settings_int(s, "particles.bed.count") > 0;
+    const int is_bed = s->particles.bed.count > 0;
     print_range(s, k, is_bed ? 1.0 - k->eps_s : 1.0);
     if (!is_bed) return;
     print_fluidization(s, k);

@@ -27,8 +27,7 @@ struct placed {
 static struct placed placed_of(const struct settings *s,
                                const struct case_scales *in)
 {
-    static const char *const list = "particles.place";
-    const int n = settings_length(s, list);
+    const int n = s->particles.place.n;
     struct placed p = {0.0, 0.0, 0.0};
 
     if (n == 0) /* all of them are inserted */
@@ -36,12 +35,10 @@ static struct placed placed_of(const struct settings *s,
                                .speed = case_limits_initial_speed(s)};
 
     for (int i = 0; i < n; i++) {
-        double v[3];
-        p.d += settings_item_real(s, list, i, "diameter") / n;
-        settings_item_vector(s, list, i, "velocity", v);
-        p.speed += vector_length(v) / n;
-        settings_item_vector(s, list, i, "spin", v);
-        p.spin += vector_length(v) / n;
+        const struct place_setup *const one = &s->particles.place.item[i];
+        p.d += one->diameter / n;
+        p.speed += vector_length(one->velocity) / n;
+        p.spin += vector_length(one->spin) / n;
     }
     return p;
 }
@@ -191,7 +188,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
 {
     const struct placed p = placed_of(s, in);
     struct effect_scales k = {
-        .rho_s = settings_real(s, "particles.grains.density"),
+        .rho_s = s->particles.grains.density,
         .d = in->volume > 0.0 ? cbrt(6.0 / M_PI * in->volume / in->particles)
                               : p.d,
         .gravity = vector_length(s->effects.gravity)};

@@ -147,10 +147,10 @@ static void print_contacts(const struct settings *s,
         return;
     }
     check_line("impact speed", k->impact, "m/s", "assumed for what follows");
-    for (int m = 0; m < case_limits_count(s); m++) {
+    for (int m = 0; m <= s->particles.materials.n; m++) {
         const struct case_limits one = case_limits_of(s, m, k->impact);
         if (one.d <= 0.0) continue;
-        if (case_limits_count(s) > 1)
+        if (s->particles.materials.n > 0)
             check_line(case_limits_name(s, m), one.d, "m", "smallest of it");
         print_one(k, &one);
     }
@@ -162,12 +162,12 @@ static void print_contacts(const struct settings *s,
 
 static void print_weight(const struct settings *s, const struct case_scales *k)
 {
-    const double rho_s = settings_real(s, "particles.grains.density");
+    const double rho_s = s->particles.grains.density;
     double lo[3], size[3];
 
     case_mesh_ends(s, lo, size);
     if (settings_mesh(s) != NULL) return; /* it has no one section */
-    if (!s->effects.has_gravity || !settings_has(s, "particles.bed")) return;
+    if (!s->effects.has_gravity || !s->particles.has_bed) return;
     check_line("weight of the bed over its area",
                k->volume * rho_s * fabs(s->effects.gravity[1]) /
                    (size[0] * size[2]),
@@ -210,7 +210,7 @@ int report_case(const struct settings *s)
     const struct case_scales k = case_scales_of(s);
 
     if (case_scales_check_memory(s, &k) != 0) return 2;
-    if (settings_has(s, "particles") && build_particles_check(s) != 0) return 2;
+    if (s->has.particles && build_particles_check(s) != 0) return 2;
 
     printf("%s\n%s\n", s->title, s->cites);
     print_resolution(&k);

@@ -294,9 +294,7 @@ static void print_substeps(const struct settings *s,
 static void print_particles(const struct settings *s,
                             const struct case_scales *k, int flow)
 {
-    const char *const e = "particles.grains.restitution";
-    const double order =
-        settings_has(s, e) && settings_real(s, e) == 1.0 ? 2.0 : 1.0;
+    const double order = s->particles.grains.of.restitution == 1.0 ? 2.0 : 1.0;
 
     report_accuracy_line("particles.step halved",
                          time_with(k, flow, 1.0, 2.0, 1.0),

@@ -17,7 +17,7 @@ static void print_electrostatic(const struct settings *s,
 {
     double most = 0.0;
 
-    for (int k = 0; k < 1 + settings_length(s, "particles.materials"); k++)
+    for (int k = 0; k < 1 + s->particles.materials.n; k++)
         most = fmax(most, fabs(a->charge[k]));
     check_line("electrostatic / weight",
                electrostatic_force(most, most, a->strength, d) / weight, "-",

@@ -202,8 +202,7 @@ static int case_bodies_check_particles(const struct settings *s)
                               "%s acts between particles and the box, not on "
                               "bodies: leave one of them out",
                               pull);
-    if (settings_has(s, "particles.bed") &&
-        settings_has(s, "particles.bed.file"))
+    if (s->particles.bed_file != NULL)
         return settings_wrong(s, "bodies",
                               "a bed that settles around bodies is not kept in "
                               "a file: leave particles.bed.file out");
@@ -236,8 +235,7 @@ int case_bodies_check(const struct settings *s)
         return settings_wrong(s, "bodies",
                               "there is no body; give spheres, boxes, "
                               "cylinders, clumps or surfaces");
-    if (settings_has(s, "particles") && code == 0)
-        code = case_bodies_check_particles(s);
+    if (s->has.particles && code == 0) code = case_bodies_check_particles(s);
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
     if (code == 0) code = check_motions(s);

@@ -154,8 +154,7 @@ static void report_bandwidth(const struct settings *s, double d)
 {
     static const char key[] = "averaging.bandwidth";
 
-    if (!settings_has(s, "particles") || !settings_has(s, key) || d == HUGE_VAL)
-        return;
+    if (!s->has.particles || !settings_has(s, key) || d == HUGE_VAL) return;
     const double b = settings_real(s, key);
     check_line("bandwidth / d", b / d, "-",
                b > 0.5 * d ? "HIGH: grains beside a body count too far from it"

@@ -123,7 +123,7 @@ static int dem_steps(const struct settings *s, double k, double m)
 {
     const double e = settings_real(s, "bodies.restitution");
 
-    if (settings_has(s, "particles")) return case_steps_within(s);
+    if (s->has.particles) return case_steps_within(s);
     if (m == 0.0) return 1;
     const double t = contact_linear_time(k, e, 0.5 * m);
     return number_clamped(ceil(25.0 * s->fluid.dt / t), 1, 1000000);

@@ -4,12 +4,9 @@
 #ifndef CASE_SURFACES_CASE_SURFACES_H
 #define CASE_SURFACES_CASE_SURFACES_H
 
-#include "base/key.h"
 #include "case/settings.h"
 #include "dem/surfaces/prescribed_particles.h"
 #include "dem/surfaces/surface.h"
-
-extern const struct key case_surfaces_keys[];
 
 /* How many there are, the walls of a mesh counted as one. */
 int case_surfaces_count(const struct settings *s);

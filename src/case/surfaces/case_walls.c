@@ -94,7 +94,6 @@ int case_walls_count(const struct settings *s)
 
 struct surface case_walls_surface(const struct settings *s)
 {
-    static const char material[] = "particles.walls.material";
     const struct mesh *const m = settings_mesh(s);
     const int n = all_triangles(m, NULL);
     double(*const corner)[3][3] = alloc_zeroed((size_t)n, sizeof *corner);
@@ -102,8 +101,7 @@ struct surface case_walls_surface(const struct settings *s)
 
     all_triangles(m, corner);
     made.triangles = triangles_create(n, corner);
-    if (settings_has(s, material))
-        made.material = case_materials_number(s, settings_text(s, material));
+    made.material = case_materials_number(s, s->particles.walls);
     free(corner);
     return made;
 }

@@ -60,7 +60,7 @@ void surfaces_part_print(const struct settings *s, const struct case_scales *k)
     double lo[3], hi[3], speed = 0.0;
     int code, triangles = 0;
 
-    if (!settings_has(s, "particles")) return; /* nothing meets them */
+    if (!s->has.particles) return; /* nothing meets them */
     struct surface *const made = case_surfaces_create(s, &code);
     if (made == NULL) return;
     case_mesh_ends(s, lo, hi);
@@ -131,12 +131,9 @@ void surfaces_part_free(struct simulation *sim)
 int surfaces_part_place(const struct settings *s, struct particles *ps,
                         const struct dem_options *o)
 {
-    static const char overlaps[] = "particles.overlaps";
     char where[SETTINGS_PATH];
 
-    if (settings_has(s, overlaps) &&
-        strcmp(settings_text(s, overlaps), "allow") == 0)
-        return 0;
+    if (strcmp(s->particles.overlaps, "allow") == 0) return 0;
     settings_where(s, surfaces, where, sizeof where);
     return surface_start_wrong(ps, o->surfaces, o->n_surfaces, where) != 0 ? 2
                                                                            : 0;
@@ -148,9 +145,8 @@ int surfaces_part_add(const struct settings *s, struct simulation *sim)
     static const char list[] = "particles.prescribed";
     if (are_unseen(s) && !settings_quiet(s))
         fprintf(stderr, "%s: %s\n", surfaces, unseen);
-    const int n = settings_has(s, "particles.bed")
-                      ? settings_int(s, "particles.bed.count")
-                      : sim->particles->n;
+    const int n =
+        s->particles.has_bed ? s->particles.bed.count : sim->particles->n;
 
     for (int k = 0; k < settings_length(s, list); k++) {
         const int id = settings_item_int(s, list, k, "id");

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/fast/fast.h"
+#include "dem/particles_setup.h"
 
 #include <math.h>
 #include <omp.h>
@@ -194,7 +195,8 @@ static void fast_run(struct dem *dem, int steps, struct dem_report *r)
 
 static const struct key skin_keys[] = {
     {"particles.skin", KEY_REAL, "m", "auto | > 0", "auto",
-     "margin of the neighbour list beyond touching; auto: d/3", "LS 5.15", ""},
+     "margin of the neighbour list beyond touching; auto: d/3", "LS 5.15", "",
+     .at = KEY_AT(particles_setup, skin)},
     KEY_END};
 
 const struct dem_method fast_verlet = {

@@ -76,7 +76,7 @@ static int facts(char text[FACTS][LINE], const struct bed_options *bed,
 
     snprintf(text[n++], LINE, "winnow bed 2, contact %s\n", o->law->name);
     snprintf(text[n++], LINE, "count %d\n", bed->count);
-    snprintf(text[n++], LINE, "seed %lu\n", bed->seed);
+    snprintf(text[n++], LINE, "seed %d\n", bed->seed);
     snprintf(text[n++], LINE, "periodic %d %d %d\n", o->periodic[0],
              o->periodic[1], o->periodic[2]);
     size_fact(text[n++], bed);

@@ -17,7 +17,8 @@ double insertion_diameter(const struct insertion_options *o, long k)
 {
     if (o->list != NULL) return o->list[k].d;
     if (o->sizes == NULL) return o->diameter;
-    return sizes_quantile(o->sizes, random_uniform(o->seed, k, 0, 3));
+    return sizes_quantile(o->sizes,
+                          random_uniform((unsigned long)o->seed, k, 0, 3));
 }
 
 void insertion_place(const struct insertion_options *o, long k, long attempt,
@@ -25,7 +26,7 @@ void insertion_place(const struct insertion_options *o, long k, long attempt,
 {
     for (int a = 0; a < 3; a++) {
         const double room = o->hi[a] - o->lo[a] - d;
-        const double u = random_uniform(o->seed, k, attempt, a);
+        const double u = random_uniform((unsigned long)o->seed, k, attempt, a);
         x[a] = o->list != NULL ? o->list[k].x[a]
                                : o->lo[a] + 0.5 * d + u * fmax(room, 0.0);
     }

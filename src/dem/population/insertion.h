@@ -28,13 +28,13 @@ struct insertion_options {
     double lo[3], hi[3]; /* [m] the region that contains the whole spheres */
     double velocity[3];  /* [m/s] initial velocity */
     double diameter;     /* [m] of all, unless there are sizes */
-    const struct sizes *sizes; /* borrowed; or NULL */
-    double density;            /* [kg/m^3] */
-    int material;              /* [-] its number */
-    long count;                /* [-] of spheres in all */
-    double rate;               /* [1/s]; 0: all at once */
-    double start;              /* [s] time of the first */
-    unsigned long seed;
+    const struct sizes *sizes;      /* borrowed; or NULL */
+    double density;                 /* [kg/m^3] */
+    int material;                   /* [-] its number */
+    long count;                     /* [-] of spheres in all */
+    double rate;                    /* [1/s]; 0: all at once */
+    double start;                   /* [s] time of the first */
+    int seed;                       /* [-] of sizes and places */
     struct placement_region region; /* places outside count as attempts */
     /* So many, borrowed, instead of chance; NULL: none. They may overlap others
      * by `overlap` of the mean diameter [-]. */
@@ -46,9 +46,6 @@ struct insertion {
     struct insertion_options options;
     long n_inserted; /* [-] spheres inserted so far */
     long n_attempts; /* [-] places tried for the next one */
-    /* What the options borrow and the source releases; else NULL. */
-    struct sizes *own_sizes;
-    struct insertion_sphere *own_list;
 };
 
 /* The diameter of sphere k of a source [m], and place number `attempt` [m]. */

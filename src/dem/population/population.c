@@ -119,10 +119,6 @@ void population_state(struct population *l, struct state *s)
 void population_free(struct population *l)
 {
     if (l == NULL) return;
-    for (int i = 0; i < l->n_sources; i++) {
-        sizes_free(l->sources[i].own_sizes);
-        free(l->sources[i].own_list);
-    }
     free(l->sources);
     free(l->sinks);
     free(l->is_removed);

@@ -21,6 +21,13 @@ struct population_sink {
                             upper side of direction k */
 };
 
+/* As a case writes it. */
+struct sink_setup {
+    struct population_sink of; /* without side */
+    int has_from, has_to;      /* [-] 1: of.lo, of.hi are given */
+    const char *side;          /* "none", or one of mesh_sides */
+};
+
 /* Totals of inserted and removed particles. */
 struct population_totals {
     long inserted, removed; /* [-] */

@@ -10,15 +10,17 @@
 
 const struct key sizes_range_keys[] = {
     {"particles.sizes.min", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
-     "smallest diameter; needed by uniform and normal", "XS11 section 4.4", ""},
+     "smallest diameter; needed by uniform and normal", "XS11 section 4.4", "",
+     .at = KEY_AT(sizes_setup, of.min)},
     {"particles.sizes.max", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
-     "largest diameter; needed by uniform and normal", "XS11 section 4.4", ""},
+     "largest diameter; needed by uniform and normal", "XS11 section 4.4", "",
+     .at = KEY_AT(sizes_setup, of.max)},
     KEY_END};
 
 const struct key sizes_by_keys[] = {
     {"particles.sizes.by", KEY_NAME, "", "number | mass", "number",
-     "whether shares are of the number or of the mass of the particles", "",
-     ""},
+     "whether shares are of the number or of the mass of the particles", "", "",
+     .at = KEY_AT(sizes_setup, by)},
     KEY_END};
 
 const char *sizes_wrong(const struct sizes_options *o)

@@ -49,6 +49,12 @@ struct sizes_options {
                                  table: the share below d, from 0 to 1 */
 };
 
+/* As a case writes them. */
+struct sizes_setup {
+    const char *name, *by;   /* by: "number" or "mass" */
+    struct sizes_options of; /* without by_mass, own and points */
+};
+
 /* What is wrong with them, as the end of a sentence; NULL if nothing. */
 const char *sizes_wrong(const struct sizes_options *o);
 

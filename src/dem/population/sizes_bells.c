@@ -113,17 +113,20 @@ static const char *lognormal_wrong(const struct sizes_options *o)
 
 static const struct key normal_keys[] = {
     {"particles.sizes.mean", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
-     "mean of normal, before the cut-offs", "XS11 section 4.4", ""},
+     "mean of normal, before the cut-offs", "XS11 section 4.4", "",
+     .at = KEY_AT(sizes_setup, of.mean)},
     {"particles.sizes.deviation", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "standard deviation of normal, before the cut-offs", "XS11 section 4.4",
-     ""},
+     "", .at = KEY_AT(sizes_setup, of.deviation)},
     KEY_END};
 
 static const struct key lognormal_keys[] = {
     {"particles.sizes.median", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
-     "median of lognormal, before the cut-offs", "", ""},
+     "median of lognormal, before the cut-offs", "", "",
+     .at = KEY_AT(sizes_setup, of.median)},
     {"particles.sizes.ratio", KEY_REAL, "-", "> 1", KEY_OPTIONAL,
-     "of the 84 % quantile of lognormal to its median", "", ""},
+     "of the 84 % quantile of lognormal to its median", "", "",
+     .at = KEY_AT(sizes_setup, of.ratio)},
     KEY_END};
 
 const struct sizes_law sizes_normal = {

@@ -21,7 +21,8 @@ static struct surface_hit nearest_on_plane(const struct surface *s,
 
 static const struct key plane_keys[] = {
     {"particles.surfaces.normal", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
-     "from the plane to the particles, of any length", "", ""},
+     "from the plane to the particles, of any length", "", "",
+     .at = KEY_AT(surface_setup, of.normal)},
     KEY_END};
 
 const struct surface_shape surface_plane = {

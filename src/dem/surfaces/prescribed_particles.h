@@ -18,6 +18,12 @@ struct prescribed_particle {
     struct motion motion;
 };
 
+/* As a case writes it. */
+struct prescribed_setup {
+    struct prescribed_particle of;
+    int has_centre; /* [-] 1: of.motion.centre is given */
+};
+
 struct prescribed_particles {
     const struct prescribed_particle *list; /* borrowed */
     int n;

@@ -26,6 +26,16 @@ struct surface {
     struct motion motion;              /* the places above are of time 0 */
 };
 
+/* As a case writes it. */
+struct surface_setup {
+    struct surface of;     /* without what follows; normal of any length */
+    double axis[3];        /* [-] of any length */
+    const char *particles; /* "inside" or "outside" */
+    const char *material, *file;
+    double scale;   /* [m] the unit of the file */
+    int has_centre; /* [-] 1: of.motion.centre is given */
+};
+
 /* The only face of a shape is number 0, that of triangles the number of one. y
  * and the answer are in the frame of the surface, as at time 0. */
 struct surface_hit surface_nearest(const struct surface *s, int face,

@@ -113,20 +113,16 @@ static void offer_of_bed(void *to, int i, const double x[3], double d)
 
 static void offer_placed(const struct settings *s, struct offer *o)
 {
-    static const char list[] = "particles.place";
-
-    for (int i = 0; i < settings_length(s, list); i++) {
-        const int material =
-            settings_item_has(s, list, i, "material")
-                ? case_materials_number(
-                      s, settings_item_text(s, list, i, "material"))
-                : 0;
-        const double d = settings_item_real(s, list, i, "diameter");
+    for (int i = 0; i < s->particles.place.n; i++) {
+        const struct place_setup *const p = &s->particles.place.item[i];
+        const int material = case_materials_number(s, p->material);
+        const double d = p->diameter;
         struct sphere one = {.id = i, .type = material + 1, .d = d};
-        one.m = case_materials_density(s, material) * M_PI / 6.0 * d * d * d;
-        settings_item_vector(s, list, i, "position", one.x);
-        settings_item_vector(s, list, i, "velocity", one.v);
-        settings_item_vector(s, list, i, "spin", one.w);
+        one.m =
+            case_materials_setup(s, material)->density * M_PI / 6.0 * d * d * d;
+        memcpy(one.x, p->position, sizeof one.x);
+        memcpy(one.v, p->velocity, sizeof one.v);
+        memcpy(one.w, p->spin, sizeof one.w);
         part_offer(o, &one);
     }
 }
@@ -171,7 +167,7 @@ static void part_print_settled(const struct part *part,
 /* The spheres of the case, where they are before the first step. */
 static int part_place(struct part *part, const struct settings *s)
 {
-    const int has_bed = settings_has(s, "particles.bed");
+    const int has_bed = s->particles.has_bed;
     const struct dem_options dem = particle_options_dem(s, part->sim->dt);
     struct bed_options bed = {.settle = 0.0};
     struct bed_report r;
