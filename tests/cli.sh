@@ -882,6 +882,11 @@ fact bodies_leave_an_inlet_its_way 2 "bodies: they cut an inlet off from every o
     -s 'bodies={boxes=({position=[0.05,0.05,0.05]; size=[0.094,0.04,0.094];})}'
 fact closed_gap_is_told 0 "widest closed gap / h                        0.36 -    body 0 to a wall, no fluid flows between them" \
     body -s 'bodies={boxes=({position=[0.05,0.05,0.04]; size=[0.094,0.04,0.05];})}'
+fact open_gap_is_told 0 "widest narrow gap / h                        0.66 -    body 0 to a wall, three times too much or more flows along it" \
+    body -s 'bodies={boxes=({position=[0.05,0.0305,0.05]; size=[0.05,0.05,0.05]; motion="free"; density=1000.0;})}'
+fact covered_inlet_is_told 0 "share of an inlet in bodies                   0.5 -    what comes in there flows through them" \
+    body -s 'fluid={density=960.0; viscosity=0.1; step=0.01; sides="slip"; front_back="slip"; bottom={inlet=0.1;}; top={outlet=0.0;};}' \
+    -s 'bodies={boxes=({position=[0.025,0.02,0.05]; size=[0.05,0.05,0.2];})}'
 fact cells_across_a_cylinder_are_those_beside_its_axis 0 "d / h                                          10 -" \
     "$winnow" check "$top/cases/cylinder-stream.cfg"
 fact wide_box_with_its_face_in_the_mesh_is_a_wall 0 "boxes and cylinders" \

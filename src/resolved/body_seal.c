@@ -9,7 +9,8 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "resolved/solid_bodies.h"
+#include "resolved/closed_gap.h"
+#include "resolved/mark.h"
 
 /* A body pushes into a part if that takes so much of what it displaces [-]: a
  * piston all of it, a sphere less than this between three others. */
@@ -23,7 +24,7 @@ struct search {
     struct box_domain box;
     double *all, *here; /* [m^3/s] that a body displaces; into this part */
     int inlets, outlets, any_outlet; /* [-] faces of this part */
-    struct body_seal found;
+    struct body_seal *found;
 };
 
 /* From the centre of body i to the middle of face f [m], seen from cell c. */
@@ -73,36 +74,39 @@ static const struct boundary *boundary_at(const struct search *s, int f)
     return &s->fl->options.boundaries[p];
 }
 
-/* The gap between a cell that body i holds and the other side of a face. */
+/* The gap between a cell in body i, and the other side of a face. */
 static void look_into_gap(struct search *s, int i, int c, int f, double out)
 {
     const struct mesh *const m = s->fl->mesh;
     const int wall = f >= m->n_internal;
     const int next = wall || m->owner[f] != c ? m->owner[f] : m->neighbour[f];
-    const int j = wall ? -1 : s->b->body_of[next] - 1;
+    const int j = wall ? -1 : abs(s->b->body_of[next]) - 1;
     const double h = vector_length(&m->d[3 * f]) * (wall ? 2.0 : 1.0);
 
-    if (wall ? boundary_at(s, f)->kind >= BOUNDARY_INLET : j < 0 || j == i)
+    if (wall ? boundary_at(s, f)->kind >= BOUNDARY_INLET
+             : j < 0 || j == i || j >= s->b->ps->n)
         return;
+    struct body_seal_gap *const widest =
+        mark_gap_changes(s->b, i, j, &m->S[3 * f]) ? &s->found->open
+                                                   : &s->found->closed;
     const double gap = height_at(s, i, c, f, out) +
                        (wall ? 0.0 : height_at(s, j, next, f, -out));
-    if (gap <= fmax(s->found.width, 1e-9) * h) return;
-    s->found.width = gap / h;
-    s->found.beside = i + 1;
-    s->found.across = j + 1;
+    if (gap > fmax(widest->width, 1e-9) * h)
+        *widest = (struct body_seal_gap){i + 1, j + 1, gap / h};
 }
 
-static void look_at_held(struct search *s, int c)
+static void look_at_body(struct search *s, int c)
 {
     const struct mesh *const m = s->fl->mesh;
-    const int i = s->b->body_of[c] - 1;
+    const int i = (abs(s->b->body_of[c]) - 1) % s->b->ps->n,
+              held = s->b->body_of[c] > 0;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
-        look_into_gap(s, i, c, f, m->out[a]);
+        if (closed_gap_of(s->b, c) < 0) look_into_gap(s, i, c, f, m->out[a]);
         if (f >= m->n_internal) continue;
         const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
-        if (s->b->body_of[next] <= 0)
+        if (held && s->b->body_of[next] <= 0)
             s->all[i] += 0.5 * fabs(swept(s, i, c, f, m->out[a]));
     }
 }
@@ -154,46 +158,53 @@ static void judge(struct search *s)
     for (int i = 0; i < s->b->ps->n && s->outlets == 0; i++)
         if (s->all[i] > 0.0 && fabs(s->here[i]) > share * s->all[i] &&
             fabs(sum) > share * s->all[i])
-            s->found.pushes = i + 1;
-    s->found.inlet |= s->inlets > 0 && s->outlets == 0 && s->any_outlet;
+            s->found->pushes = i + 1;
+    s->found->inlet |= s->inlets > 0 && s->outlets == 0 && s->any_outlet;
     memset(s->here, 0, (size_t)s->b->ps->n * sizeof *s->here);
 }
 
-/* 1 if bodies cover all faces of an inlet. */
-static int covered(const struct search *s, int p)
+/* What of an inlet is covered by bodies [-]. */
+static double covered(const struct search *s, int p)
 {
     const struct patch *const at = &s->fl->mesh->patches[p];
-    int open = !flows_in(&s->fl->options.boundaries[p]);
+    double all = 0.0, held = 0.0;
 
-    for (int f = at->first; f < at->first + at->n; f++)
-        open |= s->b->body_of[s->fl->mesh->owner[f]] <= 0;
-    return !open;
+    for (int f = at->first; f < at->first + at->n; f++) {
+        const double area = vector_length(&s->fl->mesh->S[3 * f]);
+        all += area;
+        if (s->b->body_of[s->fl->mesh->owner[f]] > 0) held += area;
+    }
+    return flows_in(&s->fl->options.boundaries[p]) ? held / all : 0.0;
 }
 
 static void look_at_patches(struct search *s)
 {
     for (int p = 0; p < s->fl->mesh->n_patches; p++) {
         s->any_outlet |= s->fl->options.boundaries[p].kind == BOUNDARY_OUTLET;
-        s->found.inlet |= covered(s, p);
+        s->found->covered = fmax(s->found->covered, covered(s, p));
     }
 }
 
-struct body_seal body_seal_find(struct solid_bodies *b, const struct fluid *fl)
+void body_seal_find(struct solid_bodies *b, const struct fluid *fl)
 {
     const struct dem_options *const o = &b->contacts;
     struct search s = {.b = b,
                        .fl = fl,
                        .box = box_domain_of(o->lo, o->hi, o->periodic),
-                       .all = alloc_doubles(2 * b->ps->n)};
+                       .all = alloc_doubles(2 * b->ps->n),
+                       .found = &b->seal};
     int *const of = b->body_of, *const part = b->cell, n = 0;
 
     s.here = s.all + b->ps->n;
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        if (closed_gap_of(b, c) >= 0) of[c] = abs(of[c]);
     look_at_patches(&s);
     for (int c = 0; c < fl->mesh->n_cells; c++) {
-        s.found.outside += of[c] == 0;
-        if (of[c] > 0) look_at_held(&s, c);
-        of[c] = of[c] > 0 ? of[c] : OPEN;
+        b->seal.outside += of[c] == 0;
+        if (of[c] != 0) look_at_body(&s, c);
     }
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        of[c] = of[c] > 0 ? (of[c] - 1) % b->ps->n + 1 : OPEN;
     for (int c = 0; c < fl->mesh->n_cells; c++) {
         if (of[c] != OPEN) continue;
         s.inlets = s.outlets = 0;
@@ -202,15 +213,17 @@ struct body_seal body_seal_find(struct solid_bodies *b, const struct fluid *fl)
     }
     for (int e = 0; e < n; e++)
         of[part[e]] = OPEN;
+    b->seal.inlet |= b->seal.covered == 1.0;
     free(s.all);
-    return s.found;
 }
 
-void body_seal_describe(const struct body_seal *s, char text[BODY_SEAL_TEXT])
+void body_seal_describe(const struct body_seal_gap *g, int open,
+                        char text[BODY_SEAL_TEXT])
 {
     char other[32] = "a wall";
 
-    if (s->across > 0) snprintf(other, sizeof other, "body %d", s->across - 1);
-    snprintf(text, BODY_SEAL_TEXT, "body %d to %s, no fluid flows between them",
-             s->beside - 1, other);
+    if (g->across > 0) snprintf(other, sizeof other, "body %d", g->across - 1);
+    snprintf(text, BODY_SEAL_TEXT, "body %d to %s, %s", g->beside - 1, other,
+             open ? "three times too much or more flows along it"
+                  : "no fluid flows between them");
 }

@@ -12,6 +12,7 @@
 #include "resolved/body_motion.h"
 #include "resolved/body_seal.h"
 #include "resolved/body_turn.h"
+#include "resolved/closed_gap.h"
 
 const double mark_friction_inside = 1e3;
 
@@ -104,6 +105,26 @@ static int approaches_wall(const struct solid_bodies *b, int i,
     return approaches(b, i, k) && !body_exit_is_open(b->exit, S);
 }
 
+/* 1 if both are prescribed to move as one. */
+static int move_as_one(const struct solid_bodies *b, int i, int j)
+{
+    const struct particles *const ps = b->ps;
+
+    return b->motion[i] == BODY_PRESCRIBED && b->motion[j] == BODY_PRESCRIBED &&
+           ps->vx[i] == ps->vx[j] && ps->vy[i] == ps->vy[j] &&
+           ps->vz[i] == ps->vz[j] && ps->wx[i] == 0.0 && ps->wy[i] == 0.0 &&
+           ps->wz[i] == 0.0 && ps->wx[j] == 0.0 && ps->wy[j] == 0.0 &&
+           ps->wz[j] == 0.0;
+}
+
+int mark_gap_changes(const struct solid_bodies *b, int i, int j,
+                     const double S[3])
+{
+    if (j < 0) return approaches_wall(b, i, S);
+    return (b->motion[i] != BODY_FIXED || b->motion[j] != BODY_FIXED) &&
+           !move_as_one(b, i, j);
+}
+
 /* 1 if body i squeezes the fluid out of the cell, which is its own, against a
  * wall or a body that moves otherwise. */
 static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
@@ -111,15 +132,12 @@ static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
 {
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
-        if (f >= m->n_internal) {
-            if (approaches_wall(b, i, &m->S[3 * f])) return 1;
-            continue;
-        }
-        const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
-        const int j = abs(b->body_of[next]) - 1;
-        if (j >= 0 && j != i &&
-            (b->motion[i] != BODY_FIXED || b->motion[j] != BODY_FIXED))
-            return 1;
+        const int wall = f >= m->n_internal;
+        const int next =
+            wall || m->owner[f] != c ? m->owner[f] : m->neighbour[f];
+        const int j = wall ? -1 : (abs(b->body_of[next]) - 1) % b->ps->n;
+        if (wall || (b->body_of[next] != 0 && j != i))
+            if (mark_gap_changes(b, i, j, &m->S[3 * f])) return 1;
     }
     return 0;
 }
@@ -135,8 +153,9 @@ static int mark_touch(const struct solid_bodies *b, int i, int j)
 }
 
 /* While links are made, body_of is 1 + the body around a cell, else 0; negative
- * where that leaves the cell to the fluid. Bodies that have no contacts may
- * overlap, but not where a spring moves one. */
+ * where that leaves the cell to the fluid; larger in gaps (closed_gap.h).
+ * Bodies that have no contacts may overlap, but not where a spring moves one.
+ */
 static void assign_cell(void *by, int i, int c, const double r[3], double s)
 {
     struct solid_bodies *const b = ((struct marking *)by)->b;
@@ -152,8 +171,8 @@ static void assign_cell(void *by, int i, int c, const double r[3], double s)
 
 static void free_cell(void *by, int i, int c, const double r[3], double s)
 {
-    (void)r, (void)i;
-    if (s <= 0.0) ((struct marking *)by)->b->body_of[c] = 0;
+    (void)r, (void)i, (void)s;
+    ((struct marking *)by)->b->body_of[c] = 0;
 }
 
 double mark_fraction(const struct mesh *m, int c, double s)
@@ -161,12 +180,24 @@ double mark_fraction(const struct mesh *m, int c, double s)
     return fmin(fmax(0.5 - s / cbrt(m->V[c]), 0.0), 1.0);
 }
 
+/* Of a gap that is closed, once: it may be between a body and its image. */
+static void hold_gap(struct solid_bodies *b, const struct fluid *fl, int i,
+                     int c, const double r[3], double s)
+{
+    if (closed_gap_of(b, c) != i || b->body_of[c] < 0) return;
+    add_link(b, i, c, b->by_fraction ? 1.0 : friction_inside(fl, c), r);
+    closed_gap_velocity(fl, c, s, b->link[b->n_links - 1].u);
+    b->body_of[c] = -b->body_of[c];
+}
+
 static void hold_cell(void *by, int i, int c, const double r[3], double s)
 {
     struct solid_bodies *const b = ((struct marking *)by)->b;
     const struct fluid *const fl = ((struct marking *)by)->fl;
 
-    if (b->by_fraction) {
+    if (closed_gap_of(b, c) >= 0)
+        hold_gap(b, fl, i, c, r, s);
+    else if (b->by_fraction) {
         const double share = mark_fraction(fl->mesh, c, s);
         if (share > 0.0) add_link(b, i, c, share, r);
     } else if (s > 0.0) {
@@ -238,11 +269,12 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
     clear_links(b);
     for (int i = 0; i < b->ps->n; i++)
         body_cells_each(b, fl->mesh, i, assign_cell, &by);
+    closed_gap_find(b, fl);
     for (int i = 0; i < b->ps->n; i++) {
         b->start[i] = b->n_links;
         body_cells_each(b, fl->mesh, i, hold_cell, &by);
     }
-    b->seal = body_seal_find(b, fl);
+    body_seal_find(b, fl);
     for (int i = 0; i < b->ps->n; i++)
         body_cells_each(b, fl->mesh, i, free_cell, &by);
     b->start[b->ps->n] = b->n_links;

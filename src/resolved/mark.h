@@ -35,6 +35,11 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl);
  * Otherwise the body would lose this in the first step. */
 void mark_start(struct solid_bodies *b, struct fluid *fl);
 
+/* 1 if the gap between body i and body j, or if that is negative a wall with
+ * the area S, may change. */
+int mark_gap_changes(const struct solid_bodies *b, int i, int j,
+                     const double S[3]);
+
 /* Solid fraction of cell c [-], whose centre is at the distance s [m], as of a
  * plane surface. */
 double mark_fraction(const struct mesh *m, int c, double s);

@@ -270,10 +270,14 @@ static void bodies_record_print(const void *record)
     double flow[3];
 
     fluid_mean_flow(r->sim->fluid, flow);
-    if (r->bodies->seal.beside > 0) {
-        body_seal_describe(&r->bodies->seal, gap);
-        printf("gaps below a cell are closed, the widest of %.2g cells: %s\n",
-               r->bodies->seal.width, gap);
+    for (int open = 0; open < 2; open++) {
+        const struct body_seal *const s = &r->bodies->seal;
+        const struct body_seal_gap *const g = open ? &s->open : &s->closed;
+        body_seal_describe(g, open, gap);
+        if (g->beside > 0)
+            printf("gaps below a cell %s, the widest of %.2g cells: %s\n",
+                   open ? "that may change are open" : "are closed", g->width,
+                   gap);
     }
     if (r->bodies->deepest > 0.0)
         printf("largest overlap of the bodies %.3g of a diameter or width\n",

@@ -169,10 +169,17 @@ static void report_gaps(const struct settings *s, double d, int free)
     char where[BODY_SEAL_TEXT];
 
     if (case_bodies_start(s, &first) != 0) return;
-    if (first.seal.beside > 0) {
-        body_seal_describe(&first.seal, where);
-        check_line("widest closed gap / h", first.seal.width, "-", where);
+    for (int open = 0; open < 2; open++) {
+        const struct body_seal_gap *const g =
+            open ? &first.seal.open : &first.seal.closed;
+        body_seal_describe(g, open, where);
+        if (g->beside > 0)
+            check_line(open ? "widest narrow gap / h" : "widest closed gap / h",
+                       g->width, "-", where);
     }
+    if (first.seal.covered > 0.0)
+        check_line("share of an inlet in bodies", first.seal.covered, "-",
+                   "what comes in there flows through them");
     if (free && first.left < d)
         check_line("way of a prescribed body to a wall", first.left, "m",
                    "LOW: at the end; a free body between stops the run");
