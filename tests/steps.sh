@@ -236,10 +236,12 @@ step=13-bed
 ./13-bed >13.out
 close the_air_carries_the_weight_of_the_bed \
     "$(number 13.out 'mean pressure drop')" "$(number 13.out 'weight over ground')" 0.06
-./13-bed end=0.2 >13-short.out
-bed moving diffusion 1000 "((0.0, 0.0), (0.05, 1.0))" 0.2 -9.81
-close and_it_does_so_in_winnow "$(number 13-short.out 'mean pressure drop')" \
-    "$(sed -n 's/.*"mean_pressure_drop": \([^,]*\),.*/\1/p' moving/summary.json)" 0.05
+# Until 0.08 s the bed lifts as a whole, and a contact has not yet decided which
+# of two beds it is: 0.1 %. Without the solids in predict() it would be 2.4 %.
+./13-bed end=0.08 >13-short.out
+bed moving diffusion 1000 "((0.0, 0.0), (0.05, 1.0))" 0.08 -9.81
+close the_bed_lifts_as_in_winnow "$(number 13-short.out 'mean pressure drop')" \
+    "$(sed -n 's/.*"mean_pressure_drop": \([^,]*\),.*/\1/p' moving/summary.json)" 0.005
 
 }
 
