@@ -185,8 +185,8 @@ static int build_particles_complete(const struct settings *s,
 {
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
-    int code = surfaces_part_complete(s, sim, o);
-    if (code == 0) code = case_cohesion_complete(s, sim, o);
+    surfaces_part_complete(s, sim, o);
+    const int code = case_cohesion_complete(s, sim, o);
     return code != 0 ? code : case_bodies_complete(s, sim, o);
 }
 

@@ -54,6 +54,7 @@ struct settings *case_file_read(const char *file, int n_overrides,
     if (*code == 0) *code = read_mesh(s);
     if (*code == 0) *code = mesh_check_cells(s);
     if (*code == 0) *code = validate_case(s);
+    if (*code == 0) *code = case_surfaces_read(s);
     if (*code == 0) return s;
     settings_free(s);
     return NULL;

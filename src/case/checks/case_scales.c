@@ -123,29 +123,31 @@ static double fastest_sphere(const struct settings *s, double d_most)
     return fastest;
 }
 
-/* [m/s] of walls and particles that move as prescribed (motion.h); one that
- * turns about its centre or this point reaches to the end of the mesh. */
-static double fastest_motion(const struct settings *s, const char *list,
-                             const char *point)
+/* [m/s] of a wall or a particle that moves as prescribed (motion.h); one that
+ * turns about its centre reaches to the end of the mesh. */
+static double motion_highest(const struct settings *s, const struct motion *m,
+                             int has_centre)
 {
-    double fastest = 0.0, v[3], A[3], w[3], c[3], lo[3], hi[3];
+    double reach = 0.0, lo[3], hi[3];
 
     case_mesh_ends(s, lo, hi);
-    for (int i = 0; i < settings_length(s, list); i++) {
-        const double f = settings_item_real(s, list, i, "frequency");
-        const int own = settings_item_has(s, list, i, "centre");
-        double reach = 0.0;
-        settings_item_vector(s, list, i, "velocity", v);
-        settings_item_vector(s, list, i, "amplitude", A);
-        settings_item_vector(s, list, i, "spin", w);
-        if (own || point != NULL)
-            settings_item_vector(s, list, i, own ? "centre" : point, c);
-        for (int k = 0; k < 3 && (own || point != NULL); k++)
-            reach = hypot(reach, fmax(c[k] - lo[k], hi[k] - c[k]));
-        fastest = fmax(fastest, vector_length(v) + vector_length(w) * reach +
-                                    2.0 * M_PI * f * vector_length(A));
+    for (int k = 0; k < 3 && has_centre; k++)
+        reach = hypot(reach, fmax(m->centre[k] - lo[k], hi[k] - m->centre[k]));
+    return motion_speed(m, reach);
+}
+
+static double fastest_motion(const struct settings *s)
+{
+    const struct particles_setup *const p = &s->particles;
+    double most = 0.0;
+
+    for (int i = 0; i < p->surfaces.n; i++)
+        most = fmax(most, motion_highest(s, &p->surfaces.item[i].of.motion, 1));
+    for (int i = 0; i < p->prescribed.n; i++) {
+        const struct prescribed_setup *const one = &p->prescribed.item[i];
+        most = fmax(most, motion_highest(s, &one->of.motion, one->has_centre));
     }
-    return fastest;
+    return most;
 }
 
 struct case_scales case_scales_of(const struct settings *s)
@@ -166,8 +168,7 @@ struct case_scales case_scales_of(const struct settings *s)
     k.impact =
         fmax(k.inlet, sqrt(2.0 * vector_length(s->effects.gravity) * k.d_most));
     k.impact = fmax(k.impact, fastest_sphere(s, k.d_most));
-    k.impact = fmax(k.impact, fastest_motion(s, "particles.surfaces", "point"));
-    k.impact = fmax(k.impact, fastest_motion(s, "particles.prescribed", NULL));
+    k.impact = fmax(k.impact, fastest_motion(s));
     if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
     mesh_free(m);
     return k;

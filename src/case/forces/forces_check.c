@@ -13,12 +13,11 @@ static const char list[] = "output.forces";
 /* 1 if a surface of the grains has this name. */
 static int is_surface(const struct settings *s, const char *name)
 {
-    static const char surfaces[] = "particles.surfaces";
     if (!s->has.particles) return 0;
     int is = case_walls_count(s) > 0 && strcmp(name, case_walls_name) == 0;
 
-    for (int k = 0; k < settings_length(s, surfaces); k++)
-        is |= strcmp(settings_item_text(s, surfaces, k, "name"), name) == 0;
+    for (int k = 0; k < s->particles.surfaces.n; k++)
+        is |= strcmp(s->particles.surfaces.item[k].of.name, name) == 0;
     return is;
 }
 

@@ -18,40 +18,6 @@
 
 static const char list[] = "particles.surfaces",
                   prescribed[] = "particles.prescribed";
-static const char *const directions[] = {"normal", "axis"};
-
-static struct motion case_surfaces_motion_of(const struct settings *s,
-                                             const char *of, int i)
-{
-    struct motion m = {.from = settings_item_real(s, of, i, "from"),
-                       .until = settings_item_real_or(s, of, i, "until", 0.0),
-                       .frequency = settings_item_real(s, of, i, "frequency")};
-
-    settings_item_vector(s, of, i, "velocity", m.velocity);
-    settings_item_vector(s, of, i, "amplitude", m.amplitude);
-    if (settings_item_has(s, of, i, "centre"))
-        settings_item_vector(s, of, i, "centre", m.centre);
-    else if (of == list)
-        settings_item_vector(s, of, i, "point", m.centre);
-    settings_item_vector(s, of, i, "spin", m.spin);
-    return m;
-}
-
-static void case_surfaces_direction(const struct settings *s, int i,
-                                    const char *key, double n[3])
-{
-    settings_item_vector(s, list, i, key, n);
-    const double length = vector_length(n);
-    for (int k = 0; k < 3 && length > 0.0; k++)
-        n[k] /= length;
-}
-
-static const struct surface_shape *
-case_surfaces_shape_of(const struct settings *s, int i)
-{
-    return surface_shape_named(settings_item_text(s, list, i, "shape"));
-}
-
 /* 1 if one of its tables has the key particles.surfaces.NAME. */
 static int reads(const struct surface_shape *shape, const char *name)
 {
@@ -61,94 +27,98 @@ static int reads(const struct surface_shape *shape, const char *name)
     return 0;
 }
 
-static struct triangles *read_triangles(const struct settings *s, int i,
-                                        const double origin[3])
+/* The direction that its shape reads, and the key; NULL: none. */
+static const double *direction_of(const struct surface_setup *one,
+                                  const char **key)
 {
-    const double scale = settings_item_real(s, list, i, "scale");
+    *key = "normal";
+    if (reads(one->of.shape, *key)) return one->of.normal;
+    *key = "axis";
+    return reads(one->of.shape, *key) ? one->axis : NULL;
+}
+
+/* What the other members say, in the surface: all but its triangles. */
+static void complete_surface(const struct settings *s, int i,
+                             struct surface_setup *one)
+{
+    struct surface *const of = &one->of;
+    const char *key;
+    const double *const n = direction_of(one, &key);
+    const double length = n != NULL ? vector_length(n) : 1.0;
+    int own = 0;
+
+    for (int k = 0; k < 3; k++)
+        of->normal[k] = n != NULL ? n[k] / length : 0.0;
+    if (!one->has_centre)
+        memcpy(of->motion.centre, of->point, sizeof of->point);
+    of->material = case_materials_number(s, one->material);
+    of->inside =
+        reads(of->shape, "particles") && strcmp(one->particles, "inside") == 0;
+    for (const struct key *k = of->shape->own_keys;
+         k != NULL && k->path != NULL; k++)
+        of->own[own++] =
+            settings_item_real(s, list, i, strrchr(k->path, '.') + 1);
+}
+
+static int read_triangles(const struct settings *s, struct surface_setup *one)
+{
     char path[SETTINGS_PATH];
     struct stl stl;
 
-    settings_beside(s, settings_item_text(s, list, i, "file"), path,
-                    sizeof path);
-    if (stl_read(path, &stl) != 0) return NULL;
+    settings_beside(s, one->file, path, sizeof path);
+    if (stl_read(path, &stl) != 0) return 1;
     if (stl.dropped > 0)
         fprintf(stderr, "winnow: %s: %d triangles have no area; left out\n",
                 path, stl.dropped);
     for (int t = 0; t < 9 * stl.n; t++) {
         double *const x = &stl.corner[t / 9][t / 3 % 3][t % 3];
-        *x = origin[t % 3] + scale * *x;
+        *x = one->of.point[t % 3] + one->scale * *x;
     }
-    struct triangles *const made = triangles_create(stl.n, stl.corner);
+    one->of.triangles = one->triangles = triangles_create(stl.n, stl.corner);
     stl_release(&stl);
-    return made;
+    return 0;
 }
 
-static int case_surfaces_material_of(const struct settings *s, int i)
+int case_surfaces_read(struct settings *s)
 {
-    if (!settings_item_has(s, list, i, "material")) return 0;
-    return case_materials_number(s, settings_item_text(s, list, i, "material"));
+    for (int i = 0; i < s->particles.surfaces.n; i++) {
+        struct surface_setup *const one = &s->particles.surfaces.item[i];
+        if (one->of.shape->nearest == NULL && read_triangles(s, one) != 0)
+            return 2;
+    }
+    return 0;
 }
 
-/* The members of struct surface that the shape reads, and its own numbers. */
-static int case_surfaces_fill(const struct settings *s, int i,
-                              struct surface *one)
+void case_surfaces_release(struct settings *s)
 {
-    const struct surface_shape *const shape = case_surfaces_shape_of(s, i);
-    int n = 0;
-
-    *one = (struct surface){.name = settings_item_text(s, list, i, "name"),
-                            .shape = shape,
-                            .material = case_surfaces_material_of(s, i),
-                            .motion = case_surfaces_motion_of(s, list, i)};
-    settings_item_vector(s, list, i, "point", one->point);
-    for (int k = 0; k < 2; k++)
-        if (reads(shape, directions[k]))
-            case_surfaces_direction(s, i, directions[k], one->normal);
-    if (reads(shape, "radius"))
-        one->radius = settings_item_real(s, list, i, "radius");
-    if (reads(shape, "particles"))
-        one->inside =
-            strcmp(settings_item_text(s, list, i, "particles"), "inside") == 0;
-    for (const struct key *k = shape->own_keys; k != NULL && k->path != NULL;
-         k++)
-        one->own[n++] =
-            settings_item_real(s, list, i, strrchr(k->path, '.') + 1);
-    if (shape->nearest != NULL) return 0;
-    one->triangles = read_triangles(s, i, one->point);
-    return one->triangles == NULL;
+    for (int i = 0; i < s->particles.surfaces.n; i++)
+        triangles_free(s->particles.surfaces.item[i].triangles);
 }
 
 int case_surfaces_count(const struct settings *s)
 {
-    return settings_length(s, list) + (case_walls_count(s) > 0);
+    return s->particles.surfaces.n + (case_walls_count(s) > 0);
 }
 
-int case_surfaces_count_prescribed(const struct settings *s)
+struct surface *case_surfaces_create(const struct settings *s)
 {
-    return settings_length(s, prescribed);
-}
+    const int n = case_surfaces_count(s), listed = s->particles.surfaces.n;
 
-struct surface *case_surfaces_create(const struct settings *s, int *code)
-{
-    const int n = case_surfaces_count(s), listed = settings_length(s, list);
-
-    *code = 0;
     if (n == 0) return NULL;
     struct surface *const made = alloc_zeroed((size_t)n, sizeof *made);
-    for (int i = 0; i < listed && *code == 0; i++)
-        if (case_surfaces_fill(s, i, &made[i]) != 0) *code = 2;
+    for (int i = 0; i < listed; i++)
+        made[i] = s->particles.surfaces.item[i].of;
     if (listed < n) made[listed] = case_walls_surface(s);
-    if (*code == 0) return made;
-    case_surfaces_free(made, n);
-    return NULL;
+    return made;
 }
 
-/* The list owns its triangles, which are constant for dem. */
+/* The list owns the triangles of the walls, which are constant for dem. */
 void case_surfaces_free(struct surface *made, int n)
 {
-    for (int i = 0; made != NULL && i < n; i++) {
-        struct triangles *own;
-        memcpy(&own, &made[i].triangles, sizeof own);
+    struct triangles *own;
+
+    if (n > 0 && made[n - 1].name == case_walls_name) {
+        memcpy(&own, &made[n - 1].triangles, sizeof own);
         triangles_free(own);
     }
     free(made);
@@ -157,15 +127,13 @@ void case_surfaces_free(struct surface *made, int n)
 struct prescribed_particle *
 case_surfaces_create_prescribed(const struct settings *s)
 {
-    const int n = case_surfaces_count_prescribed(s);
+    const int n = s->particles.prescribed.n;
 
     if (n == 0) return NULL;
     struct prescribed_particle *const made =
         alloc_zeroed((size_t)n, sizeof *made);
-    for (int i = 0; i < n; i++) {
-        made[i].id = settings_item_int(s, prescribed, i, "id");
-        made[i].motion = case_surfaces_motion_of(s, prescribed, i);
-    }
+    for (int i = 0; i < n; i++)
+        made[i] = s->particles.prescribed.item[i].of;
     return made;
 }
 
@@ -173,7 +141,8 @@ case_surfaces_create_prescribed(const struct settings *s)
 
 static int case_surfaces_check_name(const struct settings *s, int i)
 {
-    const char *const name = settings_item_text(s, list, i, "name");
+    const struct surface_setup *const all = s->particles.surfaces.item;
+    const char *const name = all[i].of.name;
 
     if (name[0] == '\0' || strpbrk(name, ",\"\n") != NULL)
         return settings_wrong(s, list,
@@ -184,18 +153,17 @@ static int case_surfaces_check_name(const struct settings *s, int i)
         return settings_wrong(s, list, "the name %s is that of the walls",
                               name);
     for (int k = 0; k < i; k++)
-        if (strcmp(name, settings_item_text(s, list, k, "name")) == 0)
+        if (strcmp(name, all[k].of.name) == 0)
             return settings_wrong(s, list, "the name %s is given twice", name);
-    if (!settings_item_has(s, list, i, "material")) return 0;
-    return materials_check_name(s, list,
-                                settings_item_text(s, list, i, "material"));
+    return materials_check_name(s, list, all[i].material);
 }
 
 /* Each key belongs to the shapes that read it, and a direction has a length. */
 static int case_surfaces_check_shape(const struct settings *s, int i)
 {
-    const struct surface_shape *const shape = case_surfaces_shape_of(s, i);
-    const char *const name = settings_item_text(s, list, i, "name");
+    const struct surface_setup *const one = &s->particles.surfaces.item[i];
+    const struct surface_shape *const shape = one->of.shape;
+    const char *direction;
 
     for (int other = 0; surface_shapes[other] != NULL; other++)
         for (int t = 0; surface_shapes[other]->keys[t] != NULL; t++)
@@ -204,49 +172,42 @@ static int case_surfaces_check_shape(const struct settings *s, int i)
                 const char *const key = strrchr(k->path, '.') + 1;
                 if (settings_item_has(s, list, i, key) && !reads(shape, key))
                     return settings_wrong(s, list, "%s is a %s: it has no %s",
-                                          name, shape->name, key);
+                                          one->of.name, shape->name, key);
             }
-    for (int k = 0; k < 2; k++) {
-        double n[3];
-        if (!reads(shape, directions[k])) continue;
-        settings_item_vector(s, list, i, directions[k], n);
-        if (!(vector_length(n) > 0.0))
-            return settings_wrong(s, list, "the %s of %s has no direction",
-                                  directions[k], name);
-    }
+    const double *const n = direction_of(one, &direction);
+    if (n != NULL && !(vector_length(n) > 0.0))
+        return settings_wrong(s, list, "the %s of %s has no direction",
+                              direction, one->of.name);
     return 0;
 }
 
 /* A particle that crosses a periodic end would come back behind the surface. */
-static int check_plane(const struct settings *s, int i)
+static int check_plane(const struct settings *s, const struct surface *one)
 {
     static const char axes[] = "xyz";
     int periodic[3];
-    double n[3];
 
-    if (case_surfaces_shape_of(s, i) != &surface_plane) return 0;
+    if (one->shape != &surface_plane) return 0;
     case_mesh_periodic(s, periodic);
-    case_surfaces_direction(s, i, "normal", n);
     for (int k = 0; k < 3; k++)
-        if (periodic[k] && fabs(n[k]) > 1e-9)
+        if (periodic[k] && fabs(one->normal[k]) > 1e-9)
             return settings_wrong(
                 s, list,
                 "the plane %s is not parallel to %c, which is periodic: "
                 "particles would come back behind it; make %c not periodic",
-                settings_item_text(s, list, i, "name"), axes[k], axes[k]);
+                one->name, axes[k], axes[k]);
     return 0;
 }
 
-static int check_motion(const struct settings *s, const char *of, int i)
+static int check_motion(const struct settings *s, const char *of, int i,
+                        const struct motion *m)
 {
-    const struct motion m = case_surfaces_motion_of(s, of, i);
-
-    if (m.until > 0.0 && m.until <= m.from)
+    if (m->until > 0.0 && m->until <= m->from)
         return settings_wrong(s, of,
                               "number %d moves until %g s, which is not "
                               "after from = %g s",
-                              i, m.until, m.from);
-    if ((m.frequency > 0.0) != (vector_length(m.amplitude) > 0.0))
+                              i, m->until, m->from);
+    if ((m->frequency > 0.0) != (vector_length(m->amplitude) > 0.0))
         return settings_wrong(
             s, of, "number %d: amplitude and frequency go together", i);
     return 0;
@@ -254,18 +215,17 @@ static int check_motion(const struct settings *s, const char *of, int i)
 
 static int check_driven(const struct settings *s, int i)
 {
-    const int id = settings_item_int(s, prescribed, i, "id");
+    const struct prescribed_setup *const all = s->particles.prescribed.item;
+    const int id = all[i].of.id;
 
     for (int k = 0; k < i; k++)
-        if (settings_item_int(s, prescribed, k, "id") == id)
+        if (all[k].of.id == id)
             return settings_wrong(s, prescribed, "particle %d is given twice",
                                   id);
-    const struct motion m = case_surfaces_motion_of(s, prescribed, i);
-    if (vector_length(m.spin) > 0.0 &&
-        !settings_item_has(s, prescribed, i, "centre"))
+    if (vector_length(all[i].of.motion.spin) > 0.0 && !all[i].has_centre)
         return settings_wrong(s, prescribed,
                               "particle %d has a spin: it needs a centre", id);
-    return check_motion(s, prescribed, i);
+    return check_motion(s, prescribed, i, &all[i].of.motion);
 }
 
 /* Attractions act between particles and the walls of the box only. */
@@ -273,24 +233,27 @@ static int check_others(const struct settings *s)
 {
     const char *const pull = case_cohesion_of_box(s);
 
-    if (settings_length(s, list) == 0 || pull == NULL) return 0;
+    if (s->particles.surfaces.n == 0 || pull == NULL) return 0;
     return settings_wrong(s, list,
                           "%s acts between particles and the box, not on "
                           "surfaces: leave one of them out",
                           pull);
 }
 
-int case_surfaces_check(const struct settings *s)
+int case_surfaces_check(struct settings *s)
 {
     int code = check_others(s);
 
-    for (int i = 0; i < settings_length(s, list) && code == 0; i++) {
+    for (int i = 0; i < s->particles.surfaces.n && code == 0; i++) {
+        struct surface_setup *const one = &s->particles.surfaces.item[i];
         code = case_surfaces_check_name(s, i);
         if (code == 0) code = case_surfaces_check_shape(s, i);
-        if (code == 0) code = check_plane(s, i);
-        if (code == 0) code = check_motion(s, list, i);
+        if (code != 0) return code;
+        complete_surface(s, i, one);
+        code = check_plane(s, &one->of);
+        if (code == 0) code = check_motion(s, list, i, &one->of.motion);
     }
-    for (int i = 0; i < settings_length(s, prescribed) && code == 0; i++)
+    for (int i = 0; i < s->particles.prescribed.n && code == 0; i++)
         code = check_driven(s, i);
     return code;
 }

@@ -10,19 +10,23 @@
 
 /* How many there are, the walls of a mesh counted as one. */
 int case_surfaces_count(const struct settings *s);
-int case_surfaces_count_prescribed(const struct settings *s);
 
-/* The surfaces of particles.surfaces, with their files read, and the walls of
- * the mesh; *code is 0, or 2 after one message. Their names belong to the
- * settings. */
-struct surface *case_surfaces_create(const struct settings *s, int *code);
+/* Reads the files of the surfaces, which the settings keep: 0, or 2 after one
+ * message. */
+int case_surfaces_read(struct settings *s);
+void case_surfaces_release(struct settings *s);
+
+/* The surfaces of particles.surfaces, and the walls of the mesh. Their names
+ * and triangles belong to the settings. */
+struct surface *case_surfaces_create(const struct settings *s);
 void case_surfaces_free(struct surface *list, int n);
 
 /* Those of particles.prescribed, to be released with free(). */
 struct prescribed_particle *
 case_surfaces_create_prescribed(const struct settings *s);
 
-/* 0, or 2 after a message about what the case says of them. */
-int case_surfaces_check(const struct settings *s);
+/* Completes them but for their files. 0, or 2 after a message about what the
+ * case says of them. */
+int case_surfaces_check(struct settings *s);
 
 #endif

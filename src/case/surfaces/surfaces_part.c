@@ -25,10 +25,10 @@ static const char unseen[] =
 /* 1 if there are surfaces in a fluid, which it does not see. */
 static int are_unseen(const struct settings *s)
 {
-    return settings_has(s, "fluid") && settings_length(s, surfaces) > 0;
+    return s->has.fluid && s->particles.surfaces.n > 0;
 }
 
-int surfaces_part_check(const struct settings *s)
+int surfaces_part_check(struct settings *s)
 {
     const int code = case_surfaces_check(s);
     return code != 0 ? code : case_walls_check(s);
@@ -38,7 +38,7 @@ void surfaces_part_dem_options(const struct settings *s, struct dem_options *o)
 {
     case_walls_ends(s, o->lo, o->hi);
     o->n_surfaces = case_surfaces_count(s);
-    o->n_prescribed = case_surfaces_count_prescribed(s);
+    o->n_prescribed = s->particles.prescribed.n;
 }
 
 /* --- what `winnow check` says of it --------------------------------------- */
@@ -58,10 +58,10 @@ void surfaces_part_print(const struct settings *s, const struct case_scales *k)
 {
     const int n = case_surfaces_count(s);
     double lo[3], hi[3], speed = 0.0;
-    int code, triangles = 0;
+    int triangles = 0;
 
     if (!s->has.particles) return; /* nothing meets them */
-    struct surface *const made = case_surfaces_create(s, &code);
+    struct surface *const made = case_surfaces_create(s);
     if (made == NULL) return;
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < n; i++) {
@@ -99,14 +99,11 @@ static void surfaces_part_take_names(struct simulation *sim)
         sim->surface_names[i] = sim->surfaces[i].name;
 }
 
-int surfaces_part_complete(const struct settings *s, struct simulation *sim,
-                           struct dem_options *o)
+void surfaces_part_complete(const struct settings *s, struct simulation *sim,
+                            struct dem_options *o)
 {
-    int code;
-
     o->prescribed = sim->prescribed = case_surfaces_create_prescribed(s);
-    o->surfaces = sim->surfaces = case_surfaces_create(s, &code);
-    if (code != 0) return code;
+    o->surfaces = sim->surfaces = case_surfaces_create(s);
     sim->n_surfaces = o->n_surfaces;
     surfaces_part_take_names(sim);
     sim->walls = case_walls_create(
@@ -116,7 +113,6 @@ int surfaces_part_complete(const struct settings *s, struct simulation *sim,
         .has_room = sim->walls != NULL ? surfaces_part_has_room : NULL,
         .start_wrong = start_wrong,
         .state = sim};
-    return 0;
 }
 
 void surfaces_part_free(struct simulation *sim)
@@ -148,8 +144,8 @@ int surfaces_part_add(const struct settings *s, struct simulation *sim)
     const int n =
         s->particles.has_bed ? s->particles.bed.count : sim->particles->n;
 
-    for (int k = 0; k < settings_length(s, list); k++) {
-        const int id = settings_item_int(s, list, k, "id");
+    for (int k = 0; k < s->particles.prescribed.n; k++) {
+        const int id = s->particles.prescribed.item[k].of.id;
         if (n == 0)
             return settings_wrong(s, list,
                                   "there is no particle %d: there is none at "

@@ -8,7 +8,7 @@
 struct case_scales;
 
 /* 0, or 2 after a message. */
-int surfaces_part_check(const struct settings *s);
+int surfaces_part_check(struct settings *s);
 
 /* Prints its lines for `winnow check`. */
 void surfaces_part_print(const struct settings *s, const struct case_scales *k);
@@ -17,9 +17,9 @@ void surfaces_part_print(const struct settings *s, const struct case_scales *k);
  * created. */
 void surfaces_part_dem_options(const struct settings *s, struct dem_options *o);
 
-/* Creates surfaces before there are particles. 0, or 2 after a message. */
-int surfaces_part_complete(const struct settings *s, struct simulation *sim,
-                           struct dem_options *o);
+/* Creates surfaces before there are particles. */
+void surfaces_part_complete(const struct settings *s, struct simulation *sim,
+                            struct dem_options *o);
 void surfaces_part_free(struct simulation *sim);
 
 /* Whether particles can start where they were placed, and whether prescribed

@@ -28,12 +28,13 @@ struct surface {
 
 /* As a case writes it. */
 struct surface_setup {
-    struct surface of;     /* without what follows; normal of any length */
-    double axis[3];        /* [-] of any length */
+    struct surface of; /* completed by the case; normal of any length before */
+    double axis[3];    /* [-] of any length */
     const char *particles; /* "inside" or "outside" */
     const char *material, *file;
-    double scale;   /* [m] the unit of the file */
-    int has_centre; /* [-] 1: of.motion.centre is given */
+    struct triangles *triangles; /* of the file */
+    double scale;                /* [m] the unit of the file */
+    int has_centre;              /* [-] 1: of.motion.centre is given */
 };
 
 /* The only face of a shape is number 0, that of triangles the number of one. y
