@@ -213,6 +213,14 @@ echo "0.002 0.008 0.003 1e-3" >beside/two.grains
 sed 's/place = (.*/insert = ( { file = "two.grains"; } ); };/; /position = .0.0031/d' tiny.cfg >beside/fed.cfg
 fact file_of_spheres_lies_beside_the_case 0 "" \
     "$winnow" check beside/fed.cfg
+same_start() { # as if they were placed there
+    "$winnow" run beside/fed.cfg -o fed --quiet -s output.end=2e-4 &&
+        "$winnow" run tiny.cfg -o placed --quiet -s output.end=2e-4 -s \
+            'particles.place=({position=[0.002,0.008,0.003];diameter=1e-3;})' &&
+        cmp fed/fluid/fluid_000000.v* placed/fluid/fluid_000000.v* &&
+        cmp fed/particles/particles_000000.vtp placed/particles/particles_000000.vtp
+}
+fact what_is_inserted_at_the_start_is_in_the_picture_of_the_start 0 "" same_start
 sed 's/place = (.*/bed = { count = 8; diameter = 1e-3; settle = 1e-3; file = "small.bed"; }; };/; /position = .0.0031/d' tiny.cfg >beside/bed.cfg
 fact file_of_a_bed_lies_beside_the_case 0 "" \
     sh -c '"$0" run beside/bed.cfg -o bedded -s output.end=2e-3 --quiet && test -s beside/small.bed' "$winnow"

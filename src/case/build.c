@@ -7,6 +7,7 @@
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
+#include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/case_steps.h"
 #include "case/table_numbers.h"
@@ -80,6 +81,7 @@ struct simulation *build_for_run(const struct settings *s, int with_bed,
     if (*code == 0) {
         build_effects(s, sim);
         *code = case_bodies_add(s, sim);
+        if (*code == 0 && with_bed) case_population_start(sim);
         if (*code == 0) return sim;
     }
     build_free(sim);

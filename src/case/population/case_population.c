@@ -333,3 +333,9 @@ void case_population_add(const struct settings *s, struct simulation *sim)
     for (int i = 0; i < m; i++)
         l->sinks[i] = sink_of(s, &s->particles.sinks.item[i]);
 }
+
+void case_population_start(struct simulation *sim)
+{
+    if (sim->population != NULL)
+        population_insert(sim->population, sim->particles, sim->dem, sim->t);
+}

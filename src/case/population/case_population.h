@@ -37,4 +37,7 @@ int case_population_place(const struct settings *s, struct particles *ps,
  * borrows their distributions and lists. */
 void case_population_add(const struct settings *s, struct simulation *sim);
 
+/* Inserts what is due before the first step, so that the start has it. */
+void case_population_start(struct simulation *sim);
+
 #endif
