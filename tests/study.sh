@@ -604,6 +604,12 @@ why_no_folder() {
     [ $? -eq 4 ] && cat heard && grep -q 'cannot make the folder link: File exists' heard
 }
 fact a_folder_that_cannot_be_made_says_why why_no_folder
+mkdir linked others && ln -s ../others linked/runs
+link_of_runs() {
+    "$winnow" study channel.cfg -s fluid.step=0.1,0.2 --measure u_x -o linked 2>heard
+    [ $? -eq 4 ] && cat heard && grep -q 'linked/runs is a link' heard && rmdir others
+}
+fact a_link_of_the_runs_leads_nowhere link_of_runs
 cat >wrong.cfg <<'END'
 case = "channel.cfg"; vary = (); measure = ();
 END

@@ -17,6 +17,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 int study_wrong(const char *format, ...)
@@ -72,6 +73,27 @@ static int lock_folder(const struct plan *p)
     return file;
 }
 
+/* Non-zero after a message if a folder of the runs is a link: what they write
+ * stays below the study's own. */
+static int leads_elsewhere(const struct plan *p, int n, const struct run *runs)
+{
+    char *const above = file_join(p->words.dir, "runs");
+    const char *link = NULL;
+    struct stat s;
+
+    for (int i = -1; i < n && link == NULL; i++) {
+        const char *const folder = i < 0 ? above : runs[i].folder;
+        if (lstat(folder, &s) == 0 && S_ISLNK(s.st_mode)) link = folder;
+    }
+    if (link != NULL)
+        fprintf(stderr,
+                "winnow: %s is a link, and runs are written into folders only; "
+                "move it away, or choose another folder with -o\n",
+                link);
+    free(above);
+    return link != NULL;
+}
+
 static int study_report(const struct plan *p, int n, const struct run *runs)
 {
     struct outcomes o = outcomes_create(p, n, runs);
@@ -92,7 +114,10 @@ static int perform(const struct plan *p, int n, struct run *runs)
     const int file = lock_folder(p);
     int code = RUN_NOT_WRITTEN;
 
-    if (file < 0) return code;
+    if (file < 0 || leads_elsewhere(p, n, runs)) {
+        if (file >= 0) close(file);
+        return code;
+    }
     const int before = runs_find_ended(n, runs);
     if (before > 0 && !p->words.quiet)
         fprintf(stderr, "%d of %d runs were done before\n", before, n);
