@@ -10,6 +10,7 @@
 
 #include "case/build.h"
 #include "case/case_file.h"
+#include "case/resume/case_text.h"
 #include "coupling/coupling.h"
 #include "facts.h"
 #include "kept.h"
@@ -165,6 +166,33 @@ START_TEST(a_flow_with_any_past_goes_on_with_the_same_bits)
 }
 END_TEST
 
+/* A mark is that of the whole name of a key, and of what is within it. */
+START_TEST(keys_say_what_may_change_and_what_comes_after_the_bed)
+{
+    static const struct {
+        const char *line;
+        unsigned mark;
+    } keys[] = {{"title = \"\"", KEY_MAY_CHANGE | KEY_AFTER_BED},
+                {"output.end = 1.0", KEY_MAY_CHANGE | KEY_AFTER_BED},
+                {"output.ending = 1.0", KEY_AFTER_BED},
+                {"output.probes.0.field = \"p\"", KEY_AFTER_BED},
+                {"ranks = [2, 1, 1]", KEY_MAY_CHANGE},
+                {"fluid.left.inlet = 1.0", KEY_AFTER_BED},
+                {"mesh.cells = [4, 4, 4]", KEY_AFTER_BED},
+                {"mesh.size = [1.0, 1.0, 1.0]", 0},
+                {"particles.step = 1e-5", KEY_AFTER_BED},
+                {"particles.insert.0.rate = 1.0", KEY_AFTER_BED},
+                {"particles.bed.count = 9", 0},
+                {"effects.gravity = [0.0, -9.81, 0.0]", 0}};
+
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        for (unsigned m = KEY_MAY_CHANGE; m <= KEY_AFTER_BED; m *= 2)
+            ck_assert_msg(case_text_is(keys[i].line, m) ==
+                              ((keys[i].mark & m) != 0),
+                          "mark %u of %s", m, keys[i].line);
+}
+END_TEST
+
 /* A visit that notes which memory it has seen. */
 struct seen {
     struct state state;
@@ -219,6 +247,7 @@ FACTS("resume")
     FACT_FOR_EACH(a_simulation_with_any_effect_goes_on_with_the_same_bits,
                   N_EFFECTS);
     FACT(no_effect_is_left_out);
+    FACT(keys_say_what_may_change_and_what_comes_after_the_bed);
     FACT_FOR_EACH(a_flow_with_any_past_goes_on_with_the_same_bits, 4);
     FACT(every_field_that_an_effect_shows_is_visited);
 }

@@ -44,6 +44,12 @@ enum { KEY_TABLES = 4 }; /* room in a descriptor: three tables and a NULL */
     }
 struct model;
 
+/* What else is known of a key, and of all keys of its group. */
+enum key_mark {
+    KEY_MAY_CHANGE = 1, /* a run may be resumed with another value */
+    KEY_AFTER_BED = 2   /* it comes after the bed, which settles without it */
+};
+
 struct key {
     const char *path; /* "fluid.density"; <patch> stands for any side of
                          the box; keys of a list's groups follow its name */
@@ -71,6 +77,7 @@ struct key {
     size_t size; /* of KEY_LIST: of the struct of one of its groups; the member
                     is a struct key_list, and the rows of the groups have their
                     places in that struct */
+    unsigned mark; /* of enum key_mark */
 };
 /* The place of a member, for a row. */
 #define KEY_AT(type, member) (offsetof(struct type, member) + 1)

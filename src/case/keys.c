@@ -7,7 +7,7 @@
  * the default means that the key must be given. */
 const struct key keys_case[] = {
     {"title", KEY_TEXT, "", "", "", "what the case shows, in one line", "", "",
-     .at = KEY_AT(settings, title)},
+     .at = KEY_AT(settings, title), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED},
     {"cites", KEY_TEXT, "", "", "", "the paper, table or figure it follows", "",
-     "", .at = KEY_AT(settings, cites)},
+     "", .at = KEY_AT(settings, cites), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED},
     KEY_END};

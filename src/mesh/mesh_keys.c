@@ -13,7 +13,7 @@ const struct key mesh_keys[] = {
      "SX15 Table 1", "", AT(box.size)},
     {"mesh.cells", KEY_COUNTS, "-", ">= 1", "",
      "cells in x, y, z; 1 where the flow does not vary; needed by a box",
-     "SX15 Table 2", "", AT(box.cells)},
+     "SX15 Table 2", "", AT(box.cells), .mark = KEY_AFTER_BED},
     {"mesh.grading", KEY_VECTOR, "-", "> 0", "[1.0, 1.0, 1.0]",
      "width of the last cell over that of the first", "", "", AT(box.grading),
      .given = KEY_AT(mesh_options, has_grading)},

@@ -20,11 +20,11 @@ const struct key case_engine_keys[] = {
     {"ranks", KEY_COUNTS, "-", ">= 1", "",
      "processes in x, y, z; left out: as many as there are, side by side "
      "across gravity",
-     "", "", .at = KEY_AT(settings, ranks)},
+     "", "", .at = KEY_AT(settings, ranks), .mark = KEY_MAY_CHANGE},
     {"layers", KEY_INT, "-", ">= 1, <= 16", "",
      "layers of neighbours' cells around those of a rank; left out: as many as "
      "the schemes read",
-     "", "", .at = KEY_AT(settings, layers)},
+     "", "", .at = KEY_AT(settings, layers), .mark = KEY_MAY_CHANGE},
     KEY_END};
 
 static int is_distributed(const struct settings *s)

@@ -2,8 +2,8 @@
 /* bed_cache.c -- large beds that were settled once.  Chapter "Nothing is lost".
  *
  * A bed is kept under a name that is a hash of all that decides it: the lines
- * of the case but those that come later (the fluid, the output, insertion and
- * removal), the files that they name, and the program. */
+ * of the case but those that come later (KEY_AFTER_BED), the files that they
+ * name, and the program. */
 #include "case/resume/bed_cache.h"
 
 #include <stdint.h>
@@ -27,28 +27,6 @@ static uint64_t hash(uint64_t h, const char *bytes, size_t n)
     return h;
 }
 
-static int decides(const char *line)
-{
-    static const char *const later[] = {"title ",
-                                        "cites ",
-                                        "mesh.cells ",
-                                        "output.",
-                                        "fluid.",
-                                        "averaging.",
-                                        "exchange.",
-                                        "step_of_the_loop",
-                                        "particles.step ",
-                                        "particles.insert",
-                                        "particles.sinks",
-                                        "particles.max_overlap ",
-                                        "particles.expected_overlap ",
-                                        "particles.unsafe_step "};
-
-    for (size_t i = 0; i < sizeof later / sizeof *later; i++)
-        if (strncmp(line, later[i], strlen(later[i])) == 0) return 0;
-    return 1;
-}
-
 /* Another version of the program may settle the bed differently. */
 static uint64_t hash_of_program(uint64_t h)
 {
@@ -67,7 +45,9 @@ static uint64_t hash_of_case(const struct settings *s)
     uint64_t h = hash_of_program(0xcbf29ce484222325u);
 
     for (const char *at = lines; *at != '\0'; at += strcspn(at, "\n") + 1)
-        if (decides(at)) h = hash(h, at, strcspn(at, "\n") + 1);
+        if (!case_text_is(at, KEY_AFTER_BED) &&
+            strncmp(at, CASE_TEXT_STEP, strlen(CASE_TEXT_STEP)) != 0)
+            h = hash(h, at, strcspn(at, "\n") + 1);
     free(lines);
     return h;
 }

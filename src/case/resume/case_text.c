@@ -170,7 +170,7 @@ char *case_text_lines(const struct settings *s)
     FILE *const out = open_memstream(&text, &length);
 
     case_text_put_lines(out, s, settings_root(s), "");
-    fputs("step_of_the_loop = ", out);
+    fputs(CASE_TEXT_STEP " = ", out);
     put_real(out, case_steps_length(s));
     fputc('\n', out);
     fclose(out);
@@ -179,15 +179,17 @@ char *case_text_lines(const struct settings *s)
 
 /* --- comparison ----------------------------------------------------------- */
 
-static int may_change(const char *line)
+int case_text_is(const char *line, enum key_mark mark)
 {
-    static const char *const free_keys[] = {
-        "title ",        "cites ",          "output.end ",
-        "output.every ", "output.history ", "output.checkpoint ",
-        "ranks ",        "layers "};
+    const struct key *tables[CASE_FILE_TABLES];
 
-    for (size_t i = 0; i < sizeof free_keys / sizeof *free_keys; i++)
-        if (strncmp(line, free_keys[i], strlen(free_keys[i])) == 0) return 1;
+    case_file_tables(tables);
+    SCHEMA_EACH (row, tables) {
+        const size_t n = strlen(row->path);
+        if (row->mark & mark && strncmp(line, row->path, n) == 0 &&
+            strchr(" .", line[n]) != NULL)
+            return 1;
+    }
     return 0;
 }
 
@@ -223,7 +225,8 @@ static const char *first_missing(const char *a, const char *b)
         const char *const other = case_text_line_of(b, a, key);
         const size_t n = line_length(a) + 1;
 
-        if (!may_change(a) && (other == NULL || strncmp(a, other, n) != 0))
+        if ((other == NULL || strncmp(a, other, n) != 0) &&
+            !case_text_is(a, KEY_MAY_CHANGE))
             return a;
     }
     return NULL;

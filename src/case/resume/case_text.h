@@ -11,12 +11,15 @@
 /* One line for each value, "fluid.density = 1.2", defaults too; a file that the
  * case names stands for its contents, by their checksum; and the step of the
  * loop, which may follow from what is written. A new string. */
+#define CASE_TEXT_STEP "step_of_the_loop"
 char *case_text_lines(const struct settings *s);
 
+/* 1 if the key of such a line, or a group that it is in, has the mark. */
+int case_text_is(const char *line, enum key_mark mark);
+
 /* Whether two such texts are of the same case, but for what may change when a
- * run is resumed: output.end, every, history and checkpoint, and the title.
- * Non-zero after a message that names the first other key with both values;
- * without one if path, of the first, is NULL. */
+ * run is resumed. Non-zero after a message that names the first other key with
+ * both values; without one if path, of the first, is NULL. */
 int case_text_differs(const char *was, const char *is, const char *path);
 
 /* The value of a key in such a text, as a new string; NULL if it is not there.
