@@ -223,9 +223,9 @@ START_TEST(side_is_found_alone_or_in_its_pair)
 {
     struct settings *const s = good_with(NULL);
 
-    ck_assert_str_eq(settings_side(s, "left"), "fluid.sides");
-    ck_assert_str_eq(settings_side(s, "front"), "fluid.front_back");
-    ck_assert_str_eq(settings_side(s, "top"), "fluid.top");
+    ck_assert_str_eq(settings_side(s, "left")->key, "fluid.sides");
+    ck_assert_str_eq(settings_side(s, "front")->key, "fluid.front_back");
+    ck_assert_str_eq(settings_side(s, "top")->key, "fluid.top");
     ck_assert_str_eq(settings_text(s, "fluid.sides"), "no-slip");
     settings_free(s);
 }

@@ -88,6 +88,13 @@ struct key_list {
     void *item;
 };
 
+/* The points of a KEY_SERIES or a KEY_CURVE, in one piece of memory; a constant
+ * is one at 0. */
+struct key_series {
+    int n;
+    double *at, *value;
+};
+
 /* This stands in the path of a row for the name of any side or patch.
  * key_matches: 1 if the row is that of the path. */
 #define KEY_ANY_PATCH "<patch>"

@@ -1,74 +1,60 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build_boundaries.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "case/boundaries/inlet_builder.h"
-#include "case/boundaries/rotating_wall.h"
-#include "case/models.h"
+#include "base/vector.h"
+#include "case/case_mesh.h"
+#include "case/schema.h"
+#include "fluid/inlet_profile.h"
+
+/* 1 if both ends of direction k are walls that hold the fluid. */
+static int between_walls(const struct settings *s, int k)
+{
+    for (int i = 0; i < 2; i++) {
+        const struct boundary_options *const o =
+            settings_side(s, mesh_sides[2 * k + i]);
+        if (o == NULL || o->condition->kind != BOUNDARY_NO_SLIP) return 0;
+    }
+    return 1;
+}
+
+/* A message about a key of a side; 0 if there is none. */
+static int build_boundaries_wrong(const struct settings *s,
+                                  const struct boundary_options *o,
+                                  const char *key, const char *why)
+{
+    char path[SCHEMA_TEXT];
+
+    if (key == NULL) return 0;
+    snprintf(path, sizeof path, "%s%s%s", o->key, key[0] != '\0' ? "." : "",
+             key);
+    return settings_wrong(s, path, "%s", why);
+}
 
 /* A case may leave out a symmetry plane of the mesh. */
-int build_boundaries_has(const struct settings *s, const struct patch *p,
-                         const char *key, char path[BUILD_BOUNDARIES_PATH])
-{
-    const char *const side = settings_side(s, p->name);
-
-    if (side == NULL) return 0;
-    snprintf(path, BUILD_BOUNDARIES_PATH, "%s.%s", side, key);
-    return settings_has(s, path);
-}
-
-static struct boundary inlet(const struct settings *s, const char *path)
-{
-    const int n = settings_points(s, path);
-    double *const time = alloc_doubles(2 * n), *const velocity = time + n;
-
-    for (int i = 0; i < n; i++)
-        settings_point(s, path, i, &time[i], &velocity[i]);
-    return (struct boundary){.kind = BOUNDARY_INLET,
-                             .n_points = n,
-                             .time = time,
-                             .velocity = velocity,
-                             .series = time};
-}
-
-/* The boundary without the changes of folders. */
-static void plain_boundary(const struct settings *s, const struct patch *p,
-                           struct boundary *b)
-{
-    char path[BUILD_BOUNDARIES_PATH];
-
-    if (build_boundaries_has(s, p, "inlet", path))
-        *b = inlet(s, path);
-    else if (build_boundaries_has(s, p, "outlet", path) ||
-             build_boundaries_has(s, p, "pressure", path)) {
-        b->kind = BOUNDARY_OUTLET;
-        b->pressure = settings_real(s, path);
-        b->enters = build_boundaries_has(s, p, "pressure", path);
-    } else if (build_boundaries_has(s, p, "wall", path)) {
-        b->kind = BOUNDARY_NO_SLIP;
-        settings_vector(s, path, b->wall);
-    } else if (settings_text(s, settings_side(s, p->name)) != NULL)
-        b->kind = (enum boundary_kind)models_value(
-            boundary_kinds, settings_text(s, settings_side(s, p->name)));
-}
-
 static int one_boundary(const struct settings *s, const struct mesh *m,
                         const struct patch *p, struct boundary *b)
 {
-    char path[BUILD_BOUNDARIES_PATH];
-    int code = 0;
+    struct boundary_request r = {.says = settings_side(s, p->name),
+                                 .mesh = m,
+                                 .patch = p,
+                                 .end = s->output.end};
+    char file[SETTINGS_PATH], wrong[BOUNDARY_TEXT];
 
-    *b = (struct boundary){.kind = BOUNDARY_SLIP};
-    if (settings_side(s, p->name) == NULL) return 0;
-    plain_boundary(s, p, b);
-    if (build_boundaries_has(s, p, "profile", path))
-        code = inlet_builder_add(s, m, p, b);
-    if (code == 0 && build_boundaries_has(s, p, "rotation", path))
-        code = rotating_wall_add(s, m, p, b);
-    return code;
+    b->kind = r.says != NULL ? r.says->condition->kind : BOUNDARY_SLIP;
+    if (r.says == NULL || r.says->condition->build == NULL) return 0;
+    for (int k = 0; k < 3; k++)
+        r.between_walls[k] = settings_mesh(s) == NULL && between_walls(s, k);
+    if (r.says->file != NULL) {
+        settings_beside(s, r.says->file, file, sizeof file);
+        r.file = file;
+    }
+    return build_boundaries_wrong(
+        s, r.says, r.says->condition->build(&r, b, wrong), wrong);
 }
 
 struct boundary *build_boundaries(const struct settings *s,
@@ -90,4 +76,75 @@ void build_boundaries_free(struct boundary *all, int n)
     for (int i = 0; i < n && all != NULL; i++)
         boundary_release(&all[i]);
     free(all);
+}
+
+/* --- before there is a fluid ---------------------------------------------- */
+
+static int check_condition(const struct settings *s, const struct mesh *m,
+                           const struct patch *p, int *doubtful)
+{
+    const struct boundary_options *const o = settings_side(s, p->name);
+    const struct boundary_condition *const c = o != NULL ? o->condition : NULL;
+    char wrong[BOUNDARY_TEXT];
+
+    if (o == NULL) return 0;
+    if (c->is_doubtful != NULL) *doubtful |= c->is_doubtful(o);
+    return c->check == NULL
+               ? 0
+               : build_boundaries_wrong(s, o, c->check(o, m, p, wrong), wrong);
+}
+
+int build_boundaries_check(const struct settings *s)
+{
+    struct mesh *m = case_mesh_outline(s);
+    int code = 0, doubtful = 0;
+
+    for (int i = 0; i < m->n_patches && code == 0; i++)
+        code = check_condition(s, m, &m->patches[i], &doubtful);
+    mesh_free(m);
+    if (code != 0 || !doubtful) return code;
+    m = case_mesh_create(s);
+    struct boundary *const all = build_boundaries(s, m);
+    code = all == NULL ? 2 : 0;
+    build_boundaries_free(all, m->n_patches);
+    mesh_free(m);
+    return code;
+}
+
+/* --- the velocity over the patch ------------------------------------------ */
+
+/* Of one boundary at one time. */
+static void add_shares(const struct mesh *m, const struct patch *p,
+                       const struct boundary *b, double t, double *mean,
+                       double *peak)
+{
+    double sum = 0.0, surface = 0.0;
+
+    for (int j = 0; j < p->n; j++) {
+        const double area = vector_length(&m->S[3 * (p->first + j)]);
+        const double share = boundary_inlet_profile(b, j, t);
+        sum += share * area;
+        surface += area;
+        *peak = fmax(*peak, share);
+    }
+    *mean = fmax(*mean, sum / surface);
+}
+
+void build_boundaries_shares(const struct settings *s, const char *patch,
+                             double *mean, double *peak)
+{
+    const int is_uniform =
+        settings_side(s, patch)->profile == &inlet_profile_uniform;
+    const double end = s->output.end;
+
+    *mean = *peak = is_uniform ? 1.0 : 0.0;
+    if (is_uniform) return;
+    struct mesh *const m = case_mesh_create(s);
+    struct boundary *const all = build_boundaries(s, m);
+    const struct patch *const p = mesh_patch(m, patch);
+    for (int i = 0; i <= BOUNDARY_TIMES && all != NULL; i++)
+        add_shares(m, p, &all[p - m->patches], end * i / BOUNDARY_TIMES, mean,
+                   peak);
+    build_boundaries_free(all, m->n_patches);
+    mesh_free(m);
 }

@@ -13,9 +13,13 @@ struct boundary *build_boundaries(const struct settings *s,
                                   const struct mesh *m);
 void build_boundaries_free(struct boundary *all, int n);
 
-/* 1 if the case gives a key of a patch, whose path this makes. */
-enum { BUILD_BOUNDARIES_PATH = 128 };
-int build_boundaries_has(const struct settings *s, const struct patch *p,
-                         const char *key, char path[BUILD_BOUNDARIES_PATH]);
+/* 0 if all boundaries can be built; else 2 after a message. */
+int build_boundaries_check(const struct settings *s);
+
+/* The velocity of an inlet over what the case gives, as its profile makes it
+ * [-]: the mean over the patch and the largest of a face, at any time of the
+ * run. */
+void build_boundaries_shares(const struct settings *s, const char *patch,
+                             double *mean, double *peak);
 
 #endif

@@ -2,6 +2,7 @@
 #include "case/fill.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,6 +64,16 @@ static void store_text(const struct key *key, const char *text, void *member)
         *(const char **)member = text;
 }
 
+static void store_series(const struct settings *s, const char *path,
+                         struct key_series *points)
+{
+    points->n = settings_points(s, path);
+    points->at = alloc_doubles(2 * points->n);
+    points->value = points->at + points->n;
+    for (int i = 0; i < points->n; i++)
+        settings_point(s, path, i, &points->at[i], &points->value[i]);
+}
+
 static void fill_store(const struct settings *s, const struct key *key,
                        const char *path, void *member)
 {
@@ -85,6 +96,10 @@ static void fill_store(const struct settings *s, const struct key *key,
     case KEY_FLAGS:
         settings_flags(s, path, member);
         break;
+    case KEY_SERIES:
+    case KEY_CURVE:
+        store_series(s, path, member);
+        break;
     default:
         store_text(key, settings_text(s, path), member);
     }
@@ -102,12 +117,14 @@ static void store_at(const struct settings *s, const struct key *key,
 
 /* --- lists ---------------------------------------------------------------- */
 
-/* The row of the list to whose groups the key belongs, or NULL. */
+/* The row of the list, or of the sides, to whose groups the key belongs, or
+ * NULL. */
 static const struct key *fill_list_of(const struct key *const *tables,
                                       const struct key *key)
 {
     SCHEMA_EACH (k, tables)
-        if (k->size > 0 && k != key && fill_within(key->path, k->path) != NULL)
+        if ((k->size > 0 || k->type == KEY_PATCH) && k != key &&
+            fill_within(key->path, k->path) != NULL)
             return k;
     return NULL;
 }
@@ -130,6 +147,53 @@ static void store_in_list(const struct settings *s, const struct key *key,
                  (char *)list->item + (size_t)i * of->size);
 }
 
+/* --- sides ---------------------------------------------------------------- */
+
+/* The condition of a side: a word, or the group with the first of its keys. */
+static const struct boundary_condition *side_condition(const struct settings *s,
+                                                       const char *side)
+{
+    const struct boundary_condition *const *c = boundary_conditions;
+    const char *const word = settings_text(s, side);
+    char path[SCHEMA_TEXT];
+
+    for (; *c != NULL; c++) {
+        const struct key *const first = (*c)->keys[0];
+        if (word != NULL && strcmp(word, (*c)->name) == 0) break;
+        if (word != NULL || first == NULL) continue;
+        snprintf(path, sizeof path, "%s%s", side, strrchr(first->path, '.'));
+        if (settings_has(s, path)) break;
+    }
+    return *c;
+}
+
+static void create_sides(struct settings *s)
+{
+    const char *key;
+    int n = 0;
+
+    while (settings_any_side(s, n) != NULL)
+        n++;
+    s->sides.item = alloc_zeroed((size_t)n, sizeof *s->sides.item);
+    for (int i = 0; (key = settings_any_side(s, i)) != NULL; i++)
+        if (settings_has(s, key))
+            s->sides.item[s->sides.n++] = (struct boundary_options){
+                .key = key, .condition = side_condition(s, key)};
+}
+
+static void store_in_sides(struct settings *s, const struct key *key,
+                           const struct key *of)
+{
+    char path[SCHEMA_TEXT];
+
+    for (int i = 0; i < s->sides.n; i++) {
+        struct boundary_options *const o = &s->sides.item[i];
+        if (!key_matches(of->path, o->key)) continue;
+        snprintf(path, sizeof path, "%s%s", o->key, strrchr(key->path, '.'));
+        store_at(s, key, path, o);
+    }
+}
+
 /* --- all ------------------------------------------------------------------ */
 
 /* The struct that the key, or the list that it belongs to, has its place in. */
@@ -147,6 +211,7 @@ void fill_settings(struct settings *s, const struct key *const *tables)
         if (groups[g].has != REQUIRED)
             *(int *)((char *)s + groups[g].has) =
                 settings_has(s, groups[g].name);
+    create_sides(s);
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
             create_list(s, k,
@@ -158,6 +223,8 @@ void fill_settings(struct settings *s, const struct key *const *tables)
         if (k->at == 0 && k->given == 0) continue;
         if (list == NULL)
             store_at(s, k, k->path, fill_base_of(s, k));
+        else if (list->type == KEY_PATCH)
+            store_in_sides(s, k, list);
         else
             store_in_list(
                 s, k, list,
@@ -167,6 +234,11 @@ void fill_settings(struct settings *s, const struct key *const *tables)
 
 void fill_release(struct settings *s, const struct key *const *tables)
 {
+    for (int i = 0; i < s->sides.n; i++) {
+        free(s->sides.item[i].inlet.at);
+        free(s->sides.item[i].table.at);
+    }
+    free(s->sides.item);
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
             free(((struct key_list *)(fill_base_of(s, k) + k->at - 1))->item);

@@ -73,7 +73,7 @@ MODELS_KIND(models_gradient, velocity_gradient_schemes, "gradient",
             "gradient schemes of the velocity", "fluid.gradient", NULL)
 MODELS_KIND(models_continuity, fluid_continuity_forms, "continuity",
             "forms of the mass balance", "fluid.continuity", NULL)
-MODELS_KIND(models_patch, boundary_kinds, "patch",
+MODELS_KIND(models_patch, boundary_conditions, "patch",
             "boundary conditions on a side of the box", "fluid.<patch>", NULL)
 MODELS_KIND(models_profile, inlet_profiles, "profile",
             "velocity profiles of an inlet", "fluid.<patch>.profile", "fluid")

@@ -291,17 +291,24 @@ const char *settings_any_side(const struct settings *s, int i)
     return i < 6 ? sides[i][1] : i < 9 ? sides[i - 6][2] : NULL;
 }
 
-const char *settings_side(const struct settings *s, const char *patch)
+static int is_side(const char *key, const char *patch)
 {
-    if (s->text->patches != NULL) {
-        char path[SCHEMA_TEXT];
-        snprintf(path, sizeof path, "fluid.%s", patch);
-        const struct key *const own = schema_find(s->text->tables, path);
-        return own != NULL && settings_has(s, path) ? own->path : NULL;
-    }
     for (int i = 0; i < 6; i++)
-        for (int k = 1; k < 3 && strcmp(sides[i][0], patch) == 0; k++)
-            if (settings_has(s, sides[i][k])) return sides[i][k];
+        if (strcmp(sides[i][0], patch) == 0)
+            return strcmp(sides[i][1], key) == 0 ||
+                   strcmp(sides[i][2], key) == 0;
+    return 0;
+}
+
+const struct boundary_options *settings_side(const struct settings *s,
+                                             const char *patch)
+{
+    for (int i = 0; i < s->sides.n; i++) {
+        const char *const key = s->sides.item[i].key;
+        if (s->text->patches != NULL ? strcmp(strrchr(key, '.') + 1, patch) == 0
+                                     : is_side(key, patch))
+            return &s->sides.item[i];
+    }
     return NULL;
 }
 

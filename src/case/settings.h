@@ -18,6 +18,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/particles_setup.h"
+#include "fluid/boundary_condition.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh_options.h"
 #include "output/output_options.h"
@@ -32,11 +33,15 @@ struct settings {
         /* [-] 1: the case names the group */
         int fluid, particles, averaging, exchange, effects;
     } has;
-    const char *title, *cites;        /* "" if left out */
-    const char *engine;               /* "one" or "distributed" */
-    int ranks[3], layers;             /* [-] of several machines; 0: left out */
-    struct mesh_options mesh;         /* mesh/mesh_keys.c */
-    struct fluid_options fluid;       /* fluid/fluid_keys.c */
+    const char *title, *cites;  /* "" if left out */
+    const char *engine;         /* "one" or "distributed" */
+    int ranks[3], layers;       /* [-] of several machines; 0: left out */
+    struct mesh_options mesh;   /* mesh/mesh_keys.c */
+    struct fluid_options fluid; /* fluid/fluid_keys.c */
+    struct {
+        int n;
+        struct boundary_options *item;
+    } sides;                          /* or patches, that the case describes */
     struct particles_setup particles; /* dem/particles_keys.c */
     struct averaging_options averaging; /* averaging/averaging.c */
     struct coupling_options exchange;   /* coupling/coupling_options.c */
@@ -119,9 +124,10 @@ const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
 #define settings_item_vector(s, l, i, k, v)                                    \
     settings_vector(s, SETTINGS_ITEM(l, i, k), v)
 
-/* The key under which the case describes a side of the box or a patch of its
- * mesh: "fluid.left" or "fluid.sides" for "left"; NULL if it does not. */
-const char *settings_side(const struct settings *s, const char *patch);
+/* What the case says about a side of the box or a patch of its mesh, under
+ * "fluid.left" or "fluid.sides" for "left"; NULL if it says nothing. */
+const struct boundary_options *settings_side(const struct settings *s,
+                                             const char *patch);
 
 /* The i-th of all keys of sides or patches that a case could have; NULL after
  * the last. */

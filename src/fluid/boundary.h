@@ -10,21 +10,12 @@
 #ifndef FLUID_BOUNDARY_H
 #define FLUID_BOUNDARY_H
 
-#include "base/model.h"
-
 enum boundary_kind {
     BOUNDARY_NO_SLIP,
     BOUNDARY_SLIP,
     BOUNDARY_INLET,
     BOUNDARY_OUTLET
 };
-
-/* The boundary conditions that a case can choose for a side or a patch: by the
- * name, or, where there are keys, by a group with the first of them. Ended by
- * NULL. */
-extern const struct model boundary_no_slip, boundary_slip, boundary_inlet,
-    boundary_wall, boundary_outlet, rotating_wall_kind, boundary_pressure;
-extern const struct model *const boundary_kinds[];
 
 struct boundary {
     enum boundary_kind kind;

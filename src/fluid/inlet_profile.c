@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/inlet_profile.h"
 
-#include "base/model.h"
-
 const struct inlet_profile *const inlet_profiles[] = {
     &inlet_profile_uniform, &parabola_profile, &formula_profile,
     &table_profile,         &file_profile,     NULL};
 
-MODEL_NAMED(inlet_profile)
+int inlet_profile_is_given(const struct inlet_profile *profile,
+                           const struct boundary_options *o)
+{
+    return profile->asks == NULL ||
+           *(const int *)((const char *)o + profile->keys[0]->given - 1);
+}
 
-static int uniform(const struct inlet_request *r, struct boundary *b,
-                   char wrong[INLET_PROFILE_TEXT])
+static int uniform(const struct boundary_request *r, struct boundary *b,
+                   char wrong[BOUNDARY_TEXT])
 {
     (void)r;
     (void)b;

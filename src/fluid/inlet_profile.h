@@ -8,39 +8,24 @@
 #ifndef FLUID_INLET_PROFILE_H
 #define FLUID_INLET_PROFILE_H
 
-#include "base/key.h"
-#include "fluid/boundary.h"
-#include "mesh/mesh.h"
-
-/* What a case says about a profile; all borrowed. */
-struct inlet_request {
-    const struct mesh *mesh; /* a whole one, with all its arrays */
-    const struct patch *patch;
-    int between_walls[3]; /* [-] of a box: 1 if both ends of the direction are
-                             no-slip walls */
-    const char *formula;  /* NULL: none */
-    const char *file;     /* its path; NULL: none */
-    int n_points;         /* [-] of a table */
-    const double *s, *u;  /* [m], [-] of a table, s ascending */
-    double along[3];      /* [-] the direction of s */
-};
-
-enum { INLET_PROFILE_TEXT = 256 };
+#include "fluid/boundary_condition.h"
 
 struct inlet_profile {
-    const char *name, *what, *equations, *function;
-    const struct key *keys[KEY_TABLES];
-    const char *asks; /* the key of the patch that it cannot do without, which
-                         messages are about; NULL: none */
+    MODEL_MEMBERS;    /* base/model.h */
+    const char *asks; /* its first key, which it cannot do without and messages
+                         are about; NULL: none */
     /* Sets b->profile, or b->varying, and b->memory. Non-zero if that cannot
      * be; `wrong` then says why. */
-    int (*create)(const struct inlet_request *r, struct boundary *b,
-                  char wrong[INLET_PROFILE_TEXT]);
+    int (*create)(const struct boundary_request *r, struct boundary *b,
+                  char wrong[BOUNDARY_TEXT]);
 };
 
 extern const struct inlet_profile inlet_profile_uniform, parabola_profile,
     formula_profile, table_profile, file_profile;
 extern const struct inlet_profile *const inlet_profiles[]; /* ended by NULL */
-const struct inlet_profile *inlet_profile_named(const char *name);
+
+/* 1 if the case gives the key that the profile asks for, if it asks for any. */
+int inlet_profile_is_given(const struct inlet_profile *profile,
+                           const struct boundary_options *o);
 
 #endif

@@ -9,7 +9,7 @@
 #include "averaging/kernel/weights.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/boundaries/inlet_builder.h"
+#include "case/build_boundaries.h"
 #include "case/checks/case_limits.h"
 #include "case/checks/case_memory.h"
 #include "case/case_mesh.h"
@@ -59,18 +59,13 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
     double largest = 0.0, mean, peak;
 
     for (int i = 0; i < m->n_patches; i++) {
-        const char *const side = settings_side(s, m->patches[i].name);
-        char path[128];
+        const struct boundary_options *const o =
+            settings_side(s, m->patches[i].name);
 
-        if (side == NULL) continue;
-        snprintf(path, sizeof path, "%s.inlet", side);
-        if (!settings_has(s, path)) continue;
-        inlet_builder_shares(s, m->patches[i].name, &mean, &peak);
-        for (int j = 0; j < settings_points(s, path); j++) {
-            double t, u;
-            settings_point(s, path, j, &t, &u);
-            largest = fmax(largest, u * mean);
-        }
+        if (o == NULL || o->inlet.n == 0) continue;
+        build_boundaries_shares(s, m->patches[i].name, &mean, &peak);
+        for (int j = 0; j < o->inlet.n; j++)
+            largest = fmax(largest, o->inlet.value[j] * mean);
     }
     return largest;
 }

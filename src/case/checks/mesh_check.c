@@ -7,6 +7,7 @@
 
 #include "base/vector.h"
 #include "case/case_mesh.h"
+#include "fluid/inlet_profile.h"
 #include "case/extent/case_extent.h"
 #include "mesh/geometry/measures.h"
 
@@ -122,48 +123,24 @@ static double mesh_check_area_of(const struct mesh *m, const struct patch *p)
     return area;
 }
 
-/* A moving wall moves along itself: every face of it. */
-static int check_wall(const struct settings *s, const struct mesh *m,
-                      const struct patch *p, const char *path)
-{
-    double u[3];
-
-    settings_vector(s, path, u);
-    for (int f = p->first; f < p->first + p->n; f++) {
-        const double *const S = &m->S[3 * f], *const x = &m->face_centre[3 * f];
-        const double out = vector_dot(u, S) / vector_length(S);
-        if (fabs(out) <= 1e-6 * vector_length(u)) continue;
-        return settings_wrong(s, path,
-                              "the wall would move through itself, at %g m/s "
-                              "at [%g, %g, %g] m; expected 0",
-                              out, x[0], x[1], x[2]);
-    }
-    return 0;
-}
-
 static int check_patch(const struct settings *s, const struct mesh *m,
                        const struct patch *p)
 {
-    const char *const side = settings_side(s, p->name);
+    const struct boundary_options *const o = settings_side(s, p->name);
     char path[128];
 
-    if (side == NULL &&
-        (p->is_symmetry || p->n == 0 || settings_mesh(s) == NULL))
+    if (o == NULL && (p->is_symmetry || p->n == 0 || settings_mesh(s) == NULL))
         return 0;
-    if (side == NULL)
+    if (o == NULL)
         return settings_wrong(s, "fluid",
                               "the patch %s, %d faces with %.3g m^2, has no "
                               "boundary condition: give fluid.%s",
                               p->name, p->n, mesh_check_area_of(m, p), p->name);
-    snprintf(path, sizeof path, "%s.profile", side);
-    if (settings_has(s, path) &&
-        strcmp(settings_text(s, path), "parabola") == 0)
-        return settings_wrong(s, path,
-                              "only the inlet of a plain box can have a "
-                              "parabola; expected uniform, formula, table or "
-                              "file");
-    snprintf(path, sizeof path, "%s.wall", side);
-    return settings_has(s, path) ? check_wall(s, m, p, path) : 0;
+    if (o->profile != &parabola_profile) return 0;
+    snprintf(path, sizeof path, "%s.profile", o->key);
+    return settings_wrong(s, path,
+                          "only the inlet of a plain box can have a parabola; "
+                          "expected uniform, formula, table or file");
 }
 
 int mesh_check_fluid(const struct settings *s)

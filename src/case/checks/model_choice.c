@@ -5,6 +5,7 @@
 #include "case/schema.h"
 #include "coupling/drag.h"
 #include "dem/contact.h"
+#include "fluid/inlet_profile.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -19,39 +20,16 @@ static const char *model_choice_split(const char *path, char group[SCHEMA_TEXT])
     return dot == NULL ? path : dot + 1;
 }
 
-/* 1 if a side of the box is the patch, or a group with its first key. */
-static int is_some_side(const struct settings *s, const struct model *m)
+/* 1 if it is the condition of some side, or the profile that one gives. */
+static int is_some_side(const struct settings *s, const struct kind *kind,
+                        const struct model *m)
 {
-    const char *side;
-
-    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
-        char group[SCHEMA_TEXT], path[SCHEMA_TEXT + 64];
-
-        if (!settings_has(s, side)) continue;
-        const char *const word = settings_text(s, side);
-        if (word != NULL && strcmp(word, m->name) == 0) return 1;
-        if (word != NULL || m->keys[0] == NULL) continue;
-        snprintf(path, sizeof path, "%s.%s", side,
-                 model_choice_split(m->keys[0]->path, group));
-        if (settings_has(s, path)) return 1;
-    }
-    return 0;
-}
-
-/* 1 if a key of some side chooses the model: of "fluid.<patch>.profile", that
- * of fluid.left. */
-static int is_chosen_on_side(const struct settings *s, const char *key,
-                             const struct model *m)
-{
-    const char *side;
-
-    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
-        char path[SCHEMA_TEXT + 64];
-
-        snprintf(path, sizeof path, "%s.%s", side, key);
-        if (settings_has(s, path) &&
-            strcmp(settings_text(s, path), m->name) == 0)
-            return 1;
+    for (int i = 0; i < s->sides.n; i++) {
+        const struct boundary_options *const o = &s->sides.item[i];
+        const char *const name = kind == &models_patch ? o->condition->name
+                                 : o->has_profile      ? o->profile->name
+                                                       : "";
+        if (strcmp(name, m->name) == 0) return 1;
     }
     return 0;
 }
@@ -94,8 +72,8 @@ int model_choice_is_on(const struct settings *s, const struct kind *kind,
     const char *const key = model_choice_split(kind->key, group);
 
     if (!is_at_work(s, kind)) return 0;
-    if (strstr(key, "<patch>") != NULL) return is_some_side(s, m);
-    if (strstr(group, "<patch>") != NULL) return is_chosen_on_side(s, key, m);
+    if (strstr(kind->key, KEY_ANY_PATCH) != NULL)
+        return is_some_side(s, kind, m);
     if (settings_is_list(s, group)) return is_in_list(s, group, key, m->name);
     if (group[0] != '\0')
         return strcmp(settings_text(s, kind->key), m->name) == 0;

@@ -7,7 +7,7 @@
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
 #include "dem/integrator.h"
-#include "case/checks/boundary_check.h"
+#include "case/build_boundaries.h"
 #include "case/checks/materials_check.h"
 #include "case/checks/mesh_check.h"
 #include "case/build_fluid.h"
@@ -73,38 +73,11 @@ static int check_direction(const struct settings *s, int k)
     return 0;
 }
 
-/* How many of the sides or patches are a group with that key. */
-static int count_sides(const struct settings *s, const char *key)
+/* 1 if a side or patch has a condition of that kind. */
+static int has_condition(const struct settings *s, enum boundary_kind kind)
 {
-    const char *side;
-    int n = 0;
-
-    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
-        char path[128];
-        snprintf(path, sizeof path, "%s.%s", side, key);
-        n += settings_has(s, path);
-    }
-    return n;
-}
-
-/* A wall may move along itself only: it holds the fluid back, or there would
- * be a flow through it. */
-static int check_walls(const struct settings *s)
-{
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < 3; i++) {
-            char path[64];
-            double u[3];
-            snprintf(path, sizeof path, "fluid.%s.wall",
-                     validate_side_of(k, i));
-            if (!settings_has(s, path)) continue;
-            settings_vector(s, path, u);
-            if (u[k] != 0.0)
-                return settings_wrong(s, path,
-                                      "the wall would move through itself: "
-                                      "its %s is %g m/s, expected 0",
-                                      axes[k], u[k]);
-        }
+    for (int i = 0; i < s->sides.n; i++)
+        if (s->sides.item[i].condition->kind == kind) return 1;
     return 0;
 }
 
@@ -152,13 +125,12 @@ static int check_fluid(const struct settings *s)
 
     for (int k = 0; k < 3 && code == 0 && !files; k++)
         code = check_direction(s, k);
-    if (code == 0 && count_sides(s, "inlet") > 0 &&
-        count_sides(s, "outlet") + count_sides(s, "pressure") == 0)
+    if (code == 0 && has_condition(s, BOUNDARY_INLET) &&
+        !has_condition(s, BOUNDARY_OUTLET))
         return settings_wrong(s, "fluid",
                               "there is an inlet and no outlet: what flows in "
                               "cannot leave");
-    if (code == 0 && settings_mesh(s) == NULL) code = check_walls(s);
-    if (code == 0) code = boundary_check(s);
+    if (code == 0) code = build_boundaries_check(s);
     if (code == 0) code = check_drive(s);
     return code != 0 ? code : validate_check_parts(s);
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/inlet_profile.h"
 #include "case/engine/refusal.h"
 
 #include <stdio.h>
@@ -146,18 +147,18 @@ static int check_absent(const struct settings *s)
 
 static int check_sides(const struct settings *s)
 {
-    static const char *const words[] = {"profile", "rotation"};
     char path[128];
-    const char *side;
 
-    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++)
-        for (int k = 0; k < 2 && settings_has(s, side); k++) {
-            snprintf(path, sizeof path, "%s.%s", side, words[k]);
-            if (settings_has(s, path) &&
-                !(k == 0 && strcmp(settings_text(s, path), "uniform") == 0))
-                return refusal_refuse(
-                    s, path, "a rank does not see the whole side of the box");
-        }
+    for (int i = 0; i < s->sides.n; i++) {
+        const struct boundary_options *const o = &s->sides.item[i];
+        const int varies =
+            o->has_profile && o->profile != &inlet_profile_uniform;
+        snprintf(path, sizeof path, "%s.%s", o->key,
+                 varies ? "profile" : "rotation");
+        if (varies || o->condition == &rotating_wall_condition)
+            return refusal_refuse(
+                s, path, "a rank does not see the whole side of the box");
+    }
     return 0;
 }
 

@@ -30,16 +30,10 @@ struct walls {
 
 int forces_is_open(const struct settings *s, const char *patch)
 {
-    static const char *const ways[] = {"inlet", "outlet", "pressure"};
-    const char *const side = settings_side(s, patch);
-    char path[128];
-    int open = 0;
+    const struct boundary_options *const o = settings_side(s, patch);
 
-    for (int i = 0; i < 3 && side != NULL; i++) {
-        snprintf(path, sizeof path, "%s.%s", side, ways[i]);
-        open |= settings_has(s, path);
-    }
-    return open;
+    return o != NULL && (o->condition->kind == BOUNDARY_INLET ||
+                         o->condition->kind == BOUNDARY_OUTLET);
 }
 
 static void set_shape(struct walls *w)

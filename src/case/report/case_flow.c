@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "case/boundaries/inlet_builder.h"
+#include "case/build_boundaries.h"
 #include "case/case_mesh.h"
 #include "mesh/geometry/measures.h"
 
@@ -71,25 +71,15 @@ static void inward(const struct mesh *m, const struct patch *p, double e[3])
         e[k] /= length;
 }
 
-/* The largest velocity of a series [m/s]. */
-static double largest_of(const struct settings *s, const char *path)
-{
-    double largest = 0.0, t, u;
-
-    for (int i = 0; i < settings_points(s, path); i++) {
-        settings_point(s, path, i, &t, &u);
-        largest = fmax(largest, u);
-    }
-    return largest;
-}
-
 static void add_inlet(const struct settings *s, const struct mesh *m,
-                      const struct patch *p, const char *path, struct rates *r)
+                      const struct patch *p, const struct key_series *inlet,
+                      struct rates *r)
 {
-    const double U = largest_of(s, path);
-    double e[3], mean, peak;
+    double U = 0.0, e[3], mean, peak;
 
-    inlet_builder_shares(s, p->name, &mean, &peak);
+    for (int i = 0; i < inlet->n; i++)
+        U = fmax(U, inlet->value[i]);
+    build_boundaries_shares(s, p->name, &mean, &peak);
     inward(m, p, e);
     for (int k = 0; k < 3; k++)
         e[k] *= U * peak;
@@ -109,17 +99,12 @@ static void case_flow_add_wall(const struct mesh *m, const struct patch *p,
 
 /* An upper bound of the speed of a rotating wall: that of the corner of the
  * mesh which is farthest from the axis. */
-static void add_rotation(const struct settings *s, const struct mesh *m,
-                         const struct patch *p, const char *side,
-                         struct rates *r)
+static void add_rotation(const struct boundary_options *o, const struct mesh *m,
+                         const struct patch *p, struct rates *r)
 {
-    double omega[3], centre[3], arm[3], u[3], fastest[3] = {0.0, 0.0, 0.0};
-    char path[160];
+    const double *const omega = o->rotation, *const centre = o->centre;
+    double arm[3], u[3], fastest[3] = {0.0, 0.0, 0.0};
 
-    snprintf(path, sizeof path, "%s.rotation", side);
-    settings_vector(s, path, omega);
-    snprintf(path, sizeof path, "%s.centre", side);
-    settings_vector(s, path, centre);
     for (int i = 0; i < 8; i++) {
         const double x[3] = {i & 1 ? m->hi[0] : m->lo[0],
                              i & 2 ? m->hi[1] : m->lo[1],
@@ -144,19 +129,12 @@ static void add_rotation(const struct settings *s, const struct mesh *m,
 static void add_patch(const struct settings *s, const struct mesh *m,
                       const struct patch *p, struct rates *r)
 {
-    const char *const side = settings_side(s, p->name);
-    char path[160];
-    double u[3];
+    const struct boundary_options *const o = settings_side(s, p->name);
 
-    if (side == NULL) return;
-    snprintf(path, sizeof path, "%s.inlet", side);
-    if (settings_has(s, path)) add_inlet(s, m, p, path, r);
-    snprintf(path, sizeof path, "%s.rotation", side);
-    if (settings_has(s, path)) add_rotation(s, m, p, side, r);
-    snprintf(path, sizeof path, "%s.wall", side);
-    if (!settings_has(s, path)) return;
-    settings_vector(s, path, u);
-    case_flow_add_wall(m, p, u, r);
+    if (o == NULL) return;
+    if (o->inlet.n > 0) add_inlet(s, m, p, &o->inlet, r);
+    if (o->condition == &rotating_wall_condition) add_rotation(o, m, p, r);
+    case_flow_add_wall(m, p, o->wall, r);
 }
 
 /* How many directions have more than one cell [-]. */

@@ -49,14 +49,8 @@ static double shear_of_walls(const struct settings *s)
     double lo[3], size[3], fastest = 0.0;
 
     case_mesh_ends(s, lo, size);
-    for (int i = 0; settings_any_side(s, i) != NULL; i++) {
-        char path[128];
-        double v[3];
-        snprintf(path, sizeof path, "%s.wall", settings_any_side(s, i));
-        if (!settings_has(s, path)) continue;
-        settings_vector(s, path, v);
-        fastest = fmax(fastest, vector_length(v));
-    }
+    for (int i = 0; i < s->sides.n; i++)
+        fastest = fmax(fastest, vector_length(s->sides.item[i].wall));
     return fastest / fmin(size[0], fmin(size[1], size[2]));
 }
 

@@ -113,17 +113,14 @@ struct carried {
     double upwind; /* [-] error of upwind over that of second-upwind */
 };
 
-/* 1 if an end of the direction is of that kind, "inlet". */
-static int has_end(const struct settings *s, int direction, const char *kind)
+/* 1 if an end of the direction is of that kind. */
+static int has_end(const struct settings *s, int direction,
+                   enum boundary_kind kind)
 {
-    static const char *const side[6] = {"left", "right", "bottom",
-                                        "top",  "back",  "front"};
-    char path[64];
-
     for (int i = 2 * direction; i < 2 * direction + 2; i++) {
-        const char *const key = settings_side(s, side[i]);
-        snprintf(path, sizeof path, "%s.%s", key != NULL ? key : "", kind);
-        if (key != NULL && settings_has(s, path)) return 1;
+        const struct boundary_options *const o =
+            settings_side(s, mesh_sides[i]);
+        if (o != NULL && o->condition->kind == kind) return 1;
     }
     return 0;
 }
@@ -135,9 +132,8 @@ static int carries_nothing(const struct settings *s, int direction)
     int periodic[3];
 
     case_mesh_periodic(s, periodic);
-    return !periodic[direction] && !has_end(s, direction, "inlet") &&
-           !has_end(s, direction, "outlet") &&
-           !has_end(s, direction, "pressure");
+    return !periodic[direction] && !has_end(s, direction, BOUNDARY_INLET) &&
+           !has_end(s, direction, BOUNDARY_OUTLET);
 }
 
 /* The first terms of the two errors, h/2 u'' and h^2/12 u''', have the ratio
@@ -150,7 +146,7 @@ static struct carried carried_in(const struct settings *s,
     double cells;
     const int directions = report_accuracy_directions_of(s, &cells);
 
-    if (only < 0 || !has_end(s, only, "inlet") || k->inlet == 0.0)
+    if (only < 0 || !has_end(s, only, BOUNDARY_INLET) || k->inlet == 0.0)
         return (struct carried){0, pow(cells, 1.0 / directions) / 4.0};
     const double nu = s->fluid.mu / s->fluid.rho;
     return (struct carried){

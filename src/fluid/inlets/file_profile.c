@@ -182,7 +182,7 @@ static double file_profile_varying(const struct boundary *b, int j, double t)
 
 /* Finds the columns of a file; non-zero after a message if one is missing. */
 static int file_profile_find_columns(struct rows *r, int t,
-                                     char wrong[INLET_PROFILE_TEXT])
+                                     char wrong[BOUNDARY_TEXT])
 {
     static const char *const axes[3] = {"x", "y", "z"};
     char names[100], why[CSV_WRONG];
@@ -198,11 +198,11 @@ static int file_profile_find_columns(struct rows *r, int t,
     for (int k = 0; k < r->n_places && !foreign; k++)
         foreign = csv_check_unit(r->file, r->place[k], "m", why);
     if (!foreign && t >= 0) foreign = csv_check_unit(r->file, t, "s", why);
-    if (foreign) snprintf(wrong, INLET_PROFILE_TEXT, "%.200s", why);
+    if (foreign) snprintf(wrong, BOUNDARY_TEXT, "%.200s", why);
     if (foreign) return 1;
     if (r->u >= 0 && r->n_places > 0) return 0;
     csv_names(r->file, names, sizeof names);
-    snprintf(wrong, INLET_PROFILE_TEXT,
+    snprintf(wrong, BOUNDARY_TEXT,
              "expected columns u, some of x, y, z, and perhaps t; its columns "
              "are: %s",
              names);
@@ -212,8 +212,7 @@ static int file_profile_find_columns(struct rows *r, int t,
 /* Checks that the rows of one time follow each other, and that their points
  * ascend if they are on a line. Returns the number of levels, or 0 after a
  * message. */
-static int count_levels(const struct rows *r, int t,
-                        char wrong[INLET_PROFILE_TEXT])
+static int count_levels(const struct rows *r, int t, char wrong[BOUNDARY_TEXT])
 {
     int n = 1;
 
@@ -224,7 +223,7 @@ static int count_levels(const struct rows *r, int t,
         const int x = r->place[0];
         if (falls || (step == 0.0 && r->n_places == 1 &&
                       number_at(r, i, x) <= number_at(r, i - 1, x))) {
-            snprintf(wrong, INLET_PROFILE_TEXT,
+            snprintf(wrong, BOUNDARY_TEXT,
                      "row %d: %s does not rise; sort the rows%s", i + 1,
                      falls ? "t" : r->file->name[x],
                      falls || t < 0 ? "" : " of each time");
@@ -237,7 +236,7 @@ static int count_levels(const struct rows *r, int t,
 
 /* Fills the levels from their rows. */
 static void file_profile_fill(struct levels *l, struct rows *r, int t,
-                              const struct inlet_request *q)
+                              const struct boundary_request *q)
 {
     const int rows = r->file->n_rows;
 
@@ -258,16 +257,15 @@ static void file_profile_fill(struct levels *l, struct rows *r, int t,
     free(r->sorted);
 }
 
-static int file_profile_create(const struct inlet_request *q,
-                               struct boundary *b,
-                               char wrong[INLET_PROFILE_TEXT])
+static int file_profile_create(const struct boundary_request *q,
+                               struct boundary *b, char wrong[BOUNDARY_TEXT])
 {
     struct csv file;
     struct rows r = {.file = &file};
     char why[CSV_WRONG];
 
     if (csv_read(&file, q->file, why) != 0) {
-        snprintf(wrong, INLET_PROFILE_TEXT, "%.200s", why);
+        snprintf(wrong, BOUNDARY_TEXT, "%.200s", why);
         return 1;
     }
     const int t = csv_column(&file, "t");
@@ -294,7 +292,8 @@ static const struct key keys[] = {
     {"fluid.<patch>.file", KEY_FILE, "", "", KEY_OPTIONAL,
      "of the profile `file`: a table with columns u, some of x, y, z [m], and "
      "perhaps t [s]; beside the case unless it begins with /",
-     "", ""},
+     "", "", .at = KEY_AT(boundary_options, file),
+     .given = KEY_AT(boundary_options, has_file)},
     KEY_END};
 
 const struct inlet_profile file_profile = {

@@ -37,12 +37,11 @@ static void formula_profile_release(struct boundary *b)
     free(b->memory);
 }
 
-static int formula_profile_create(const struct inlet_request *r,
-                                  struct boundary *b,
-                                  char wrong[INLET_PROFILE_TEXT])
+static int formula_profile_create(const struct boundary_request *r,
+                                  struct boundary *b, char wrong[BOUNDARY_TEXT])
 {
     struct formula *const f =
-        formula_create(r->formula, wrong, INLET_PROFILE_TEXT);
+        formula_create(r->says->formula, wrong, BOUNDARY_TEXT);
 
     if (f == NULL) return 1;
     const struct by_formula p = {r->mesh, r->patch->first, 0.0, f};
@@ -67,7 +66,8 @@ static const struct key keys[] = {
     {"fluid.<patch>.formula", KEY_TEXT, "", "", KEY_OPTIONAL,
      "of the profile `formula`: velocity over that of the inlet, of x, y, z "
      "[m] and t [s], as in \"6*y*(0.41-y)/0.41^2\"",
-     "", ""},
+     "", "", .at = KEY_AT(boundary_options, formula),
+     .given = KEY_AT(boundary_options, has_formula)},
     KEY_END};
 
 const struct inlet_profile formula_profile = {

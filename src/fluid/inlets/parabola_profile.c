@@ -13,8 +13,8 @@ double parabola_profile_mean(double a, double b)
 
 /* Creates a profile that is a parabola in each direction between walls, with
  * the mean 1. */
-static int parabola(const struct inlet_request *r, struct boundary *b,
-                    char wrong[INLET_PROFILE_TEXT])
+static int parabola(const struct boundary_request *r, struct boundary *b,
+                    char wrong[BOUNDARY_TEXT])
 {
     const struct mesh *const m = r->mesh;
     const struct patch *const p = r->patch;

@@ -12,26 +12,25 @@
 
 static double table_profile_value_at(const void *of, const double x[3])
 {
-    const struct inlet_request *const r = of;
-    const double s = vector_dot(r->along, x);
+    const struct boundary_options *const o = of;
+    const double *const at = o->table.at, *const u = o->table.value;
+    const double s = vector_dot(o->along, x);
     int i = 0;
 
-    if (s <= r->s[0]) return r->u[0];
-    while (i < r->n_points - 1 && s > r->s[i + 1])
+    if (s <= at[0]) return u[0];
+    while (i < o->table.n - 1 && s > at[i + 1])
         i++;
-    if (i == r->n_points - 1) return r->u[i];
-    return r->u[i] +
-           (r->u[i + 1] - r->u[i]) * (s - r->s[i]) / (r->s[i + 1] - r->s[i]);
+    if (i == o->table.n - 1) return u[i];
+    return u[i] + (u[i + 1] - u[i]) * (s - at[i]) / (at[i + 1] - at[i]);
 }
 
-static int table_profile_create(const struct inlet_request *r,
-                                struct boundary *b,
-                                char wrong[INLET_PROFILE_TEXT])
+static int table_profile_create(const struct boundary_request *r,
+                                struct boundary *b, char wrong[BOUNDARY_TEXT])
 {
-    const double length = vector_length(r->along);
+    const double length = vector_length(r->says->along);
 
     if (fabs(length - 1.0) > 1e-6) {
-        snprintf(wrong, INLET_PROFILE_TEXT,
+        snprintf(wrong, BOUNDARY_TEXT,
                  "its rows are along a direction of length 1, not %g; give "
                  "`along`",
                  length);
@@ -39,8 +38,8 @@ static int table_profile_create(const struct inlet_request *r,
     }
     double *const profile = alloc_doubles(r->patch->n);
     for (int j = 0; j < r->patch->n; j++)
-        profile[j] =
-            face_mean(r->mesh, r->patch->first + j, table_profile_value_at, r);
+        profile[j] = face_mean(r->mesh, r->patch->first + j,
+                               table_profile_value_at, r->says);
     b->profile = b->memory = profile;
     return 0;
 }
@@ -49,9 +48,11 @@ static const struct key keys[] = {
     {"fluid.<patch>.table", KEY_CURVE, "m, -", ">= 0", KEY_OPTIONAL,
      "of the profile `table`: rows of a coordinate and the velocity over that "
      "of the inlet",
-     "", ""},
+     "", "", .at = KEY_AT(boundary_options, table),
+     .given = KEY_AT(boundary_options, has_table)},
     {"fluid.<patch>.along", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
-     "direction of that coordinate; its length is 1", "", ""},
+     "direction of that coordinate; its length is 1", "", "",
+     .at = KEY_AT(boundary_options, along)},
     KEY_END};
 
 const struct inlet_profile table_profile = {

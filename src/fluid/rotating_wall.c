@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rotating_wall.c -- no-slip walls that rotate within their own surface. */
-#include "case/boundaries/rotating_wall.h"
+#include "fluid/boundary_condition.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/model.h"
 #include "base/vector.h"
-#include "case/build_boundaries.h"
 #include "mesh/geometry/face_corners.h"
 
 /* From the projection of the cell's centre onto boundary face f, where the
@@ -23,23 +22,22 @@ static void from_foot(const struct mesh *m, int f, double off[3])
 /* omega x (x - centre) at the projection of the centre of each face's cell onto
  * the face, with the normal component removed. A wall with a large normal
  * component would move through itself: an error. */
-int rotating_wall_add(const struct settings *s, const struct mesh *m,
-                      const struct patch *p, struct boundary *b)
+static const char *rotating_wall_build(const struct boundary_request *r,
+                                       struct boundary *b,
+                                       char wrong[BOUNDARY_TEXT])
 {
+    const struct mesh *const m = r->mesh;
+    const struct patch *const p = r->patch;
+    const double *const omega = r->says->rotation;
     const double most = 0.05; /* [-] normal part over the speed of the patch */
     double *const u = alloc_doubles(3 * p->n);
-    double omega[3], centre[3], fastest = 0.0, through = 0.0;
-    char path[BUILD_BOUNDARIES_PATH];
+    double fastest = 0.0, through = 0.0;
 
-    build_boundaries_has(s, p, "centre", path);
-    settings_vector(s, path, centre);
-    build_boundaries_has(s, p, "rotation", path);
-    settings_vector(s, path, omega);
     for (int j = 0; j < p->n; j++) {
         const double *const S = &m->S[3 * (p->first + j)];
         double x[3], arm[3], off[3], less[3];
         face_corners_middle(m, p->first + j, x);
-        vector_between(x, centre, arm);
+        vector_between(x, r->says->centre, arm);
         vector_cross(omega, arm, &u[3 * j]);
         fastest = fmax(fastest, vector_length(&u[3 * j]));
         const double out = vector_dot(&u[3 * j], S) / vector_dot(S, S);
@@ -50,28 +48,38 @@ int rotating_wall_add(const struct settings *s, const struct mesh *m,
         vector_along(&u[3 * j], -vector_dot(&u[3 * j], S) / vector_dot(S, S), S,
                      &u[3 * j]);
     }
-    *b = (struct boundary){.kind = BOUNDARY_NO_SLIP, .walls = u, .memory = u};
-    memcpy(b->rotation, omega, sizeof omega);
-    if (through <= most * fastest) return 0;
-    return settings_wrong(s, path,
-                          "the wall would move through itself, at up to %g "
-                          "m/s; a wall rotates within its own surface",
-                          through);
+    b->walls = b->memory = u;
+    memcpy(b->rotation, omega, sizeof b->rotation);
+    if (through <= most * fastest) return NULL;
+    snprintf(wrong, BOUNDARY_TEXT,
+             "the wall would move through itself, at up to %g m/s; a wall "
+             "rotates within its own surface",
+             through);
+    return "rotation";
+}
+
+static int rotating_wall_is_doubtful(const struct boundary_options *o)
+{
+    (void)o;
+    return 1;
 }
 
 static const struct key rotation_keys[] = {
     {"fluid.<patch>.rotation", KEY_VECTOR, "rad/s", "", KEY_OPTIONAL,
      "angular velocity of a no-slip wall that rotates within its own surface",
-     "", ""},
+     "", "", .at = KEY_AT(boundary_options, rotation)},
     {"fluid.<patch>.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
-     "a point on the axis of the rotation", "", ""},
+     "a point on the axis of the rotation", "", "",
+     .at = KEY_AT(boundary_options, centre)},
     KEY_END};
 
-const struct model rotating_wall_kind = {
+const struct boundary_condition rotating_wall_condition = {
     .name = "rotating",
     .what = "a wall that rotates about an axis and takes the fluid with it",
     .equations = "",
     .function = "boundary_wall_velocity",
     .keys = {rotation_keys},
-    .value = BOUNDARY_NO_SLIP,
+    .kind = BOUNDARY_NO_SLIP,
+    .build = rotating_wall_build,
+    .is_doubtful = rotating_wall_is_doubtful,
 };

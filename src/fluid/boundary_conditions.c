@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* boundary_conditions.c -- the boundary conditions that a case can choose for a
+ * side or a patch, but for the rotating wall. */
+#include "fluid/boundary_condition.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "fluid/inlet_profile.h"
+
+#define AT(member) .at = KEY_AT(boundary_options, member)
+
+/* --- inlets --------------------------------------------------------------- */
+
+static const struct key inlet_keys[] = {
+    {"fluid.<patch>.inlet", KEY_SERIES, "m/s", ">= 0", KEY_OPTIONAL,
+     "superficial velocity into the box, constant or ((time, velocity), ...)",
+     "SX15 Table 1", "", AT(inlet)},
+    {"fluid.<patch>.profile", KEY_NAME, "", "", "uniform",
+     "how the velocity varies over an inlet", "", "", AT(profile),
+     .models = inlet_profiles, .given = KEY_AT(boundary_options, has_profile)},
+    KEY_END};
+
+/* The first value of a profile that is negative or not finite, over its faces
+ * and the run. */
+static int boundary_check_values(const struct boundary_request *r,
+                                 const struct boundary *b,
+                                 char wrong[BOUNDARY_TEXT])
+{
+    const int times = b->varying != NULL ? BOUNDARY_TIMES : 0;
+
+    for (int i = 0; i <= times; i++)
+        for (int j = 0; j < r->patch->n; j++) {
+            const double t = times > 0 ? r->end * i / times : 0.0;
+            const double u = boundary_inlet_profile(b, j, t);
+            if (u >= 0.0 && u < HUGE_VAL) continue;
+            snprintf(wrong, BOUNDARY_TEXT,
+                     "it gives %g on face %d of %d at %g s; expected >= 0", u,
+                     j, r->patch->n, t);
+            return 1;
+        }
+    return 0;
+}
+
+static const char *build_inlet(const struct boundary_request *r,
+                               struct boundary *b, char wrong[BOUNDARY_TEXT])
+{
+    const struct key_series *const u = &r->says->inlet;
+    const struct inlet_profile *const profile = r->says->profile;
+
+    b->n_points = u->n;
+    b->time = b->series = alloc_doubles(2 * u->n);
+    b->velocity = b->series + u->n;
+    memcpy(b->series, u->at, 2 * (size_t)u->n * sizeof *u->at);
+    if (!inlet_profile_is_given(profile, r->says)) {
+        snprintf(wrong, BOUNDARY_TEXT, "the profile %s needs %s", profile->name,
+                 profile->asks);
+        return "";
+    }
+    return profile->create(r, b, wrong) != 0 ||
+                   boundary_check_values(r, b, wrong) != 0
+               ? profile->asks != NULL ? profile->asks : "profile"
+               : NULL;
+}
+
+/* Profiles that ask for no key cannot be wrong. */
+static int is_doubtful_inlet(const struct boundary_options *o)
+{
+    return o->profile->asks != NULL;
+}
+
+/* --- walls ---------------------------------------------------------------- */
+
+static const struct key wall_keys[] = {
+    {"fluid.<patch>.wall", KEY_VECTOR, "m/s", "", KEY_OPTIONAL,
+     "velocity of a no-slip wall that moves along itself", "", "", AT(wall)},
+    KEY_END};
+
+/* On a side of a box. */
+static const char *check_side(const double u[3], const struct patch *p,
+                              char wrong[BOUNDARY_TEXT])
+{
+    int i = 0;
+
+    while (strcmp(mesh_sides[i], p->name) != 0)
+        i++;
+    if (u[i / 2] == 0.0) return NULL;
+    snprintf(wrong, BOUNDARY_TEXT,
+             "the wall would move through itself: its %c is %g m/s, expected 0",
+             "xyz"[i / 2], u[i / 2]);
+    return "wall";
+}
+
+/* A wall may move along itself only, every face of it: it holds the fluid back,
+ * or there would be a flow through it. */
+static const char *boundary_check_wall(const struct boundary_options *o,
+                                       const struct mesh *m,
+                                       const struct patch *p,
+                                       char wrong[BOUNDARY_TEXT])
+{
+    const double *const u = o->wall;
+
+    if (m->face_centre == NULL) return check_side(u, p, wrong);
+    for (int f = p->first; f < p->first + p->n; f++) {
+        const double *const S = &m->S[3 * f], *const x = &m->face_centre[3 * f];
+        const double out = vector_dot(u, S) / vector_length(S);
+        if (fabs(out) <= 1e-6 * vector_length(u)) continue;
+        snprintf(wrong, BOUNDARY_TEXT,
+                 "the wall would move through itself, at %g m/s at [%g, %g, "
+                 "%g] m; expected 0",
+                 out, x[0], x[1], x[2]);
+        return "wall";
+    }
+    return NULL;
+}
+
+static const char *boundary_build_wall(const struct boundary_request *r,
+                                       struct boundary *b,
+                                       char wrong[BOUNDARY_TEXT])
+{
+    (void)wrong;
+    memcpy(b->wall, r->says->wall, sizeof b->wall);
+    return NULL;
+}
+
+/* --- pressures ------------------------------------------------------------ */
+
+static const struct key pressure_keys[] = {
+    {"fluid.<patch>.pressure", KEY_REAL, "Pa", "", KEY_OPTIONAL,
+     "pressure of an inlet, without the weight of the fluid: what enters has "
+     "the velocity of its flux",
+     "", "", AT(pressure)},
+    KEY_END};
+
+static const struct key outlet_keys[] = {
+    {"fluid.<patch>.outlet", KEY_REAL, "Pa", "", KEY_OPTIONAL,
+     "pressure outside, without the weight of the fluid", "", "", AT(pressure)},
+    KEY_END};
+
+static const char *build_outlet(const struct boundary_request *r,
+                                struct boundary *b, char wrong[BOUNDARY_TEXT])
+{
+    (void)wrong;
+    b->pressure = r->says->pressure;
+    return NULL;
+}
+
+static const char *build_pressure(const struct boundary_request *r,
+                                  struct boundary *b, char wrong[BOUNDARY_TEXT])
+{
+    b->enters = 1;
+    return build_outlet(r, b, wrong);
+}
+
+/* --- all ------------------------------------------------------------------ */
+
+static const struct boundary_condition no_slip = {
+    .name = "no-slip",
+    .what = "the fluid stands still at the wall",
+    .equations = "",
+    .function = "add_wall_face",
+    .kind = BOUNDARY_NO_SLIP,
+};
+
+static const struct boundary_condition slip = {
+    .name = "slip",
+    .what = "no flow through, no friction along",
+    .equations = "",
+    .function = "add_slip_face",
+    .kind = BOUNDARY_SLIP,
+};
+
+static const struct boundary_condition inlet = {
+    .name = "inlet",
+    .what = "a superficial velocity, constant or varying in time",
+    .equations = "",
+    .function = "boundary_inlet_velocity",
+    .keys = {inlet_keys},
+    .kind = BOUNDARY_INLET,
+    .build = build_inlet,
+    .is_doubtful = is_doubtful_inlet,
+};
+
+static const struct boundary_condition wall = {
+    .name = "wall",
+    .what = "a wall that moves along itself and takes the fluid with it",
+    .equations = "",
+    .function = "add_wall_face",
+    .keys = {wall_keys},
+    .kind = BOUNDARY_NO_SLIP,
+    .check = boundary_check_wall,
+    .build = boundary_build_wall,
+};
+
+static const struct boundary_condition outlet = {
+    .name = "outlet",
+    .what = "a pressure outside",
+    .equations = "",
+    .function = "pressure_correct",
+    .keys = {outlet_keys},
+    .kind = BOUNDARY_OUTLET,
+    .build = build_outlet,
+};
+
+static const struct boundary_condition pressure = {
+    .name = "pressure",
+    .what = "a pressure that the fluid enters with, or leaves against",
+    .equations = "",
+    .function = "boundary_face_velocity",
+    .keys = {pressure_keys},
+    .kind = BOUNDARY_OUTLET,
+    .build = build_pressure,
+};
+
+const struct boundary_condition *const boundary_conditions[] = {
+    &no_slip,  &slip, &inlet, &wall, &outlet, &rotating_wall_condition,
+    &pressure, NULL};
