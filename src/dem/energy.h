@@ -12,6 +12,19 @@
 
 #include "base/state.h"
 
+/* Parts of the loads on a particle that the budget needs by themselves. A load
+ * acts in a kick, and its work is its product with the mean of the velocities
+ * before and after: then kinetic energy and work agree to rounding, and what is
+ * left is the error of the springs' and dashpots' own energy, of second order.
+ */
+enum {
+    ENERGY_DASHPOTS, /* the normal ones; and the moments of rolling friction */
+    ENERGY_DASHPOTS_T, /* the tangential ones of contacts that stick */
+    ENERGY_FRICTION,   /* tangential springs, or Coulomb's limit */
+    ENERGY_ATTRACTIONS,
+    ENERGY_PARTS
+};
+
 struct energy {
     /* The present energy. */
     double kinetic; /* [J] of translation and rotation, and of the added mass */

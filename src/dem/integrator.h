@@ -24,6 +24,14 @@ struct integrator {
     int predicts;       /* [-] 1: Heun */
 };
 
+/* By how much of a step the velocity lags behind the positions between runs
+ * [-].
+ */
+static inline double integrator_lag(const struct integrator *by)
+{
+    return by->predicts ? 0.0 : 0.5 - by->last;
+}
+
 /* All of them, ended by NULL, the default first; integrator_named: NULL for an
  * unknown name. */
 extern const struct integrator integrators_velocity_verlet,

@@ -22,6 +22,7 @@ struct contact {
     double R_star, m_star; /* [m], [kg] */
     double v_n, v_t[3];    /* [m/s] of the surface of a against that of b */
     double F_n, F_t[3];    /* [N] on a */
+    int slides;            /* [-] 1: at Coulomb's limit */
 };
 
 /* Geometry and velocities; x points from the centre of b to that of a. */
@@ -54,7 +55,9 @@ static struct contact contact_between(struct sphere *a, struct sphere *b,
 
 /* Friction [LS 4.8]: the displacement xi is projected into the plane of contact
  * and advanced by v_t dt. A force above Coulomb's limit is reduced to it, and
- * so is xi where its spring alone exceeds the limit. */
+ * so is xi where its spring alone exceeds the limit. What slides off in dt is
+ * the work of the mean of the spring's force before and F_t after, and what the
+ * spring loses. */
 static void tangential_force(struct contact *c,
                              const struct contact_response *law, double xi[3],
                              double dt, struct energy *e)
@@ -68,20 +71,22 @@ static void tangential_force(struct contact *c,
     for (int k = 0; k < 3; k++)
         c->F_t[k] = -k_t * xi[k] - law->eta_t * c->v_t[k];
     const double size = vector_length(c->F_t);
-    const int slides = size > limit;
-    const int yields = slides && k_t * vector_length(xi) > limit;
+    c->slides = size > limit;
+    const int yields = c->slides && k_t * vector_length(xi) > limit;
     for (int k = 0; k < 3; k++) {
-        if (slides) c->F_t[k] *= limit / size;
+        if (c->slides) c->F_t[k] *= limit / size;
         if (yields) xi[k] = -c->F_t[k] / k_t;
     }
     const double before = 0.5 * k_t * vector_dot(projected, projected);
     const double after = 0.5 * k_t * vector_dot(xi, xi);
     e->tangential += after;
-    e->released -= before;
-    if (slides)
-        e->slid += before - after - dt * vector_dot(c->F_t, c->v_t);
-    else
-        e->damped_t += dt * law->eta_t * vector_dot(c->v_t, c->v_t);
+    e->released -= after;
+    if (!c->slides) return;
+    const double slid = before - after +
+                        0.5 * dt * k_t * vector_dot(projected, c->v_t) -
+                        0.5 * dt * vector_dot(c->F_t, c->v_t);
+    e->slid += slid;
+    e->released -= slid;
 }
 
 /* 1/(I + m R^2), I = (2/5) m R^2 [1/(kg m^2)]. */
@@ -92,8 +97,7 @@ static double inverse_rolling_inertia(const struct sphere *s)
 
 /* Rolling friction (rolling.h): the moment M [N m] on a. */
 static void rolling_friction(const struct contact *c, double k_t,
-                             double angle[3], double dt, double M[3],
-                             struct energy *e)
+                             double angle[3], double dt, double M[3])
 {
     const double k_r = k_t * c->R_star * c->R_star;
     const double inverse_I =
@@ -106,24 +110,47 @@ static void rolling_friction(const struct contact *c, double k_t,
     for (int k = 0; k < 3; k++)
         w[k] = c->a->w[k] - (c->b != NULL ? c->b->w[k] : 0.0);
     rolling_moment(M, angle, w, c->n, k_r, C_r, limit, dt);
-    e->rolled -= dt * vector_dot(M, w);
 }
 
-/* Adds F_n n + F_t to a and its negative to b. The torques are those of forces
- * in the plane of contact, at arm R from the centres, and the moment M. */
-static void add_loads(const struct contact *c, const double M[3])
+/* Adds F_n n + F_t to the loads of a and its negative to those of b. The
+ * torques are those of forces in the plane of contact, at arm R from the
+ * centres, and the moment M. */
+static void add_loads(const struct contact *c, double F_n, const double F_t[3],
+                      const double M[3], struct loads *a, struct loads *b)
 {
     double lever[3];
 
-    vector_cross(c->n, c->F_t, lever);
+    vector_cross(c->n, F_t, lever);
     for (int k = 0; k < 3; k++) {
-        const double F = c->F_n * c->n[k] + c->F_t[k];
-        c->a->F[k] += F;
-        c->a->T[k] += M[k] - c->arm * c->a->R * lever[k];
-        if (c->b == NULL) continue;
-        c->b->F[k] -= F;
-        c->b->T[k] -= M[k] + c->arm * c->b->R * lever[k];
+        const double F = F_n * c->n[k] + F_t[k];
+        a->F[k] += F;
+        a->T[k] += M[k] - c->arm * c->a->R * lever[k];
+        if (b == NULL) continue;
+        b->F[k] -= F;
+        b->T[k] -= M[k] + c->arm * c->b->R * lever[k];
     }
+}
+
+/* Adds the parts of the loads that the budget counts. */
+static void add_parts(const struct contact *c,
+                      const struct contact_response *law, const double xi[3],
+                      const double M[3])
+{
+    static const double none[3] = {0.0, 0.0, 0.0};
+    struct loads *const a = c->a->part;
+    struct loads *const b = c->b != NULL ? c->b->part : NULL;
+    double dashpot[3], friction[3];
+
+    for (int k = 0; k < 3; k++) {
+        friction[k] = c->slides ? c->F_t[k] : -law->k_t * xi[k];
+        dashpot[k] = c->F_t[k] - friction[k];
+    }
+    add_loads(c, -law->eta_n * c->v_n, none, M, &a[ENERGY_DASHPOTS],
+              b != NULL ? &b[ENERGY_DASHPOTS] : NULL);
+    add_loads(c, 0.0, dashpot, none, &a[ENERGY_DASHPOTS_T],
+              b != NULL ? &b[ENERGY_DASHPOTS_T] : NULL);
+    add_loads(c, 0.0, friction, none, &a[ENERGY_FRICTION],
+              b != NULL ? &b[ENERGY_FRICTION] : NULL);
 }
 
 /* Returns the history of the contact of i with this partner: that of the step
@@ -184,11 +211,11 @@ static void add_contact(struct reference *r, int i, int partner,
     c.F_n = law.elastic - law.eta_n * c.v_n; /* [LS 4.4, 4.7] */
     tangential_force(&c, &law, history->xi, dt, r->energy);
     if (c.k->rolling > 0.0)
-        rolling_friction(&c, law.k_t, history->roll_angle, dt, M, r->energy);
-    add_loads(&c, M);
+        rolling_friction(&c, law.k_t, history->roll_angle, dt, M);
+    add_loads(&c, c.F_n, c.F_t, M, &a->all, b != NULL ? &b->all : NULL);
+    if (r->budget) add_parts(&c, &law, history->xi, M);
     note_overlap(r, &c, i, partner);
     r->energy->normal += law.stored;
-    r->energy->damped_n += dt * law.eta_n * c.v_n * c.v_n;
 }
 
 /* The damping [N] of one attraction, as attraction_damp. */
@@ -230,10 +257,11 @@ static void reference_add_attractions(struct reference *r, struct sphere *a,
     if (F == 0.0) return;
     for (int k = 0; k < 3; k++) {
         const double F_k = F * x[k] / vector_length(x);
-        a->F[k] += F_k;
-        if (b != NULL) b->F[k] -= F_k;
-        r->energy->attracted +=
-            dt * F_k * (a->v[k] - (b != NULL ? b->v[k] : 0.0));
+        a->all.F[k] += F_k;
+        a->part[ENERGY_ATTRACTIONS].F[k] += F_k;
+        if (b == NULL) continue;
+        b->all.F[k] -= F_k;
+        b->part[ENERGY_ATTRACTIONS].F[k] -= F_k;
     }
 }
 
@@ -299,8 +327,8 @@ void reference_forces(struct reference *r, double dt)
     r->now.n = 0;
     r->energy->normal = r->energy->tangential = 0.0;
     for (int i = 0; i < r->n; i++) {
-        memset(r->sphere[i].F, 0, sizeof r->sphere[i].F);
-        memset(r->sphere[i].T, 0, sizeof r->sphere[i].T);
+        memset(&r->sphere[i].all, 0, sizeof r->sphere[i].all);
+        memset(r->sphere[i].part, 0, sizeof r->sphere[i].part);
     }
     if (r->cells != NULL && r->n > 0) sort_into_cells(r);
     for (int i = 0; i < r->n; i++) {

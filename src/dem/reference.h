@@ -15,12 +15,17 @@
 
 extern const struct dem_method reference_all_pairs, reference_link_cells;
 
+struct loads {
+    double F[3], T[3]; /* [N], [N m] */
+};
+
 struct sphere {
     double x[3], v[3], w[3]; /* [m], [m/s], [rad/s] */
     double R, m;             /* [m], [kg] */
     int material;            /* [-] number of it */
     double external[3];      /* [N] gravity, the fluid: constant in a run */
-    double F[3], T[3]; /* [N], [N m] of the contacts and the attractions */
+    struct loads all;        /* of the contacts and the attractions */
+    struct loads part[ENERGY_PARTS]; /* those that the budget counts */
 };
 
 /* The history of a contact: what depends on the path, and not on the present
@@ -48,6 +53,7 @@ struct reference {
     struct link_cells *cells;     /* NULL: all pairs */
     struct histories now, before; /* of this step, and of the one before */
     struct energy *energy;        /* the budget (energy.h) */
+    int budget;                   /* [-] 1: a case asks for it */
     double max_overlap;           /* [-] largest of this run */
     struct dem_overlap *deepest;  /* of all runs */
     const int *id;                /* [-] of each sphere */

@@ -105,47 +105,88 @@ static void reference_run_store(const struct reference *r, struct particles *ps)
         ps->z[i] = box_domain_inside(&r->box, 2, s->x[2]);
         ps->vx[i] = s->v[0], ps->vy[i] = s->v[1], ps->vz[i] = s->v[2];
         ps->wx[i] = s->w[0], ps->wy[i] = s->w[1], ps->wz[i] = s->w[2];
-        ps->cfx[i] = s->F[0], ps->cfy[i] = s->F[1], ps->cfz[i] = s->F[2];
+        ps->cfx[i] = s->all.F[0], ps->cfy[i] = s->all.F[1],
+        ps->cfz[i] = s->all.F[2];
     }
 }
 
 /* --- motion --------------------------------------------------------------- */
 
-/* v += F/m dt and omega += T/I dt [LS 4.1-4.3], or with a drag -k v and an
- * added mass as in implicit_drag.h. */
-static void reference_run_kick(struct reference *r, const struct particles *ps,
-                               double dt)
+/* What a kick of dt changes [LS 4.1-4.3]: dv = F/m dt and domega = T/I dt, or
+ * with a drag -k v and an added mass as in implicit_drag.h; `drag` is the
+ * impulse [N s] of that. */
+struct change {
+    double v[3], w[3], drag[3];
+};
+
+static struct change change_of(const struct sphere *s,
+                               const struct particles *ps, int i, double dt)
 {
     const int drag = ps->drag_coefficient != NULL;
+    const double m = s->m + (drag ? ps->added_mass[i] : 0.0);
+    const double I = 0.4 * s->m * s->R * s->R;
+    const double rate = drag ? ps->drag_coefficient[i] / m : 0.0;
+    const double gain = implicit_drag_gain(rate * dt);
+    struct change d;
 
+    for (int k = 0; k < 3; k++) {
+        const double a = (s->all.F[k] + s->external[k]) / m;
+        d.v[k] = gain * (a - rate * s->v[k]) * dt;
+        d.w[k] = s->all.T[k] / I * dt;
+        d.drag[k] = drag ? m * (d.v[k] - a * dt) : 0.0;
+    }
+    return d;
+}
+
+static double load_work(const struct loads *load, const double v[3],
+                        const double w[3])
+{
+    return vector_dot(load->F, v) + vector_dot(load->T, w);
+}
+
+/* The work in the part of a kick of dt from `from` to `to` [-], with the mean
+ * velocity in it (energy.h). */
+static void reference_run_count(struct energy *e, const struct sphere *s,
+                                const struct change *d, double dt, double from,
+                                double to)
+{
+    const struct loads *const part = s->part;
+    const double h = (to - from) * dt, middle = 0.5 * (from + to);
+    double v[3], w[3];
+
+    vector_along(s->v, middle, d->v, v);
+    vector_along(s->w, middle, d->w, w);
+    e->damped_n -= h * vector_dot(part[ENERGY_DASHPOTS].F, v);
+    e->rolled -= h * vector_dot(part[ENERGY_DASHPOTS].T, w);
+    e->damped_t -= h * load_work(&part[ENERGY_DASHPOTS_T], v, w);
+    e->released -= h * load_work(&part[ENERGY_FRICTION], v, w);
+    e->attracted += h * vector_dot(part[ENERGY_ATTRACTIONS].F, v);
+    e->work +=
+        h * vector_dot(s->external, v) + (to - from) * vector_dot(d->drag, v);
+}
+
+/* A kick of dt; the budget counts it from `from` [-] of it on. */
+static void reference_run_kick(struct reference *r, const struct particles *ps,
+                               double dt, double from)
+{
     for (int i = 0; i < r->n; i++) {
         struct sphere *const s = &r->sphere[i];
-        const double m = s->m + (drag ? ps->added_mass[i] : 0.0);
-        const double I = 0.4 * s->m * s->R * s->R;
-        const double rate = drag ? ps->drag_coefficient[i] / m : 0.0;
-        const double gain = implicit_drag_gain(rate * dt);
+        const struct change d = change_of(s, ps, i, dt);
+
+        if (r->budget) reference_run_count(r->energy, s, &d, dt, from, 1.0);
         for (int k = 0; k < 3; k++) {
-            const double a = (s->F[k] + s->external[k]) / m;
-            const double dv = gain * (a - rate * s->v[k]) * dt;
-            s->v[k] += dv;
-            s->w[k] += s->T[k] / I * dt;
-            if (drag) ps->drag_impulse[3 * i + k] += m * (dv - a * dt);
+            s->v[k] += d.v[k];
+            s->w[k] += d.w[k];
+            if (ps->drag_coefficient != NULL)
+                ps->drag_impulse[3 * i + k] += d.drag[k];
         }
     }
 }
 
-/* x += v dt; the work of the external forces, less that of an implicit drag. */
-static void reference_run_drift(struct reference *r, const struct particles *ps,
-                                double dt)
+static void reference_run_drift(struct reference *r, double dt)
 {
-    for (int i = 0; i < r->n; i++) {
-        struct sphere *const s = &r->sphere[i];
-        const double k =
-            ps->drag_coefficient != NULL ? ps->drag_coefficient[i] : 0.0;
-        vector_along(s->x, dt, s->v, s->x);
-        r->energy->work +=
-            dt * (vector_dot(s->external, s->v) - k * vector_dot(s->v, s->v));
-    }
+    for (int i = 0; i < r->n; i++)
+        vector_along(r->sphere[i].x, dt, r->sphere[i].v, r->sphere[i].x);
 }
 
 /* A particle is lost when it is wholly outside or not finite; a comparison with
@@ -207,17 +248,19 @@ static struct dem_crossing find_crossing(const struct reference *r, double dt)
 
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
- * positions are at the same time. */
+ * positions are at the same time; where the velocity lags behind (Euler) the
+ * budget counts the part of the next kick that brings it there. */
 static void take_steps(const struct dem *dem, struct reference *r, int steps,
                        struct dem_report *report)
 {
     const struct particles *const ps = dem->ps;
     const struct integrator *const by = r->options->integrator;
-    const double dt = r->options->step;
+    const double dt = r->options->step, lag = integrator_lag(by);
 
     for (int k = 0; k < steps; k++) {
-        reference_run_kick(r, ps, k == 0 ? by->first * dt : dt);
-        reference_run_drift(r, ps, dt);
+        reference_run_kick(r, ps, k == 0 ? by->first * dt : dt,
+                           k == 0 ? lag / by->first : 0.0);
+        reference_run_drift(r, dt);
         if (check_lost(r, report) > 0) return;
         report->crossing = find_crossing(r, dt);
         if (report->crossing.found) return;
@@ -227,7 +270,12 @@ static void take_steps(const struct dem *dem, struct reference *r, int steps,
         report->steps++;
         if (dem_looks(dem, k) && interrupt_arrived()) return;
     }
-    if (steps > 0) reference_run_kick(r, ps, by->last * dt);
+    if (steps == 0) return;
+    reference_run_kick(r, ps, by->last * dt, 0.0);
+    for (int i = 0; i < r->n && r->budget && lag > 0.0; i++) {
+        const struct change d = change_of(&r->sphere[i], ps, i, dt);
+        reference_run_count(r->energy, &r->sphere[i], &d, dt, 0.0, lag);
+    }
 }
 
 /* --- the sums of a run ---------------------------------------------------- */
@@ -242,17 +290,25 @@ static void reference_run_start(struct reference *r)
     r->energy->released = released;
 }
 
+/* At the time of the positions. */
 static double kinetic_energy(const struct reference *r,
                              const struct particles *ps)
 {
+    const double dt = r->options->step;
+    const double lag = integrator_lag(r->options->integrator);
     double sum = 0.0;
 
     for (int i = 0; i < r->n; i++) {
         const struct sphere *const s = &r->sphere[i];
+        const struct change d = change_of(s, ps, i, dt);
         const double m =
             s->m + (ps->drag_coefficient != NULL ? ps->added_mass[i] : 0.0);
-        sum += 0.5 * m * vector_dot(s->v, s->v) +
-               0.2 * s->m * s->R * s->R * vector_dot(s->w, s->w);
+        double v[3], w[3];
+
+        vector_along(s->v, lag, d.v, v);
+        vector_along(s->w, lag, d.w, w);
+        sum += 0.5 * m * vector_dot(v, v) +
+               0.2 * s->m * s->R * s->R * vector_dot(w, w);
     }
     return sum;
 }
@@ -281,6 +337,7 @@ static void reference_run_steps(struct dem *dem, int steps,
 
     *report = (struct dem_report){.steps = 0};
     r->energy = e;
+    r->budget = dem->energy != NULL;
     r->max_overlap = 0.0;
     r->sorts = 0;
     reference_run_load(r, dem->ps);
@@ -330,8 +387,14 @@ static void reference_run_visit(struct dem *dem, struct state *s)
 
     state_whole(s, "stale", "-", &run->stale);
     reference_run_histories(&r->now, n, s);
-    state_reals_of(s, "force", "N", all->F, sizeof *all, n, 3);
-    state_reals_of(s, "torque", "N m", all->T, sizeof *all, n, 3);
+    state_reals_of(s, "force", "N", all->all.F, sizeof *all, n, 3);
+    state_reals_of(s, "torque", "N m", all->all.T, sizeof *all, n, 3);
+    for (int k = 0; k < ENERGY_PARTS; k++) {
+        state_begin_number(s, "part", k);
+        state_reals_of(s, "force", "N", all->part[k].F, sizeof *all, n, 3);
+        state_reals_of(s, "torque", "N m", all->part[k].T, sizeof *all, n, 3);
+        state_end(s);
+    }
 }
 
 /* --- histories ------------------------------------------------------------ */

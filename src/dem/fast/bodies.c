@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "dem/fast/drag_rows.h"
@@ -25,6 +26,7 @@ void bodies_free(struct bodies *b)
     if (b == NULL) return;
     free(b->position_radius);
     free(b->velocity);
+    free(b->before);
     free(b->acceleration);
     free(b->position_at_rebuild);
     free(b->implicit_drag);
@@ -108,6 +110,24 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
     }
     for (int k = 0; k < 3; k++)
         fastest[k] = top[k];
+}
+
+void bodies_kicked(const struct bodies *b, int i, const double load[8],
+                   double velocity[8])
+{
+    const double *const v = b->velocity[i], *const a = b->acceleration[i];
+    const double *const held =
+        b->implicit_drag != NULL ? b->implicit_drag[i] : NULL;
+    const double per_mass = held != NULL ? held[3] : v[7];
+    const double rate = held != NULL ? held[0] : 0.0;
+    const double gain = held != NULL ? held[1] : 1.0;
+
+    memcpy(velocity, v, 8 * sizeof *v);
+    for (int k = 0; k < 3; k++) {
+        velocity[k] +=
+            b->step * gain * (per_mass * load[k] + a[k] - rate * v[k]);
+        velocity[4 + k] -= 2.5 * b->step * v[7] * load[4 + k];
+    }
 }
 
 /* A particle is lost when it is wholly outside, its centre a radius beyond a

@@ -19,6 +19,8 @@ struct bodies {
     const struct contact_law *law;
     double (*position_radius)[4]; /* [m] x, y, z, R */
     double (*velocity)[8]; /* v [m/s], 1/R [1/m], R omega [m/s], 1/m [1/kg] */
+    double (*before)[8];   /* `velocity` before the last kick; NULL without a
+                              budget of energy */
     double (*acceleration)[4]; /* [m/s^2] of the external force; 0 */
     double (
         *position_at_rebuild)[3]; /* [m] x, y, z when the list was last made */
@@ -53,6 +55,11 @@ void bodies_store(const struct bodies *b, struct particles *ps, int begin,
  * from begin on. The largest |v_x|, |v_y|, |v_z| raise what is in fastest. */
 void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
                     double kick, double drift, double fastest[4]);
+
+/* The velocities that a kick of one step with this load of particle i would
+ * give. */
+void bodies_kicked(const struct bodies *b, int i, const double load[8],
+                   double velocity[8]);
 
 /* The result of a check of the particles begin .. end - 1. */
 struct bodies_survey {

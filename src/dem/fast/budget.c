@@ -36,11 +36,11 @@ struct energy budget_collect(const struct neighbours *nb)
 
     for (int s = 0; s < nb->n_chunks; s++) {
         const struct chunk *const own = &nb->chunks[s];
-        e.kinetic += own->measures.translation + own->measures.rotation;
+        e.kinetic += own->measures.translation + own->measures.rotation +
+                     own->energy.ahead;
         budget_add(&e, &own->energy);
         if (nb->surfaces != NULL)
             budget_add(&e, surfaces_energy(nb->surfaces, s));
     }
-    if (nb->surfaces != NULL) e.walls += surfaces_work(nb->surfaces);
     return e;
 }

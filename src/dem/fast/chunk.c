@@ -48,6 +48,7 @@ void chunk_release(struct chunk *s)
     free(s->contacts.partner);
     free(s->contacts.list_index);
     free(s->load);
+    free(s->part);
     free(s->blocks);
     free(s->history);
 }
@@ -142,10 +143,15 @@ void chunk_finish_lists(struct chunk *s, int n)
     for (int q = 0; q < s->pairs.n; q++)
         s->window =
             chunk_larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
-    if (s->load == NULL || s->window > s->load_capacity) {
+    if (s->load == NULL || s->window > s->load_capacity ||
+        (s->has_budget && s->part == NULL)) {
         free(s->load);
+        free(s->part);
         s->load_capacity = roomy(s->window);
         s->load = alloc_zeroed((size_t)s->load_capacity, sizeof *s->load);
+        s->part = s->has_budget
+                      ? alloc_zeroed((size_t)s->load_capacity, sizeof *s->part)
+                      : NULL;
     }
     c->n_pairs = c->n_walls = 0;
     if (most <= c->capacity) return;
@@ -349,6 +355,14 @@ int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n)
     return reached < 0 ? 0 : reached < size ? reached : size;
 }
 
+/* Adds the first n rows of 8. */
+static void add_rows(double (*to)[8], double (*from)[8], int n)
+{
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < 8; k++)
+            to[i][k] += from[i][k];
+}
+
 void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
                      int end)
 {
@@ -358,10 +372,12 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
         const struct chunk *const t = &chunks[(s - back + count) % count];
         const int offset = (own->begin - t->begin + n) % n;
         const int last = own->begin + chunk_shared_loads(own, t, n);
-        for (int i = begin; i < (end < last ? end : last); i++)
-            for (int k = 0; k < 8; k++)
-                own->load[i - own->begin][k] +=
-                    t->load[i - own->begin + offset][k];
+        const int many = (end < last ? end : last) - begin;
+        const int first = begin - own->begin;
+        add_rows(own->load + first, t->load + first + offset, many);
+        if (own->has_budget)
+            add_rows(own->part[first], t->part[first + offset],
+                     many * ENERGY_PARTS);
     }
 }
 
@@ -380,7 +396,7 @@ void chunk_measure(struct chunk *s, const struct bodies *b)
 {
     struct chunk_measures *const m = &s->measures;
 
-    *m = (struct chunk_measures){chunk_touching(s, b), 0.0, 0.0, 0.0};
+    *m = (struct chunk_measures){.contacts = chunk_touching(s, b)};
     for (int i = s->begin; i < s->end; i++) {
         const double *const v = b->velocity[i];
         const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];

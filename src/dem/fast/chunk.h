@@ -16,6 +16,7 @@
 #ifndef DEM_FAST_CHUNK_H
 #define DEM_FAST_CHUNK_H
 
+#include "dem/energy.h"
 #include "dem/fast/bodies.h"
 
 /* Partners of the particles begin, begin + 1, ... of a chunk: those of the a-th
@@ -65,11 +66,13 @@ struct chunk_measures {
 /* The energy budget of a chunk (energy.h); zero unless it is asked for. */
 struct chunk_energy {
     /* of the last sweep */
-    double normal;     /* [J] stored by the elastic forces */
-    double tangential; /* [J] sum of (1/2) k_t xi^2 */
-    double found;      /* [J] the same before the step, with the present k_t */
-    double stored;     /* [J] and as stored by the previous sweep */
-    int skip_release;  /* [-] 1: this sweep counts nothing as released */
+    double normal;          /* [J] stored by the elastic forces */
+    double tangential;      /* [J] sum of (1/2) k_t xi^2 */
+    double stored;          /* [J] the same by the previous sweep */
+    double released_before; /* [J] `released` then */
+    int skip_release;       /* [-] 1: this sweep counts nothing as released */
+    double ahead; /* [J] kinetic energy at the time of the positions, less that
+                     of the velocities */
     /* since the first */
     double damped_n, damped_t; /* [J] by the dashpots */
     double slid;               /* [J] by friction where it slides */
@@ -94,6 +97,8 @@ struct chunk {
     int window;        /* its loads reach begin ... begin + window - 1, modulo
                           the number of particles */
     double (*load)[8]; /* [N] F, 0, sum n x F_t (r/(R_i + R_j)), 0 */
+    double (*part)[ENERGY_PARTS][8]; /* [N] of these loads (energy.h); NULL
+                                        without a budget */
     int load_capacity;
     struct neighbour_list pairs, walls;
     struct chunk_contacts contacts;
@@ -102,6 +107,7 @@ struct chunk {
     struct contact_history *history;
     int n_history, history_capacity;
     int has_rolling;    /* [-] 1: there is rolling friction */
+    int has_budget;     /* [-] 1: of energy */
     double max_overlap; /* [-] largest overlap over the mean diameter */
     struct chunk_deep deep;
     double max_speed[4];     /* [m/s] largest |v_x|, |v_y|, |v_z| */
@@ -174,13 +180,22 @@ void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
                           const struct chunk_block *from,
                           const struct chunk_block *to);
 
-/* Power of the loads of this chunk on the particles [W]. */
-double chunk_power(const struct chunk *s, const struct bodies *b);
+/* Counts in the budget the work of a kick of `length` [s] from its part `from`
+ * to its part `to` [-]; `part` is that of the chunk's first particle on, the
+ * velocities before and after it are of all particles (bodies.h). */
+struct chunk_kick {
+    double length, from, to;
+    double (*before)[8], (*after)[8];
+    double (*part)[ENERGY_PARTS][8];
+};
+void chunk_count_kick(struct chunk *s, const struct bodies *b,
+                      const struct chunk_kick *kick);
 
-/* Adds to the energy budget the work of the external forces during a drift of
- * dt of the particles begin ... end - 1. */
-void chunk_add_work(struct chunk *s, const struct bodies *b, int begin, int end,
-                    double dt);
+/* The same from the present velocities up to `to` [-] of the kick of one step
+ * that follows, which is not made; and `ahead`, the kinetic energy that it
+ * brings. */
+void chunk_count_ahead(struct chunk *s, const struct bodies *b, double to);
+void chunk_measure_ahead(struct chunk *s, const struct bodies *b, double to);
 
 /* To be called before and after the contacts of a step. Contact histories
  * migrate between chunks at a rebuild; only the sum of `released` over all

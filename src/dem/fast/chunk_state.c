@@ -117,6 +117,8 @@ static void lists_state(struct chunk *c, int n, struct state *s)
     state_demand(s, s->failed || !s->loading || chunk_blocks_fit(c, n),
                  "blocks that are not those of its contacts");
     if (c->window > 0) state_reals(s, "load", "N", c->load[0], c->window, 8);
+    if (c->window > 0 && c->has_budget)
+        state_reals(s, "part", "N", c->part[0][0], c->window, 8 * ENERGY_PARTS);
 }
 
 static void chunk_state_histories(struct chunk *c, int n_spheres,
@@ -138,10 +140,10 @@ static void chunk_state_histories(struct chunk *c, int n_spheres,
 
 void chunk_energy_state(struct chunk_energy *e, struct state *s)
 {
-    double *const all[] = {&e->normal, &e->tangential, &e->found,
-                           &e->stored, &e->damped_n,   &e->damped_t,
-                           &e->slid,   &e->released,   &e->rolled,
-                           &e->work,   &e->attracted,  &e->prescribed};
+    double *const all[] = {&e->normal,    &e->tangential, &e->stored,
+                           &e->damped_n,  &e->damped_t,   &e->slid,
+                           &e->released,  &e->rolled,     &e->work,
+                           &e->attracted, &e->prescribed};
 
     state_several(s, "energy", "J", all, sizeof all / sizeof *all);
     state_whole(s, "skip_release", "-", &e->skip_release);

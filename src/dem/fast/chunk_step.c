@@ -14,11 +14,9 @@ static void chunk_step_set_prescribed(const struct neighbours *nb,
                                       const struct step_parameters *by)
 {
     if (nb->prescribed == NULL || !by->prescribed) return;
-    own->energy.prescribed +=
-        by->dt * prescribed_particles_power(nb->prescribed, nb->bodies, begin,
-                                            end, load);
     own->energy.prescribed += prescribed_particles_set_velocities(
-        nb->prescribed, nb->bodies, nb->ps, begin, end, load, by->t, by->drift);
+        nb->prescribed, nb->bodies, nb->ps, begin, end, load, by->t, by->drift,
+        by->kick);
 }
 
 static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
@@ -26,7 +24,11 @@ static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
                                const struct step_parameters *by)
 {
     double(*const load)[8] = own->load + (begin - own->begin);
+    struct bodies *const b = nb->bodies;
 
+    if (by->budget && end > begin)
+        memcpy(b->before[begin], b->velocity[begin],
+               (size_t)(end - begin) * sizeof *b->before);
     chunk_step_set_prescribed(nb, own, begin, end, load, by);
     if (nb->bodies->implicit_drag == NULL)
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
@@ -34,7 +36,23 @@ static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
     else
         drag_rows_advance(nb->bodies, begin, end, load, by->kick, by->drift,
                           own->max_speed_now);
-    if (by->budget) chunk_add_work(own, nb->bodies, begin, end, by->drift);
+}
+
+/* What the budget counts after all particles of the chunk have moved, in an
+ * order that does not depend on the threads. */
+static void chunk_step_count(const struct neighbours *nb, int s,
+                             const struct step_parameters *by)
+{
+    struct chunk *const own = &nb->chunks[s];
+    const struct chunk_kick kick = {
+        by->kick, by->from, 1.0, nb->bodies->before, nb->bodies->velocity,
+        own->part};
+
+    if (!by->budget) return;
+    chunk_count_kick(own, nb->bodies, &kick);
+    if (nb->surfaces != NULL)
+        surface_contacts_count(&nb->surfaces->chunk[s],
+                               (1.0 - by->from) * by->kick);
 }
 
 /* Number of particles at the beginning of chunk s that receive loads from
@@ -70,25 +88,33 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
 
     memset(own->load + from->n_loads, 0,
            (size_t)(to->n_loads - from->n_loads) * sizeof *own->load);
+    if (by->budget)
+        memset(own->part + from->n_loads, 0,
+               (size_t)(to->n_loads - from->n_loads) * sizeof *own->part);
     by->sweep(own, nb->bodies, by->constants, by->dt, from->pairs, to->pairs);
     by->sweep(own, nb->bodies, by->constants, by->dt, from->walls, to->walls);
     if (own->max_overlap > own->deep.overlap)
         chunk_check_overlaps(own, nb->bodies, from, to);
 }
 
-/* Adds the attractions, and their power to the budget; the particles have not
- * moved yet. */
+/* Adds sign times the loads to the part of the attractions. */
+static void add_to_attractions(struct chunk *own, double sign)
+{
+    for (int q = 0; q < own->window; q++)
+        for (int k = 0; k < 3; k++)
+            own->part[q][ENERGY_ATTRACTIONS][k] += sign * own->load[q][k];
+}
+
 static void chunk_step_add_attractions(const struct bodies *b,
                                        struct chunk *own,
                                        const struct step_parameters *by)
 {
     const int counted = by->budget && by->n_attractions > 0;
-    const double before = counted ? chunk_power(own, b) : 0.0;
 
+    if (counted) add_to_attractions(own, -1.0);
     for (int k = 0; k < by->n_attractions; k++)
         attraction_loop_add(own, b, &by->attractions[k]);
-    if (counted)
-        own->energy.attracted += by->dt * (chunk_power(own, b) - before);
+    if (counted) add_to_attractions(own, 1.0);
 }
 
 /* Adds the loads of surfaces and attractions on a chunk. */
@@ -146,6 +172,7 @@ void chunk_step_load_and_move(struct neighbours *nb,
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++) {
         load_and_move_chunk(nb, s, by, 1);
+        chunk_step_count(nb, s, by);
         publish_max_speed(&nb->chunks[s]);
     }
     neighbours_barrier(nb);
@@ -158,6 +185,7 @@ void chunk_step_move(struct neighbours *nb, const struct step_parameters *by)
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         chunk_step_advance(nb, own, own->begin, own->end, by);
+        chunk_step_count(nb, s, by);
         publish_max_speed(own);
     }
     neighbours_barrier(nb);

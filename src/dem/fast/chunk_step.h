@@ -24,6 +24,7 @@ struct step_parameters {
     int budget;     /* [-] 1: of energy (energy.h) */
     double dt; /* [s] step of the tangential displacements; 0: loads alone */
     double kick, drift; /* [s] step of the velocities, and of the positions */
+    double from; /* [-] of the kick, from where on the budget counts it */
 };
 
 /* Computes loads and motion. Every thread of the team calls it; it ends with a

@@ -197,8 +197,8 @@ SWEEP_INLINE void sweep_contacts(struct chunk *s, const struct bodies *b,
         sweep_law(&c, k, respond, many, loop & CONTACT_BUDGET);
         sweep_springs(&c, xi[0], xi[1], xi[2], dt);
         if (loop & CONTACT_BUDGET)
-            sweep_budget(&s->energy, &c, (const double *const *)xi, k, count,
-                         dt);
+            sweep_budget(s, &c, (const double *const *)xi, k, first, count, dt,
+                         b->n);
         (many ? sweep_loads_multi_material : sweep_loads)(&c, xi[0], xi[1],
                                                           xi[2], k);
         sweep_into_rows(&c);

@@ -90,11 +90,26 @@ static void fast_release(struct dem *dem)
     free(fast);
 }
 
+/* Allocates what a budget of energy needs, once. */
+static void fast_add_budget(struct fast *fast, int capacity)
+{
+    struct neighbours *const nb = fast->neighbours;
+    const size_t n = (size_t)capacity;
+
+    if (nb->bodies->before != NULL) return;
+    nb->bodies->before = alloc_zeroed(n, sizeof *nb->bodies->before);
+    for (int s = 0; s < nb->n_chunks; s++)
+        nb->chunks[s].has_budget = 1;
+    if (fast->heun != NULL)
+        fast->heun->part = alloc_zeroed(n, sizeof *fast->heun->part);
+}
+
 static void fast_changed(struct dem *dem)
 {
     struct fast *const fast = fast_of(dem);
     const int loop = loop_of(&dem->options, dem->energy != NULL);
 
+    if (dem->energy != NULL) fast_add_budget(fast, dem->ps->capacity);
     fast->sweep = contact_loops_of(dem->options.law, loop);
     fast->neighbours->stale = 1;
 }

@@ -105,6 +105,9 @@ static void fast_move_measure(struct dem *dem)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
+        if (dem->energy != NULL)
+            chunk_measure_ahead(own, nb->bodies,
+                                integrator_lag(dem->options.integrator));
         if (nb->prescribed != NULL)
             prescribed_particles_restore_mass(nb->prescribed, nb->bodies,
                                               nb->ps, own->begin, own->end);
@@ -162,6 +165,24 @@ static int is_interrupted(const struct dem *dem, int k)
     return fast->interrupted;
 }
 
+/* Where the velocity lags behind the positions the budget counts the part of
+ * the next kick that brings it there. */
+static void count_ahead(struct dem *dem)
+{
+    const double lag = integrator_lag(dem->options.integrator);
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    if (dem->energy == NULL || lag == 0.0) return;
+    for (int s = mine.first; s < mine.last; s++) {
+        chunk_count_ahead(&nb->chunks[s], nb->bodies, lag);
+        if (nb->surfaces != NULL)
+            surface_contacts_count(&nb->surfaces->chunk[s],
+                                   lag * dem->options.step);
+    }
+    neighbours_barrier(nb);
+}
+
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
  * positions are at the same time. Returns the number of steps done. */
@@ -170,12 +191,13 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
     const struct integrator *const by = dem->options.integrator;
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const double dt = dem->options.step;
-    const struct step_parameters first =
+    struct step_parameters first =
         step_parameters(dem, 0.0, by->first * dt, dt);
     const struct step_parameters whole = step_parameters(dem, dt, dt, dt);
     const struct step_parameters last =
         step_parameters(dem, dt, by->last * dt, 0.0);
 
+    first.from = integrator_lag(by) / by->first;
     if (steps > 0) chunk_step_move(nb, &first);
     for (int k = 0; k < steps; k++) {
         prescribed_motion_move_surfaces(nb, time_after(dem, k + 1));
@@ -189,6 +211,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
         chunk_step_load_and_move(nb, &now);
         if (is_interrupted(dem, k)) return k + 1;
     }
+    if (steps > 0) count_ahead(dem);
     return steps;
 }
 
@@ -199,10 +222,27 @@ static void predict(struct dem *dem, double dt)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        if (dem->energy != NULL)
-            chunk_add_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
         heun_predict(fast_of(dem)->heun, own, nb->bodies, dt);
     }
+}
+
+/* The loads of the start and those at x*, v* act for half a step each, with the
+ * velocities that they are for. */
+static void count_heun(struct dem *dem, int s, double dt)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    struct heun *const h = fast_of(dem)->heun;
+    struct chunk *const own = &nb->chunks[s];
+    const double half = 0.5 * dt;
+    const struct chunk_kick first = {
+        half, 0.0, 1.0, h->velocity, h->velocity, h->part + own->begin};
+    const struct chunk_kick second = {
+        half, 0.0, 1.0, nb->bodies->velocity, nb->bodies->velocity, own->part};
+
+    chunk_count_kick(own, nb->bodies, &first);
+    chunk_count_kick(own, nb->bodies, &second);
+    if (nb->surfaces != NULL)
+        surface_contacts_count(&nb->surfaces->chunk[s], half);
 }
 
 static void fast_move_correct(struct dem *dem, double dt)
@@ -212,8 +252,7 @@ static void fast_move_correct(struct dem *dem, double dt)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        if (dem->energy != NULL)
-            chunk_add_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
+        if (dem->energy != NULL) count_heun(dem, s, dt);
         heun_correct(fast_of(dem)->heun, own, nb->bodies, dt);
     }
 }
@@ -226,8 +265,12 @@ static void force_at_start(struct dem *dem)
     const struct chunk_range mine = neighbours_static_range(nb);
 
     compute_loads(dem, 0.0);
-    for (int s = mine.first; s < mine.last; s++)
+    for (int s = mine.first; s < mine.last; s++) {
         heun_save_start(fast_of(dem)->heun, &nb->chunks[s], nb->bodies);
+        if (dem->energy != NULL && nb->surfaces != NULL)
+            surface_contacts_count(&nb->surfaces->chunk[s],
+                                   0.5 * dem->options.step);
+    }
     neighbours_barrier(nb);
 }
 

@@ -33,6 +33,7 @@ void heun_free(struct heun *h)
     free(h->position_radius);
     free(h->velocity);
     free(h->load);
+    free(h->part);
     free(h);
 }
 
@@ -47,6 +48,8 @@ void heun_save_start(struct heun *h, const struct chunk *s,
     memcpy(h->velocity[s->begin], b->velocity[s->begin],
            n * sizeof *h->velocity);
     memcpy(h->load[s->begin], s->load[0], n * sizeof *h->load);
+    if (h->part != NULL)
+        memcpy(h->part[s->begin], s->part[0], n * sizeof *h->part);
 }
 
 /* Rate of number k of the row `velocity`: of v, and of R omega (bodies.c). */

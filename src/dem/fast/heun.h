@@ -11,9 +11,10 @@
 
 /* The state at the beginning of a step of Heun's method. */
 struct heun {
-    double (*position_radius)[4]; /* [m] */
-    double (*velocity)[8];        /* as in bodies.h */
-    double (*load)[8];            /* [N] as in chunk.h */
+    double (*position_radius)[4];    /* [m] */
+    double (*velocity)[8];           /* as in bodies.h */
+    double (*load)[8];               /* [N] as in chunk.h */
+    double (*part)[ENERGY_PARTS][8]; /* likewise; NULL without a budget */
 };
 
 struct heun *heun_create(int capacity);

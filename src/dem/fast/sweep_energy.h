@@ -6,12 +6,13 @@
  * a step dt a contact with the slip v_t and the approach -v_n
  *
  *   stores       what the law says (contact_response) and k_t xi^2 / 2
- *   damps        eta_n v_n^2 dt and, unless it slides, eta_t v_t^2 dt
- *   slides off   -F_t . v_t dt and what its spring loses, where Coulomb's cap
- *                cuts both
+ *   slides off   where Coulomb's cap cuts force and spring: the work of the
+ * mean of the spring's force before and F_t after, and what the spring loses
  *
- * and what the spring itself loses as it softens (hertz), turns or parts is the
- * difference between what was stored and what the next step finds.
+ * The dashpots' forces, and those of friction, are kept apart from the others:
+ * their work is known after the kick (chunk_energy.c). What goes into friction
+ * and is neither stored nor slides off is released by the spring, as it softens
+ * (hertz), turns or parts.
  */
 #ifndef DEM_FAST_SWEEP_ENERGY_H
 #define DEM_FAST_SWEEP_ENERGY_H
@@ -24,11 +25,10 @@
 
 /* Friction in one contact. */
 struct sweep_slip {
-    int slides;
-    double v2;    /* [m^2/s^2] slip */
-    double power; /* [W] -F_t . v_t */
-    double old2;  /* [m^2] of the spring before this step's v_t dt */
-    double left2; /* [m^2] of the spring that sweep_loads leaves */
+    double friction[3]; /* [N] of the spring, or of the cap */
+    double dashpot[3];  /* [N] of F_t, the other part */
+    double slid;        /* [J] */
+    double left2;       /* [m^2] of the spring that sweep_loads leaves */
 };
 
 /* v_t as in sweep_springs. */
@@ -49,50 +49,89 @@ static inline struct sweep_slip sweep_slip(const struct sweep_buffers *c, int p,
                                            const double v_t[3], double most,
                                            double dt)
 {
-    struct sweep_slip s = {0, 0.0, 0.0, 0.0, 0.0};
-    double F2 = 0.0, xi2 = 0.0;
+    const double k_t = c->k_t[p];
+    double F2 = 0.0, xi2 = 0.0, old2 = 0.0, work = 0.0;
+    struct sweep_slip s;
 
     for (int k = 0; k < 3; k++) {
-        const double old = xi[k] - v_t[k] * dt;
         F2 += c->F_t[k][p] * c->F_t[k][p];
         xi2 += xi[k] * xi[k];
-        s.v2 += v_t[k] * v_t[k];
-        s.power -= c->F_t[k][p] * v_t[k];
-        s.old2 += old * old;
     }
-    s.slides = F2 > most * most;
-    if (s.slides) s.power *= most / sqrt(F2);
-    s.left2 = s.slides ? fmin(xi2, gsl_pow_2(most / c->k_t[p])) : xi2;
+    const int slides = F2 > most * most;
+    const double cut = slides ? most / sqrt(F2) : 1.0;
+    s.left2 = slides ? fmin(xi2, gsl_pow_2(most / k_t)) : xi2;
+    for (int k = 0; k < 3; k++) {
+        const double old = xi[k] - v_t[k] * dt, F = cut * c->F_t[k][p];
+        s.friction[k] = slides ? F : -k_t * xi[k];
+        s.dashpot[k] = F - s.friction[k];
+        work += 0.5 * (k_t * old - F) * v_t[k] * dt;
+        old2 += old * old;
+    }
+    s.slid = slides ? work + 0.5 * k_t * (old2 - s.left2) : 0.0;
     return s;
 }
 
-/* Adds those of the first `count` contacts that touch to the sums of the chunk.
- */
-SWEEP_STAGE void sweep_budget(struct chunk_energy *e,
-                              const struct sweep_buffers *c,
-                              const double *const xi[3],
-                              const struct contact_constants *k, int count,
-                              double dt)
+/* Adds a force in the plane of contact, or along n with the arm 0, as
+ * sweep_scatter; theirs is NULL at a wall. */
+static inline void sweep_add_part(const struct sweep_buffers *c, int p,
+                                  const double F[3], double arm, double own[8],
+                                  double theirs[8])
 {
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const double turn = arm * (c->n[i][p] * F[j] - c->n[j][p] * F[i]);
+        own[k] += F[k];
+        own[4 + k] += turn;
+        if (theirs == NULL) continue;
+        theirs[k] -= F[k];
+        theirs[4 + k] += turn;
+    }
+}
+
+/* One contact that touches. */
+static inline void sweep_count(struct chunk *s, const struct sweep_buffers *c,
+                               int p, const double xi[3], double mu, double dt,
+                               double own[ENERGY_PARTS][8],
+                               double theirs[ENERGY_PARTS][8])
+{
+    static const int part[3] = {ENERGY_DASHPOTS, ENERGY_DASHPOTS_T,
+                                ENERGY_FRICTION};
+    double v_n = 0.0, v_t[3], normal[3];
+
+    for (int a = 0; a < 3; a++)
+        v_n += c->column[a][p] * c->n[a][p];
+    for (int a = 0; a < 3; a++)
+        normal[a] = -c->eta_n[p] * v_n * c->n[a][p];
+    sweep_slip_velocity(c, p, v_n, v_t);
+    const struct sweep_slip slip =
+        sweep_slip(c, p, xi, v_t, mu * fabs(c->F_n[p]), dt);
+    const double *const F[3] = {normal, slip.dashpot, slip.friction};
+    for (int a = 0; a < 3; a++)
+        sweep_add_part(c, p, F[a], a == 0 ? 0.0 : c->arm[p], own[part[a]],
+                       theirs != NULL ? theirs[part[a]] : NULL);
+    s->energy.normal += c->stored[p];
+    s->energy.tangential += 0.5 * c->k_t[p] * slip.left2;
+    s->energy.slid += slip.slid;
+    s->energy.released -= slip.slid;
+}
+
+/* Adds those of contacts first ... first + count - 1 that touch to the sums and
+ * the parts of the chunk; n particles in all. */
+SWEEP_STAGE void sweep_budget(struct chunk *s, const struct sweep_buffers *c,
+                              const double *const xi[3],
+                              const struct contact_constants *k, int first,
+                              int count, double dt, int n)
+{
+    const int pairs = sweep_pairs(s, first, count);
+
     for (int p = 0; p < count; p++) {
         const double own[3] = {xi[0][p], xi[1][p], xi[2][p]};
-        const double most = k[c->material_pair[p]].friction * fabs(c->F_n[p]);
-        double v_n = 0.0, v_t[3];
+        const int at = s->contacts.partner[first + p] - s->begin;
 
         if (!(c->delta[p] > 0.0)) continue;
-        for (int a = 0; a < 3; a++)
-            v_n += c->column[a][p] * c->n[a][p];
-        sweep_slip_velocity(c, p, v_n, v_t);
-        const struct sweep_slip s = sweep_slip(c, p, own, v_t, most, dt);
-        const double k_t = c->k_t[p];
-        e->normal += c->stored[p];
-        e->tangential += 0.5 * k_t * s.left2;
-        e->found += 0.5 * k_t * s.old2;
-        e->damped_n += c->eta_n[p] * v_n * v_n * dt;
-        if (s.slides)
-            e->slid += s.power * dt + 0.5 * k_t * (s.old2 - s.left2);
-        else
-            e->damped_t += c->eta_t[p] * s.v2 * dt;
+        sweep_count(s, c, p, own, k[c->material_pair[p]].friction, dt,
+                    s->part[s->contacts.owner[first + p] - s->begin],
+                    p < pairs ? s->part[at < 0 ? at + n : at] : NULL);
     }
 }
 

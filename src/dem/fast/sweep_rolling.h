@@ -13,20 +13,19 @@
 #include "dem/fast/sweep_buffers.h"
 #include "dem/rolling.h"
 
-/* One contact; gives the power of the moment [W]. The load of a particle is
- * -T/R (chunk.h), and the two have opposite moments. */
-static inline double sweep_roll_one(const struct sweep_buffers *c, int p,
-                                    struct chunk *s, int slot,
-                                    const double mine[8], const double other[8],
-                                    const double per_mass[2], double own[8],
-                                    double theirs[8], double mu_r, double dt)
+/* The moment M [N m] of one contact on its owner. */
+static inline void sweep_roll_one(const struct sweep_buffers *c, int p,
+                                  struct chunk *s, int slot,
+                                  const double mine[8], const double other[8],
+                                  const double per_mass[2], double M[3],
+                                  double mu_r, double dt)
 {
     const double R = 1.0 / (mine[3] + other[3]), k_r = c->k_t[p] * R * R;
     const double per_I =
         (per_mass[0] * mine[3] * mine[3] + per_mass[1] * other[3] * other[3]) /
         1.4; /* I + m R^2 = (7/5) m R^2 */
     const double C_r = 2.0 * rolling_damping_ratio * sqrt(k_r / per_I);
-    double n[3], w[3], theta[3], M[3];
+    double n[3], w[3], theta[3];
 
     for (int a = 0; a < 3; a++) {
         n[a] = c->n[a][p];
@@ -34,12 +33,20 @@ static inline double sweep_roll_one(const struct sweep_buffers *c, int p,
         theta[a] = s->contacts.roll_angle[a][slot];
     }
     rolling_moment(M, theta, w, n, k_r, C_r, mu_r * R * fabs(c->F_n[p]), dt);
-    for (int a = 0; a < 3; a++) {
-        own[4 + a] -= M[a] * mine[3];
-        theirs[4 + a] += M[a] * other[3];
+    for (int a = 0; a < 3; a++)
         s->contacts.roll_angle[a][slot] = theta[a];
+}
+
+/* The load of a particle is -T/R (chunk.h), and the two have opposite moments.
+ */
+static inline void sweep_add_moment(const double M[3], double per_R,
+                                    double per_other, double own[8],
+                                    double theirs[8])
+{
+    for (int a = 0; a < 3; a++) {
+        own[4 + a] -= M[a] * per_R;
+        theirs[4 + a] += M[a] * per_other;
     }
-    return M[0] * w[0] + M[1] * w[1] + M[2] * w[2];
 }
 
 /* The moments of contacts first ... first + count - 1, after their forces. A
@@ -54,23 +61,27 @@ SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
     double unused[8] = {0};
 
     for (int p = 0; p < count; p++) {
-        const int slot = first + p, i = s->contacts.owner[slot];
+        const int slot = first + p, own = s->contacts.owner[slot];
         const int j = s->contacts.partner[slot], pair = p < pairs;
-        const int at = j - s->begin;
+        const int i = own - s->begin;
+        const int at = j < s->begin ? j - s->begin + b->n : j - s->begin;
         const double mu_r = k[c->material_pair[p]].rolling;
+        const double *const mine = b->velocity[own];
+        const double *const other = pair ? b->velocity[j] : wall;
+        double per_mass[2], M[3];
 
         if (c->delta[p] <= 0.0 || mu_r <= 0.0) {
             for (int a = 0; a < 3; a++)
                 s->contacts.roll_angle[a][slot] = 0.0;
             continue;
         }
-        double per_mass[2];
-        sweep_inverse_masses(b, i, pair ? j : -1, per_mass);
-        const double power = sweep_roll_one(
-            c, p, s, slot, b->velocity[i], pair ? b->velocity[j] : wall,
-            per_mass, s->load[i - s->begin],
-            pair ? s->load[at < 0 ? at + b->n : at] : unused, mu_r, dt);
-        if (budget) s->energy.rolled -= power * dt;
+        sweep_inverse_masses(b, own, pair ? j : -1, per_mass);
+        sweep_roll_one(c, p, s, slot, mine, other, per_mass, M, mu_r, dt);
+        sweep_add_moment(M, mine[3], other[3], s->load[i],
+                         pair ? s->load[at] : unused);
+        if (budget)
+            sweep_add_moment(M, mine[3], other[3], s->part[i][ENERGY_DASHPOTS],
+                             pair ? s->part[at][ENERGY_DASHPOTS] : unused);
     }
 }
 

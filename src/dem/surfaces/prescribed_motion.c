@@ -20,6 +20,6 @@ void prescribed_motion_set_velocities(const struct neighbours *nb, double t,
         struct chunk *const own = &nb->chunks[s];
         own->energy.prescribed += prescribed_particles_set_velocities(
             nb->prescribed, nb->bodies, nb->ps, own->begin, own->end, NULL, t,
-            dt);
+            dt, 0.0);
     }
 }

@@ -106,13 +106,14 @@ static double prescribed_particles_kinetic(const struct bodies *b,
            0.2 * ps->m[i] * (v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
 }
 
-/* Power of the drag [W], as chunk_add_work counts it. */
-static double taken(const struct bodies *b, const struct particles *ps, int i)
+/* [W] T . omega = -load . (R omega) (chunk.h). */
+static double power_on(const double v[8], const double load[8])
 {
-    const double *const v = b->velocity[i];
+    double power = 0.0;
 
-    if (b->implicit_drag == NULL) return 0.0;
-    return ps->drag_coefficient[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int k = 0; k < 3; k++)
+        power += load[k] * v[k] - load[4 + k] * v[4 + k];
+    return power;
 }
 
 static int owned_index(const struct prescribed_particles *d, int k, int begin,
@@ -126,7 +127,7 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
                                            const struct particles *ps,
                                            int begin, int end,
                                            double (*load)[8], double t,
-                                           double dt)
+                                           double dt, double kick)
 {
     double gained = 0.0;
 
@@ -139,32 +140,16 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
             set_inverse_mass(b, ps, i);
             gained -= prescribed_particles_kinetic(b, ps, i);
             set_velocity_of(m, b, i, t, dt);
-            gained +=
-                prescribed_particles_kinetic(b, ps, i) + dt * taken(b, ps, i);
+            gained += prescribed_particles_kinetic(b, ps, i);
         } else if (d->is_on[k]) {
+            if (load != NULL)
+                gained -= kick * power_on(b->velocity[i], load[i - begin]);
             restore_inverse_mass(b, ps, i,
                                  load != NULL ? load[i - begin] : NULL);
         }
         d->is_on[k] = on;
     }
     return gained;
-}
-
-/* T . omega = -load . (R omega) (chunk.h). */
-double prescribed_particles_power(const struct prescribed_particles *d,
-                                  const struct bodies *b, int begin, int end,
-                                  double (*load)[8])
-{
-    double power = 0.0;
-
-    for (int k = 0; k < d->n; k++) {
-        if (!owned_index(d, k, begin, end) || !d->is_on[k]) continue;
-        const double *const v = b->velocity[d->index[k]];
-        const double *const f = load[d->index[k] - begin];
-        for (int a = 0; a < 3; a++)
-            power -= f[a] * v[a] - f[4 + a] * v[4 + a];
-    }
-    return power;
 }
 
 void prescribed_particles_fix_mass(const struct prescribed_particles *d,

@@ -41,20 +41,14 @@ void prescribed_particles_locate(struct prescribed_particles *d,
 
 /* Sets the velocities of those among begin ... end - 1 for a step from t to
  * t + dt [s]; dt = 0 gives those of the time t. Of those whose motion has ended
- * it clears the loads, from begin on; NULL: there are none yet. Returns the
- * energy that they gained by it, and what the fluid takes on the way [J]. */
+ * it clears the loads, from begin on, which would have acted in a kick [s];
+ * NULL: there are none yet. Returns the energy that they gained by it [J]. */
 double prescribed_particles_set_velocities(struct prescribed_particles *d,
                                            struct bodies *b,
                                            const struct particles *ps,
                                            int begin, int end,
                                            double (*load)[8], double t,
-                                           double dt);
-
-/* Power [W] with which those that are prescribed push against their loads;
- * `load` is that of particle `begin`, as in chunk.h. */
-double prescribed_particles_power(const struct prescribed_particles *d,
-                                  const struct bodies *b, int begin, int end,
-                                  double (*load)[8]);
+                                           double dt, double kick);
 
 /* After rows were loaded: sets 1/m of the prescribed particles to 0; or
  * restores their own 1/m for measurements. */

@@ -68,13 +68,13 @@ void surface_contacts_sort(struct surface_histories *f)
 }
 
 static void surface_contacts_make_room(struct surface_contacts *c, int n,
-                                       int rolls)
+                                       int rolls, int budget)
 {
     struct chunk_contacts *const k = &c->pairs.contacts;
     const double deepest = c->pairs.max_overlap;
     const struct chunk_energy energy = c->pairs.energy;
 
-    if (n <= c->capacity) return;
+    if (n <= c->capacity && c->pairs.has_budget == budget) return;
     c->capacity = n + n / 2 + 64;
     surface_contacts_free_arrays(c);
     c->position_radius =
@@ -84,8 +84,12 @@ static void surface_contacts_make_room(struct surface_contacts *c, int n,
     c->pairs.max_overlap = deepest;
     c->pairs.energy = energy;
     c->pairs.has_rolling = rolls;
+    c->pairs.has_budget = budget;
     c->material = alloc_ints(2 * c->capacity);
     c->pairs.load = alloc_zeroed(2 * (size_t)c->capacity, 8 * sizeof(double));
+    if (budget)
+        c->pairs.part =
+            alloc_zeroed(2 * (size_t)c->capacity, sizeof *c->pairs.part);
     k->capacity = c->capacity + SPARE;
     k->owner = alloc_ints(k->capacity);
     k->partner = alloc_ints(k->capacity);
@@ -175,6 +179,31 @@ static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
     c->received[t->surface].work += dt * vector_dot(load, t->v);
 }
 
+/* Adds the parts that the budget counts, and the power of the surface. */
+static void accumulate_parts(struct surface_contacts *c, int q, struct chunk *s)
+{
+    const struct surface_contact_point *const t = &c->touches.list[q];
+    double(*const to)[8] = s->part[t->owner - s->begin];
+
+    c->power[ENERGY_PARTS] += vector_dot(c->pairs.load[2 * q], t->v);
+    for (int a = 0; a < ENERGY_PARTS; a++) {
+        const double *const part = c->pairs.part[2 * q][a];
+        c->power[a] += vector_dot(part, t->v);
+        for (int k = 0; k < 8; k++)
+            to[a][k] += part[k];
+    }
+}
+
+void surface_contacts_count(struct surface_contacts *c, double t)
+{
+    struct chunk_energy *const e = &c->pairs.energy;
+
+    e->prescribed += t * c->power[ENERGY_PARTS];
+    e->damped_n += t * c->power[ENERGY_DASHPOTS];
+    e->damped_t += t * c->power[ENERGY_DASHPOTS_T];
+    e->released += t * c->power[ENERGY_FRICTION];
+}
+
 static void save_contact(struct surface_contacts *c, int q)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
@@ -215,7 +244,8 @@ void surface_contacts_add_loads(struct surface_contacts *c,
 
     surface_contact_points_find(&c->touches, &c->close, scene, c->pose, b);
     const int n = c->touches.n;
-    surface_contacts_make_room(c, n, s->has_rolling);
+    surface_contacts_make_room(c, n, s->has_rolling, s->has_budget);
+    memset(c->power, 0, sizeof c->power);
     c->previous = c->current;
     c->current = old;
     c->current.n = 0;
@@ -236,12 +266,15 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     chunk_begin_budget(&c->pairs.energy);
     if (n > 0) {
         memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);
+        if (s->has_budget)
+            memset(c->pairs.part, 0, 2 * (size_t)n * sizeof *c->pairs.part);
         sweep(&c->pairs, &two, k, dt, 0, n);
     }
     chunk_end_budget(&c->pairs.energy);
     if (c->pairs.max_overlap > s->deep.overlap) measure_overlaps(c, s, b);
     for (int q = 0; q < n; q++) {
         accumulate_load(c, q, s, c->pose, dt);
+        if (s->has_budget) accumulate_parts(c, q, s);
         save_contact(c, q);
     }
 }

@@ -5,10 +5,9 @@
  * other (contact_sweep.h): behind the surface lies a sphere of the same radius
  * that touches it, with the velocity of the surface, and neither 1/R nor 1/m.
  *
- * The tangential displacement of a contact belongs to a point of the particle,
- * not to a face: a contact continues with that of the contact that had the same
- * n one step earlier. A particle that slides from one triangle to the next
- * therefore keeps it.
+ * Its tangential displacement belongs to a point of the particle, not to a
+ * face: it is that of the contact that had the same n one step earlier. A
+ * particle that slides from one triangle to the next keeps it.
  */
 #ifndef DEM_SURFACES_SURFACE_CONTACTS_H
 #define DEM_SURFACES_SURFACE_CONTACTS_H
@@ -53,6 +52,7 @@ struct surface_contacts {
     struct pose *built;           /* at the last rebuild of the list */
     double time, built_time;      /* [s] */
     struct surface_received *received;
+    double power[ENERGY_PARTS + 1]; /* [W] of the surfaces: parts, all */
 };
 
 void surface_contacts_init(struct surface_contacts *c,
@@ -67,14 +67,14 @@ void surface_contacts_add_loads(struct surface_contacts *c,
                                 contact_sweep *sweep,
                                 const struct contact_constants *k, double dt);
 
-/* Adds the present loads over t [s] to the totals of carried surfaces. */
+/* Add the present loads over t [s] to carried surfaces, and to the budget. */
 void surface_contacts_push(struct surface_contacts *c,
                            const struct surface_scene *scene, double t);
-
+void surface_contacts_count(struct surface_contacts *c, double t);
 void surface_contacts_save(struct surface_histories *f,
                            const struct surface_history *one);
 
-/* Orders contact histories by owner; those of one owner stay in their order. */
+/* By owner; the histories of one owner stay in their order. */
 void surface_contacts_sort(struct surface_histories *f);
 
 #endif

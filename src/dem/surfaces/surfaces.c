@@ -305,16 +305,6 @@ struct chunk_energy *surfaces_energy(struct surfaces *sf, int s)
     return &sf->chunk[s].pairs.energy;
 }
 
-double surfaces_work(const struct surfaces *sf)
-{
-    double sum = 0.0;
-
-    for (int s = 0; s < sf->n_chunks; s++)
-        for (int k = 0; k < sf->scene.n; k++)
-            sum += sf->chunk[s].received[k].work;
-    return sum;
-}
-
 struct surface_received surfaces_received(const struct surfaces *sf,
                                           int surface)
 {

@@ -72,7 +72,6 @@ int surfaces_contacts(const struct surfaces *sf);
 double surfaces_deepest(const struct surfaces *sf);
 
 struct chunk_energy *surfaces_energy(struct surfaces *sf, int s); /* chunk s */
-double surfaces_work(const struct surfaces *sf); /* [J] on the particles */
 /* The totals of a surface over all chunks. */
 struct surface_received surfaces_received(const struct surfaces *sf,
                                           int surface);

@@ -105,6 +105,7 @@ static void surfaces_state_contacts(struct surface_contacts *c,
     state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, n, 3);
     state_reals_of(s, "work", "J", &all->work, sizeof *all, n, 1);
     chunk_energy_state(&c->pairs.energy, s);
+    state_reals(s, "power", "W", c->power, ENERGY_PARTS + 1, 1);
 }
 
 static void carried_state(struct surface_contacts *c, int n, struct state *s)
