@@ -99,49 +99,45 @@ static int refusal_check_keys(const struct settings *s, const char *about)
     return 0;
 }
 
-/* Choices of which the engine knows one or two. */
-static const struct {
-    const char *key, *group, *value, *other, *why;
-} choices[] = {
-    {"particles.integrator", "particles", "velocity-verlet", "",
-     "LAMMPS moves the particles by velocity Verlet"},
-    {"averaging.method", "averaging", "pcm", "diffusion",
-     "other averages reach farther than the layers of a rank"},
-    {"averaging.scheme", "averaging", "exponential", "series",
-     "a step of the others waits for all ranks in every iteration"},
-    {"averaging.bandwidth_variation", "averaging", "uniform", "",
-     "the bandwidth must be the same on all ranks"},
-    {"exchange.slip_integration", "exchange", "frozen", "",
-     "the other one acts within the integrator, which is LAMMPS': use "
-     "sub-steps"},
-    {"exchange.coupling", "exchange", "two-way", "", "not divided yet"},
-    {"fluid.time", "fluid", "euler", "", "not divided yet"}};
-
-static int check_choices(const struct settings *s)
+static int is_one_of(const char *name, const char *one, const char *other)
 {
-    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++) {
-        if (!settings_has(s, choices[i].group)) continue;
-        const char *const is = settings_text(s, choices[i].key);
-        if (strcmp(is, choices[i].value) != 0 &&
-            strcmp(is, choices[i].other) != 0)
-            return refusal_refuse(s, choices[i].key, choices[i].why);
-    }
-    return 0;
+    return strcmp(name, one) == 0 || strcmp(name, other) == 0;
 }
 
-/* Keys of the fluid and of the averaging that must not be there. */
-static int check_absent(const struct settings *s)
+/* Choices of which the engine does not know all; the groups are there. */
+static int check_choices(const struct settings *s)
 {
-    static const char *const absent[] = {"fluid.mean_flow", "averaging.cap",
-                                         "averaging.regions", NULL};
+    static const char not_yet[] = "not divided yet";
+    const struct averaging_options *const a = &s->averaging;
+    const struct {
+        int known;
+        const char *key, *why;
+    } choices[] = {
+        {is_one_of(s->particles.integrator->name, "velocity-verlet", ""),
+         "particles.integrator",
+         "LAMMPS moves the particles by velocity Verlet"},
+        {is_one_of(a->method->name, "pcm", "diffusion"), "averaging.method",
+         "other averages reach farther than the layers of a rank"},
+        {is_one_of(a->scheme, "exponential", "series"), "averaging.scheme",
+         "a step of the others waits for all ranks in every iteration"},
+        {is_one_of(a->vary, "uniform", ""), "averaging.bandwidth_variation",
+         "the bandwidth must be the same on all ranks"},
+        {s->exchange.slip_integration == SLIP_INTEGRATION_FROZEN,
+         "exchange.slip_integration",
+         "the other one acts within the integrator, which is LAMMPS': use "
+         "sub-steps"},
+        {s->exchange.two_way, "exchange.coupling", not_yet},
+        {is_one_of(s->fluid.time->name, "euler", ""), "fluid.time", not_yet},
+        {!s->fluid.has_mean_flow, "fluid.mean_flow", not_yet},
+        {a->cap == 0.0, "averaging.cap", not_yet},
+        {!settings_has(s, "averaging.regions"), "averaging.regions", not_yet},
+        {!s->particles.list->no_contacts, "particles.list",
+         "LAMMPS looks for contacts"},
+        {s->fluid.outer_correctors == 0, "fluid.outer_correctors", not_yet}};
 
-    for (int i = 0; absent[i] != NULL; i++)
-        if (settings_has(s, absent[i]))
-            return refusal_refuse(s, absent[i], "not divided yet");
-    if (s->has.particles && s->particles.list->no_contacts)
-        return refusal_refuse(s, "particles.list", "LAMMPS looks for contacts");
-    if (s->has.fluid && s->fluid.outer_correctors)
-        return refusal_refuse(s, "fluid.outer_correctors", "not divided yet");
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
+        if (!choices[i].known)
+            return refusal_refuse(s, choices[i].key, choices[i].why);
     return 0;
 }
 
@@ -201,20 +197,20 @@ int refusal_export(const struct settings *s)
 
 int refusal_engine(const struct settings *s)
 {
-    static const char *const groups[] = {"fluid", "particles", "exchange"};
-    int code = 0;
+    const char *const missing = !s->has.fluid       ? "fluid"
+                                : !s->has.particles ? "particles"
+                                : !s->has.exchange  ? "exchange"
+                                                    : NULL;
 
-    for (int i = 0; i < 3 && code == 0; i++)
-        if (!settings_has(s, groups[i]))
-            code = settings_wrong(s, groups[i],
-                                  "the distributed engine computes fluid and "
-                                  "particles together; run on one machine%s",
-                                  i == 0 ? ", or winnow export CASE --to "
-                                           "lammps"
-                                         : "");
-    if (code == 0) code = refusal_check_keys(s, "");
+    if (missing != NULL)
+        return settings_wrong(s, missing,
+                              "the distributed engine computes fluid and "
+                              "particles together; run on one machine%s",
+                              s->has.fluid ? ""
+                                           : ", or winnow export CASE --to "
+                                             "lammps");
+    int code = refusal_check_keys(s, "");
     if (code == 0) code = check_choices(s);
-    if (code == 0) code = check_absent(s);
     if (code == 0) code = check_sides(s);
     if (code == 0) code = check_grading(s);
     return code != 0 ? code : refusal_export(s);
