@@ -58,7 +58,7 @@ START_TEST(what_is_listed_goes_and_what_is_not_stays)
     run_once(name);
     scratch_write(scratch_path(name, "notes.txt"), "mine");
     scratch_write(scratch_path(name, "fluid/mine.vtr"), "mine");
-    scratch_write(scratch_path(name, "history.csv.partial"), "half");
+    scratch_write(scratch_path(name, "history.csv.partial"), "time [s], h");
     struct folder *const f = folder_open(name);
     ck_assert_ptr_nonnull(f);
     ck_assert(scratch_exists(scratch_path(name, "summary.json")));
@@ -71,6 +71,27 @@ START_TEST(what_is_listed_goes_and_what_is_not_stays)
     scratch_assert_text(scratch_path(name, "notes.txt"), "mine");
     scratch_assert_text(scratch_path(name, "fluid/mine.vtr"), "mine");
     scratch_assert_text(scratch_path(name, "manifest.txt"), MANIFEST_HEAD);
+}
+END_TEST
+
+static const char *const named[] = {"history.csv.partial",
+                                    "checkpoint.grains.0", "fluid.pvd",
+                                    "frames/gnuplot.log"};
+
+/* By content where there is some, not by the name alone. */
+START_TEST(what_no_run_has_written_is_in_the_way_whatever_its_name)
+{
+    char list[256];
+
+    run_once(name);
+    ck_assert_int_eq(mkdir(scratch_path(name, "frames"), 0777), 0);
+    scratch_write(scratch_path(name, named[_i]), "mine");
+    snprintf(list, sizeof list, "%ssummary.json\nfluid/fluid_000000.vtr\n%s%s",
+             MANIFEST_HEAD, _i > 0 ? named[_i] : "", _i > 0 ? "\n" : "");
+    scratch_write(scratch_path(name, "manifest.txt"), list);
+    ck_assert_ptr_null(folder_open(name));
+    assert_said(named[_i]);
+    scratch_assert_text(scratch_path(name, named[_i]), "mine");
 }
 END_TEST
 
@@ -262,6 +283,7 @@ FACTS("folder")
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
     FACT(what_is_listed_goes_and_what_is_not_stays);
+    FACT_FOR_EACH(what_no_run_has_written_is_in_the_way_whatever_its_name, 4);
     FACT(a_second_run_is_refused_and_a_dead_one_holds_nothing);
     FACT_FOR_EACH(a_manifest_that_names_what_is_not_inside_is_refused, 10);
     FACT(a_manifest_of_another_program_is_refused);

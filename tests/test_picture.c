@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/pictures/gnuplot.h"
 #include "output/pictures/picture.h"
 #include "facts.h"
 #include "scratch.h"
@@ -155,7 +156,8 @@ START_TEST(a_failing_gnuplot_leaves_its_words_and_no_picture)
     setenv("PATH", dir, 1);
     ck_assert_int_ne(picture_draw(folder), 0);
     setenv("PATH", "/usr/bin:/bin", 1);
-    scratch_assert_text(scratch_path(dir, "picture/gnuplot.log"), "broken\n");
+    scratch_assert_text(scratch_path(dir, "picture/gnuplot.log"),
+                        GNUPLOT_SAYS "broken\n");
     ck_assert(!scratch_exists(scratch_path(dir, "bed.png")));
     ck_assert(!scratch_exists(scratch_path(dir, "bed.png.partial")));
     char *const said = scratch_heard(dir);

@@ -146,10 +146,8 @@ static int lists_foreign(const struct ownership *f)
 
 static int ownership_is_foreign(const struct ownership *f, const char *name)
 {
-    const char *const end = strrchr(name, '.');
-
     if (written_contents(name) == NULL || manifest_has(&f->old, name)) return 0;
-    if (end != NULL && strcmp(end, ".partial") == 0) return 0; /* half of one */
+    if (written_is_half(name) && written_by_run(f->here, name)) return 0;
     if (f->fresh)
         fprintf(stderr,
                 "winnow: %s is not there, the list of the files of a run: "

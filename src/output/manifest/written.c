@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "output/manifest/manifest.h"
+#include "output/pictures/gnuplot.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -22,7 +23,8 @@ const char *const written_folders[] = {
     "case",     "bodies", "body_clumps", "body_surfaces", NULL};
 
 /* Patterns of all files that a run may write, folder by folder, and what stands
- * at the start of each; "" for what gnuplot or LAMMPS writes. */
+ * at the start of each; "" for what a user has written, and for bare numbers.
+ */
 static const struct {
     const char *name, *holds;
 } ours[] = {{"./summary.json", "\"program\": \"winnow "},
@@ -53,10 +55,10 @@ static const struct {
             {"picture/streamlines.txt", "# place to the right"},
             {"picture/walls.txt", "# x [m]"},
             {"picture/bed.gp", "# The numbers of this run."},
-            {"picture/gnuplot.log", ""},
+            {"picture/gnuplot.log", GNUPLOT_SAYS},
             {"frames/frame_*.txt", "# x [m]"},
             {"frames/bed.gp", "# The numbers of this run."},
-            {"frames/gnuplot.log", ""},
+            {"frames/gnuplot.log", GNUPLOT_SAYS},
             {"profiles/*.csv", "_mean ["},
             {"statistics/*.csv", "]"},
             {"statistics/summary.json", "\"blocks\": "},
@@ -64,16 +66,25 @@ static const struct {
             {"case/*", ""}, /* see is_of_case */
             {"./checkpoint", "HDF\r\n"},
             {"./checkpoint.before", "HDF\r\n"},
-            {"./checkpoint.*.?", ""}};
+            {"./checkpoint.cells.?", ""},
+            {"./checkpoint.grains.?", "LammpS RestartT"}};
 enum { N_OURS = sizeof ours / sizeof ours[0] };
+
+int written_is_half(const char *name)
+{
+    const char *const end = strrchr(name, '.');
+
+    return end != NULL && strcmp(end, ".partial") == 0;
+}
 
 const char *written_contents(const char *name)
 {
     char *const whole = file_join(".", name);
     const char *found = NULL;
 
+    if (written_is_half(name)) *strrchr(whole, '.') = '\0';
     for (int i = 0; i < N_OURS && found == NULL; i++)
-        if (fnmatch(ours[i].name, strchr(name, '/') != NULL ? name : whole,
+        if (fnmatch(ours[i].name, &whole[strchr(name, '/') != NULL ? 2 : 0],
                     FNM_PATHNAME) == 0)
             found = ours[i].holds;
     free(whole);
@@ -123,7 +134,8 @@ int written_by_run(int here, const char *name)
     if (name[strlen(name) - 1] == '/') return written_folder(name);
     if (holds == NULL) return 0;
     const int file = open_here(here, name);
-    if (file < 0) return errno == ENOENT;
+    if (file < 0)
+        return errno == ENOENT || (errno == ELOOP && written_is_half(name));
     const ssize_t n = fstat(file, &s) == 0 && S_ISREG(s.st_mode)
                           ? pread(file, text, sizeof text - 1, 0)
                           : -1;

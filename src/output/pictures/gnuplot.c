@@ -60,15 +60,21 @@ static int command_result(char *const arguments[], const char *log)
     pid_t child;
 
     unlink(log);
+    const int says =
+        open(log, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (says < 0) return -1;
+    (void)!write(says, GNUPLOT_SAYS, strlen(GNUPLOT_SAYS));
     set_signals(&how);
     posix_spawn_file_actions_init(&where);
-    posix_spawn_file_actions_addopen(
-        &where, 1, log, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
-    posix_spawn_file_actions_adddup2(&where, 1, 2);
+    posix_spawn_file_actions_adddup2(&where, says, 1);
+    posix_spawn_file_actions_adddup2(&where, says, 2);
     errno =
         posix_spawnp(&child, arguments[0], &where, &how, arguments, environ);
     posix_spawn_file_actions_destroy(&where);
     posix_spawnattr_destroy(&how);
+    const int reason = errno;
+    close(says);
+    errno = reason;
     if (errno != 0) return -1;
     const int result = status_of(child);
     errno = EINTR;

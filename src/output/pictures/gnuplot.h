@@ -7,6 +7,9 @@
 #ifndef OUTPUT_PICTURES_GNUPLOT_H
 #define OUTPUT_PICTURES_GNUPLOT_H
 
+/* The first line of the log, by which it is known. */
+#define GNUPLOT_SAYS "What gnuplot says:\n"
+
 struct gnuplot {
     const char *folder; /* folder to run in */
     /* Plain names, relative to the folder. */
