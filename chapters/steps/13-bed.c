@@ -64,7 +64,7 @@ const struct number numbers[] = {
     {"bw", &bw, 0.0024, 9.6e-3, 0.0006, "bandwidth [m]"},
     {"parts", &parts, 12, 100, 1, "steps of the diffusion"},
     {"dt", &dt, 5e-5, 5e-4, 5e-5, "time step [s]"},
-    {"end", &end, 0.01, 5.0, 0.05, "time at which it ends [s]"},
+    {"end", &end, 0.02, 2.0, 0.06, "time at which it ends [s]"},
     {0}};
 static double dt = 2e-4, end = 0.5; /* [s] */
 
