@@ -5,11 +5,14 @@
 #include "dem/cohesion/electrostatic.h"
 #include "dem/contact.h"
 #include "dem/surfaces/surface.h"
+#include "case/build_particles.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
+#include "case/case_mesh.h"
 #include "case/report/report.h"
 #include "case/means/profiles.h"
 #include "case/report/list.h"
+#include "case/resume/case_text.h"
 #include "case/models.h"
 #include "case/schema.h"
 #include "case/case_file.h"
@@ -17,6 +20,7 @@
 
 #include "facts.h"
 #include "capture.h"
+#include "scratch.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -209,6 +213,68 @@ START_TEST(sink_without_a_side_requires_a_region)
 {
     refused("particles.sinks=({side=\"none\";})",
             "sink 0: give either side, or from and to");
+}
+END_TEST
+
+static void put_text(const char *path, const char *text)
+{
+    FILE *const f = fopen(path, "w");
+
+    fputs(text, f);
+    fclose(f);
+}
+
+/* The files may go as soon as the case is read. */
+START_TEST(files_that_a_case_names_are_read_once)
+{
+    char dir[64];
+    int code;
+
+    scratch_make(dir);
+    put_text(scratch_path(dir, "floor.stl"),
+             "solid\nfacet normal 0 1 0\nouter loop\nvertex 0 0.1 0\n"
+             "vertex 0 0.1 9\nvertex 9 0.1 0\nendloop\nendfacet\nendsolid\n");
+    put_text(scratch_path(dir, "grains.txt"), "0.5 0.5 0.5 0.1\n");
+    put_text(scratch_path(dir, "case.cfg"),
+             "mesh = { size = [1, 1, 1]; cells = [1, 1, 1]; };\n"
+             "particles = { contact = \"linear\"; step = 1e-4;\n"
+             "grains = { density = 1e3; restitution = 0.5; friction = 0.5;\n"
+             "stiffness = 1e3; }; insert = ({ file = \"grains.txt\"; });\n"
+             "surfaces = ({ name = \"floor\"; shape = \"stl\";\n"
+             "file = \"floor.stl\"; }); };\n"
+             "output = { end = 1.0; every = 1.0; };\n");
+    struct settings *const s =
+        read_case(scratch_path(dir, "case.cfg"), NULL, &code);
+    ck_assert_msg(s != NULL, "%s", said);
+    char *const before = case_text_lines(s);
+    scratch_clear(dir);
+    ck_assert_int_eq(build_particles_check(s), 0);
+    char *const after = case_text_lines(s);
+    ck_assert_str_eq(after, before);
+    ck_assert_ptr_nonnull(strstr(after, "insert.0.file = crc32 "));
+    ck_assert_ptr_null(strstr(after, "crc32 00000000"));
+    free(before);
+    free(after);
+    settings_free(s);
+}
+END_TEST
+
+START_TEST(source_with_one_corner_reaches_to_the_end_of_the_box)
+{
+    int code;
+    struct settings *const s =
+        read_case("cases/mueller-bed.cfg",
+                  "particles.insert=({count=1;diameter=1e-3;rate=1.0;"
+                  "from=[0.0,0.1,0.0];})",
+                  &code);
+
+    ck_assert_msg(s != NULL, "%s", said);
+    const struct insertion_options *const o = &s->particles.insert.item[0].of;
+    ck_assert_double_eq(o->lo[1], 0.1);
+    double lo[3], hi[3];
+    case_mesh_ends(s, lo, hi);
+    ck_assert_double_eq(o->hi[1], hi[1]);
+    settings_free(s);
 }
 END_TEST
 
@@ -653,6 +719,8 @@ FACTS("scene")
     FACT(numbers_have_magnitudes_that_their_units_can_have);
     FACT(what_rounding_leaves_of_a_0_is_a_direction_still);
     FACT(sink_without_a_side_requires_a_region);
+    FACT(files_that_a_case_names_are_read_once);
+    FACT(source_with_one_corner_reaches_to_the_end_of_the_box);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(profiles_along_other_directions_have_other_names);
     FACT(a_thousand_profiles_are_read_in_a_second_or_two);

@@ -17,6 +17,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A file that the case names, and those read before it. */
+struct kept_input {
+    struct input in;
+    struct kept_input *before;
+};
+
 struct settings_text {
     config_t tree;
     const struct key **tables; /* a copy of the list, the tables borrowed */
@@ -26,6 +32,7 @@ struct settings_text {
     char *file;
     struct mesh *mesh; /* NULL for a box */
     int quiet;         /* [-] 1: no progress is printed */
+    struct kept_input *inputs;
 };
 
 void settings_beside(const struct settings *s, const char *file, char *path,
@@ -35,6 +42,35 @@ void settings_beside(const struct settings *s, const char *file, char *path,
     const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
 
     snprintf(path, size, "%.*s%s", folder, at, file);
+}
+
+/* One that is not there yet is looked for again: a bed is written by the run.
+ */
+const struct input *settings_input(const struct settings *s, const char *path)
+{
+    struct kept_input *k = s->text->inputs;
+
+    while (k != NULL && strcmp(k->in.path, path) != 0)
+        k = k->before;
+    if (k == NULL) {
+        k = alloc_zeroed(1, sizeof *k);
+        *k = (struct kept_input){input_of(path), s->text->inputs};
+        s->text->inputs = k;
+    } else if (k->in.text == NULL) {
+        input_release(&k->in);
+        k->in = input_of(path);
+    }
+    return &k->in;
+}
+
+static void free_inputs(struct kept_input *k)
+{
+    while (k != NULL) {
+        struct kept_input *const before = k->before;
+        input_release(&k->in);
+        free(k);
+        k = before;
+    }
 }
 
 struct settings *settings_create(const char *file, int n_overrides,
@@ -81,6 +117,7 @@ void settings_free(struct settings *s)
         free(s->text->patches[i]);
     free(s->text->patches);
     free(s->text->file);
+    free_inputs(s->text->inputs);
     mesh_free(s->text->mesh);
     free(s->text);
     free(s);

@@ -15,6 +15,7 @@
 
 #include "averaging/averaging.h"
 #include "base/key.h"
+#include "base/tables/input.h"
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/particles_setup.h"
@@ -138,6 +139,9 @@ const char *settings_any_side(const struct settings *s, int i);
 enum { SETTINGS_PATH = 4096 };
 void settings_beside(const struct settings *s, const char *file, char *path,
                      size_t size);
+
+/* The file at that path, which is read once and kept with the case. */
+const struct input *settings_input(const struct settings *s, const char *path);
 
 /* The mesh of a case that is no plain box, kept here and freed with it; NULL
  * for a box. */

@@ -58,6 +58,20 @@ char *input_text(const char *path, size_t *length, const char **why)
     return text;
 }
 
+struct input input_of(const char *path)
+{
+    struct input in = {.path = strdup(path)};
+
+    in.text = input_text(path, &in.length, &in.why);
+    return in;
+}
+
+void input_release(struct input *in)
+{
+    free(in->path);
+    free(in->text);
+}
+
 /* Of what is packed in some megabytes, which may be without end, no more than
  * `most` [byte] is counted; -1 if it is damaged. */
 static double unpacked_size(gzFile f, double most)

@@ -18,6 +18,15 @@ const char *input_wrong(const char *path);
  * left does not hold it, with the reason in *why. */
 char *input_text(const char *path, size_t *length, const char **why);
 
+/* A file that was read: NULL as the text, and why not. */
+struct input {
+    char *path, *text;
+    size_t length;
+    const char *why;
+};
+struct input input_of(const char *path);
+void input_release(struct input *in);
+
 /* All of a file, that is packed by gzip or not, as input_text: its bytes are
  * counted before memory is taken. */
 char *input_unpacked(const char *path, size_t *length, const char **why);

@@ -53,7 +53,7 @@ static int read_list(const struct settings *s, struct insert_setup *in)
     char path[SETTINGS_PATH];
 
     settings_beside(s, in->file, path, sizeof path);
-    in->list = grain_table_read(path, &in->of.count);
+    in->list = grain_table_parse(settings_input(s, path), &in->of.count);
     if (in->list == NULL) return 1;
     in->of.list = in->list;
     if (in->of.rate == 0.0) in->of.overlap = particle_options_wall_overlap(s);

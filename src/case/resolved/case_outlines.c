@@ -36,7 +36,8 @@ static struct body_ball *read_balls(const struct settings *s, int i, long *n)
     char path[SETTINGS_PATH];
 
     case_outlines_path_of(s, case_outlines_clumps, i, path);
-    struct insertion_sphere *const list = grain_table_read(path, n);
+    struct insertion_sphere *const list =
+        grain_table_parse(settings_input(s, path), n);
     if (list == NULL) return NULL;
     struct body_ball *const ball = alloc_zeroed((size_t)*n, sizeof *ball);
     for (long k = 0; k < *n; k++) {
@@ -81,7 +82,7 @@ static struct body_outline *read_surface(const struct settings *s, int i)
     struct stl stl;
 
     case_outlines_path_of(s, case_outlines_surfaces, i, path);
-    if (stl_read(path, &stl) != 0) return NULL;
+    if (stl_parse(settings_input(s, path), &stl) != 0) return NULL;
     for (int c = 0; c < 9 * stl.n; c++)
         stl.corner[c / 9][c / 3 % 3][c % 3] *= scale;
     struct body_outline *const o =

@@ -14,9 +14,9 @@
 
 /* A file that the case names. */
 struct named_file {
-    char *path; /* where it is */
-    char *name; /* "case/NAME", in the folder of the run */
-    char *text;
+    char *path;       /* where it is */
+    char *name;       /* "case/NAME", in the folder of the run */
+    const char *text; /* borrowed from the settings */
     size_t length;
 };
 
@@ -49,11 +49,12 @@ static char *free_name(const struct case_copy *c, const char *path)
     return name;
 }
 
-static void read_file(struct named_file *f)
+static void read_file(const struct case_copy *c, struct named_file *f)
 {
-    const char *why;
+    const struct input *const in = settings_input(c->settings, f->path);
 
-    if (f->text == NULL) f->text = input_text(f->path, &f->length, &why);
+    f->text = in->text;
+    f->length = in->length;
 }
 
 /* Returns its name in the folder. */
@@ -73,7 +74,7 @@ static const char *add_file(struct case_copy *c, const char *path)
     f->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
     f->name = free_name(c, path);
     c->n++;
-    read_file(f);
+    read_file(c, f);
     return f->name;
 }
 
@@ -121,7 +122,6 @@ void case_copy_free(struct case_copy *c)
     for (int i = 0; i < c->n; i++) {
         free(c->file[i].path);
         free(c->file[i].name);
-        free(c->file[i].text);
     }
     free(c->file);
     free(c->case_text);
@@ -159,7 +159,7 @@ int case_copy_write(struct case_copy *c, struct folder *folder)
 
     for (int i = 0; i < c->n && !failed; i++) {
         struct named_file *const f = &c->file[i];
-        read_file(f);
+        read_file(c, f);
         if (f->text != NULL)
             failed = write_text(folder, f->name, f->text, f->length);
     }

@@ -84,31 +84,35 @@ static int is_file(const char *path)
     return row != NULL && row->type == KEY_FILE;
 }
 
+/* The checksum of all files so far. */
+struct contents {
+    const struct settings *settings;
+    unsigned long sum;
+};
+
 static void add_to_checksum(void *of, const char *path)
 {
-    unsigned long *const sum = of;
-    size_t length;
-    const char *why;
-    char *const text = input_text(path, &length, &why);
+    struct contents *const c = of;
+    const struct input *const in = settings_input(c->settings, path);
 
-    if (text != NULL) *sum = crc32_z(*sum, (unsigned char *)text, length);
-    free(text);
+    if (in->text != NULL)
+        c->sum = crc32_z(c->sum, (unsigned char *)in->text, in->length);
 }
 
 /* A bed is made by the run itself where it is not there yet. */
 static void put_contents(FILE *out, const struct settings *s, const char *path,
                          const char *name)
 {
+    struct contents c = {.settings = s};
     char file[SETTINGS_PATH];
-    unsigned long sum = 0;
 
     if (strcmp(path, "particles.bed.file") == 0) return;
     settings_beside(s, name, file, sizeof file);
     if (strcmp(path, "mesh.polymesh") == 0)
-        mesh_files_each(file, add_to_checksum, &sum);
+        mesh_files_each(file, add_to_checksum, &c);
     else
-        add_to_checksum(&sum, file);
-    fprintf(out, "%s = crc32 %08lx\n", path, sum);
+        add_to_checksum(&c, file);
+    fprintf(out, "%s = crc32 %08lx\n", path, c.sum);
 }
 
 /* --- lines ---------------------------------------------------------------- */

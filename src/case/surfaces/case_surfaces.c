@@ -66,7 +66,7 @@ static int read_triangles(const struct settings *s, struct surface_setup *one)
     struct stl stl;
 
     settings_beside(s, one->file, path, sizeof path);
-    if (stl_read(path, &stl) != 0) return 1;
+    if (stl_parse(settings_input(s, path), &stl) != 0) return 1;
     if (stl.dropped > 0)
         fprintf(stderr, "winnow: %s: %d triangles have no area; left out\n",
                 path, stl.dropped);

@@ -206,8 +206,8 @@ static int grain_table_is_foreign(const char *text, char wrong[CSV_WRONG])
 }
 
 /* The rows of a text, as many as it counts. */
-static struct insertion_sphere *parse(char **text, long *n,
-                                      char wrong[CSV_WRONG])
+static struct insertion_sphere *grain_table_rows(char **text, long *n,
+                                                 char wrong[CSV_WRONG])
 {
     long counted = -1;
     struct insertion_sphere *list = NULL;
@@ -233,18 +233,25 @@ static struct insertion_sphere *parse(char **text, long *n,
     return list;
 }
 
-struct insertion_sphere *grain_table_read(const char *path, long *n)
+struct insertion_sphere *grain_table_parse(const struct input *in, long *n)
 {
-    const char *why = "";
     char wrong[CSV_WRONG];
-    size_t length;
-    char *text = input_text(path, &length, &why);
+    char *text = in->text != NULL ? strdup(in->text) : NULL; /* is changed */
 
     *n = 0;
-    snprintf(wrong, sizeof wrong, "%s", why != NULL ? why : "");
+    snprintf(wrong, sizeof wrong, "%s", in->why != NULL ? in->why : "");
     struct insertion_sphere *const list =
-        text != NULL ? parse(&text, n, wrong) : NULL;
+        text != NULL ? grain_table_rows(&text, n, wrong) : NULL;
     free(text);
-    if (list == NULL) fprintf(stderr, "winnow: %s: %s\n", path, wrong);
+    if (list == NULL) fprintf(stderr, "winnow: %s: %s\n", in->path, wrong);
+    return list;
+}
+
+struct insertion_sphere *grain_table_read(const char *path, long *n)
+{
+    struct input in = input_of(path);
+    struct insertion_sphere *const list = grain_table_parse(&in, n);
+
+    input_release(&in);
     return list;
 }

@@ -10,9 +10,11 @@
 #ifndef DEM_POPULATION_GRAIN_TABLE_H
 #define DEM_POPULATION_GRAIN_TABLE_H
 
+#include "base/tables/input.h"
 #include "dem/population/insertion.h"
 
 /* The list in a file, to be freed; NULL after a message. */
 struct insertion_sphere *grain_table_read(const char *path, long *n);
+struct insertion_sphere *grain_table_parse(const struct input *in, long *n);
 
 #endif

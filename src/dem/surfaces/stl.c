@@ -21,7 +21,7 @@ enum { HEAD = 80, RECORD = 50, WORD = 64, MOST = 50000000 };
 /* The whole file in memory, ended by a zero byte, and where we are in it. */
 struct source {
     const char *path;
-    char *text;
+    const char *text;
     size_t length;
     const char *at;
     int line;
@@ -42,14 +42,6 @@ static int stl_wrong(const struct source *in, const char *format, ...)
     va_end(values);
     fprintf(stderr, "\n");
     return 1;
-}
-
-static int stl_load(struct source *in)
-{
-    const char *why;
-
-    in->at = in->text = input_text(in->path, &in->length, &why);
-    return in->text != NULL ? 0 : stl_wrong(in, "cannot be read: %s", why);
 }
 
 /* One more triangle, unless it has no area. */
@@ -240,18 +232,31 @@ static int read_either(struct source *in, struct stl *s)
                      in->length);
 }
 
-int stl_read(const char *path, struct stl *s)
+int stl_parse(const struct input *file, struct stl *s)
 {
-    struct source in = {.path = path};
+    struct source in = {.path = file->path,
+                        .text = file->text,
+                        .at = file->text,
+                        .length = file->length};
 
     *s = (struct stl){0, NULL, 0};
-    int failed = stl_load(&in) != 0 || read_either(&in, s) != 0;
+    int failed = in.text == NULL
+                     ? stl_wrong(&in, "cannot be read: %s", file->why)
+                     : read_either(&in, s);
     in.line = 0;
     if (!failed && s->n == 0)
         failed = stl_wrong(&in, "there is no triangle%s in it",
                            s->dropped > 0 ? " with an area" : "");
-    free(in.text);
     if (failed) stl_release(s);
+    return failed;
+}
+
+int stl_read(const char *path, struct stl *s)
+{
+    struct input in = input_of(path);
+    const int failed = stl_parse(&in, s);
+
+    input_release(&in);
     return failed;
 }
 

@@ -9,6 +9,8 @@
 #ifndef DEM_SURFACES_STL_H
 #define DEM_SURFACES_STL_H
 
+#include "base/tables/input.h"
+
 struct stl {
     int n;
     double (*corner)[3][3]; /* [m] if that is the unit of the file */
@@ -19,6 +21,7 @@ struct stl {
  * the number of the triangle): it cannot be read, or is no STL, or has no
  * triangle. Release with stl_release. */
 int stl_read(const char *path, struct stl *s);
+int stl_parse(const struct input *file, struct stl *s);
 void stl_release(struct stl *s);
 
 #endif
