@@ -205,13 +205,21 @@ static char *fill_base_of(struct settings *s, const struct key *key)
     return (char *)s;
 }
 
+/* A study has other groups than a case. */
+static int is_of(const struct key *const *tables, const char *group)
+{
+    SCHEMA_EACH (k, tables)
+        if (strcmp(k->path, group) == 0) return 1;
+    return 0;
+}
+
 void fill_settings(struct settings *s, const struct key *const *tables)
 {
     for (int g = 0; g < GROUPS; g++)
-        if (groups[g].has != REQUIRED)
+        if (groups[g].has != REQUIRED && is_of(tables, groups[g].name))
             *(int *)((char *)s + groups[g].has) =
                 settings_has(s, groups[g].name);
-    create_sides(s);
+    if (is_of(tables, "fluid")) create_sides(s);
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
             create_list(s, k,
