@@ -260,6 +260,13 @@ if command -v git >/dev/null; then
     sed -i 's/1.5 /1.6 /' figures/short-runs.txt
     fact which_have_moved_since 0 "has changed" age
 fi
+printf 'int a;  /* one */\n' >one.c
+printf 'int a; /* one */\nint b; /* (1.1) */\n' >two.c
+echo '(1.1) 01-fall.html' >anchors
+fact a_line_that_no_step_before_has_is_marked 0 '<span id="L1"><' \
+    awk -v anchors=anchors -f "$tools/steps.awk" one.c two.c
+fact and_its_citation_is_a_link 0 'id="L2" class="new"><span class="kw">int</span> b; <span class="co">/* <a href="01-fall.html#eq-1-1">' \
+    awk -v anchors=anchors -f "$tools/steps.awk" one.c two.c
 printf '<p><a href="#a">x <a id="a">y</a></a></p>\n' >x.html
 fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \
     sh -c "echo x.html | awk -f '$tools/pages.awk'"
