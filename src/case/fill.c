@@ -218,6 +218,7 @@ void fill_settings(struct settings *s, const struct key *const *tables)
     for (int g = 0; g < GROUPS; g++)
         if (groups[g].has != REQUIRED && is_of(tables, groups[g].name))
             *(int *)((char *)s + groups[g].has) =
+                schema_find(tables, groups[g].name) != NULL &&
                 settings_has(s, groups[g].name);
     if (is_of(tables, "fluid")) create_sides(s);
     SCHEMA_EACH (k, tables)
