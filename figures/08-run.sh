@@ -3,14 +3,14 @@
 # pressure drop after 0.01 s, when no particle has moved by a tenth of itself.
 # The bed settles once, for the first run; the others read it.
 set -eu
-bed=out/08-run.bed
 mkdir -p out
-rm -f $bed
+rm -f out/08-run.bed
+cp cases/small-bed.cfg out/08-run.cfg # a bed is written beside its case
 row() { # cells, method, name for the table, further options
     cells=$1 method=$2 name=$3
     shift 3
-    winnow run cases/small-bed.cfg -o out/small -s output.end=0.01 --quiet -j 1 \
-        -s "mesh.cells=[$cells]" -s particles.bed.file=../$bed \
+    winnow run out/08-run.cfg -o out/small -s output.end=0.01 --quiet -j 1 \
+        -s "mesh.cells=[$cells]" -s particles.bed.file=./08-run.bed \
         -s averaging.method="$method" "$@" \
         >/dev/null 2>&1 || { printf "%-9s  %-10s  stops\n" "$cells" "$name"; return; }
     sh chapters/tools/last.sh out/small eps_f_lowest pressure_drop |

@@ -3,14 +3,14 @@
 # Crank-Nicolson on two meshes. The bed settles once, for the first run; the
 # others read it.
 set -eu
-bed=out/08-solution.bed
 mkdir -p out
-rm -f $bed
+rm -f out/08-solution.bed
+cp cases/small-bed.cfg out/08-solution.cfg # a bed is written beside its case
 drop() { # cells, options
     cells=$1
     shift
-    winnow run cases/small-bed.cfg -o out/solution -s output.end=0.01 --quiet \
-        -j 1 -s "mesh.cells=[$cells]" -s particles.bed.file=../$bed "$@" >/dev/null 2>&1 ||
+    winnow run out/08-solution.cfg -o out/solution -s output.end=0.01 --quiet \
+        -j 1 -s "mesh.cells=[$cells]" -s particles.bed.file=./08-solution.bed "$@" >/dev/null 2>&1 ||
         { echo breaks down; return; }
     sh chapters/tools/last.sh out/solution pressure_drop
 }
