@@ -30,7 +30,7 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     tables[n++] = effects_keys;
     tables[n++] = output_keys;
     tables[n++] = case_engine_keys;
-    tables[n++] = case_bodies_keys;
+    tables[n++] = bodies_setup_keys;
     tables[n++] = case_statistics_keys;
     for (int i = 0; recorder_parts[i] != NULL; i++)
         if (recorder_parts[i]->keys != NULL)

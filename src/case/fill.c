@@ -29,6 +29,8 @@ static const struct {
      offsetof(struct settings, has.exchange)},
     {"effects", offsetof(struct settings, effects),
      offsetof(struct settings, has.effects)},
+    {"bodies", offsetof(struct settings, bodies),
+     offsetof(struct settings, has.bodies)},
     {"output", offsetof(struct settings, output), REQUIRED},
 };
 enum { GROUPS = sizeof groups / sizeof groups[0] };

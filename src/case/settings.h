@@ -23,6 +23,7 @@
 #include "fluid/fluid.h"
 #include "mesh/mesh_options.h"
 #include "output/output_options.h"
+#include "resolved/bodies_setup.h"
 
 #include <stddef.h>
 
@@ -32,7 +33,7 @@
 struct settings {
     struct {
         /* [-] 1: the case names the group */
-        int fluid, particles, averaging, exchange, effects;
+        int fluid, particles, averaging, exchange, effects, bodies;
     } has;
     const char *title, *cites;  /* "" if left out */
     const char *engine;         /* "one" or "distributed" */
@@ -47,6 +48,7 @@ struct settings {
     struct averaging_options averaging; /* averaging/averaging.c */
     struct coupling_options exchange;   /* coupling/coupling_options.c */
     struct effects_options effects;     /* each in the file of the effect */
+    struct bodies_setup bodies;         /* resolved/bodies_setup.c */
     struct output_options output;       /* output/output_keys.c */
     struct settings_text *text;         /* the case as it is written */
 };

@@ -180,7 +180,7 @@ static void print_viscous(const struct settings *s, double number)
     const double part = s->fluid.piso_tolerance * number;
     char remark[96];
 
-    if (part < 2e-3 || settings_has(s, "bodies")) return;
+    if (part < 2e-3 || s->has.bodies) return;
     snprintf(
         remark, sizeof remark,
         "HIGH: pressure, forces on walls to %.1g; fluid.piso_tolerance = %.0e",

@@ -162,7 +162,7 @@ static void bodies_record_release(void *record)
 
 static void *bodies_record_create(const struct recorder_view *v, int *failed)
 {
-    static const char width[] = "bodies.filter";
+    const double width = v->settings->bodies.filter;
 
     if (bodies_record_of(v->sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
@@ -170,9 +170,8 @@ static void *bodies_record_create(const struct recorder_view *v, int *failed)
     r->sim = v->sim;
     r->bodies = bodies_record_of(v->sim);
     r->folder = v->folder;
-    if (settings_has(v->settings, width))
-        r->filter = surroundings_create(r->bodies, v->sim->fluid,
-                                        settings_real(v->settings, width));
+    if (width > 0.0)
+        r->filter = surroundings_create(r->bodies, v->sim->fluid, width);
     r->table = bodies_record_create_table(r, v->folder);
     r->pictures = r->table != NULL ? create_series(v->folder) : NULL;
     r->writer = vtk_file_create();

@@ -40,13 +40,12 @@ static struct dem_options
 case_bodies_contacts(const struct settings *s,
                      const struct case_bodies_contact *c)
 {
-    struct dem_options o = {
-        .law = &contact_linear,
-        .material = {.stiffness = c->stiffness,
-                     .restitution = settings_real(s, "bodies.restitution"),
-                     .friction = settings_real(s, "bodies.friction")},
-        .method = &reference_link_cells,
-        .step = s->fluid.dt / c->dem_steps};
+    struct dem_options o = {.law = &contact_linear,
+                            .material = {.stiffness = c->stiffness,
+                                         .restitution = s->bodies.restitution,
+                                         .friction = s->bodies.friction},
+                            .method = &reference_link_cells,
+                            .step = s->fluid.dt / c->dem_steps};
 
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
@@ -125,26 +124,25 @@ static struct squeeze_film gaps(const struct settings *s)
         case_outlines_radii(s, i, of_clump);
         R = fmin(R, of_clump[0]);
     }
-    return (struct squeeze_film){
-        .mu = s->fluid.mu,
-        .z_min = settings_real(s, "bodies.roughness") * R,
-        .reach = settings_bool(s, "bodies.lubrication")
-                     ? squeeze_film_cells * fmax(h[0], fmax(h[1], h[2]))
-                     : 0.0};
+    return (struct squeeze_film){.mu = s->fluid.mu,
+                                 .z_min = s->bodies.roughness * R,
+                                 .reach = s->bodies.lubrication
+                                              ? squeeze_film_cells *
+                                                    fmax(h[0], fmax(h[1], h[2]))
+                                              : 0.0};
 }
 
 static struct solid_bodies *case_bodies_create(const struct settings *s)
 {
     const struct case_bodies_contact contact = case_bodies_contact(s);
     const struct dem_options dem = case_bodies_contacts(s, &contact);
-    struct solid_bodies_options o = {
-        .method = body_method_named(settings_text(s, "bodies.method")),
-        .virtual_mass = settings_real(s, "bodies.virtual_mass"),
-        .dem_steps = contact.dem_steps,
-        .max_overlap = settings_real(s, "bodies.max_overlap"),
-        .dem = &dem,
-        .lubrication = gaps(s),
-        .others = &block_contacts};
+    struct solid_bodies_options o = {.method = s->bodies.method,
+                                     .virtual_mass = s->bodies.virtual_mass,
+                                     .dem_steps = contact.dem_steps,
+                                     .max_overlap = s->bodies.max_overlap,
+                                     .dem = &dem,
+                                     .lubrication = gaps(s),
+                                     .others = &block_contacts};
     const int n = case_bodies_count(s);
     const int *const cells = s->mesh.box.cells;
 
@@ -243,7 +241,7 @@ int case_bodies_check_start(const struct settings *s)
     struct case_bodies_first first;
     const int code = case_bodies_check(s);
 
-    if (code != 0 || !settings_has(s, "bodies")) return code;
+    if (code != 0 || !s->has.bodies) return code;
     return case_bodies_start(s, &first);
 }
 
@@ -277,7 +275,7 @@ static void join_surfaces(struct simulation *sim, const struct solid_bodies *b,
 int case_bodies_complete(const struct settings *s, struct simulation *sim,
                          struct dem_options *o)
 {
-    if (!settings_has(s, "bodies")) return 0;
+    if (!s->has.bodies) return 0;
     struct solid_bodies *const b = case_bodies_create(s);
 
     if (b == NULL) return 2;
@@ -290,7 +288,7 @@ int case_bodies_complete(const struct settings *s, struct simulation *sim,
 
 int case_bodies_add(const struct settings *s, struct simulation *sim)
 {
-    if (!settings_has(s, "bodies")) return 0;
+    if (!s->has.bodies) return 0;
     struct solid_bodies *b = effects_memory(sim, &among_effect);
 
     if (b == NULL) {

@@ -9,7 +9,6 @@
 #include "resolved/body_seal.h"
 
 extern const struct kind case_bodies_method;
-extern const struct key case_bodies_keys[];
 
 /* The lists of bodies in the order in which they are numbered, ended by NULL;
  * how many there are in all; and 1 if number i of a list has this motion. */

@@ -183,7 +183,7 @@ static int case_bodies_check_particles(const struct settings *s)
 {
     const char *const pull = case_cohesion_of_box(s);
 
-    if (strcmp(settings_text(s, "bodies.method"), "hold") != 0)
+    if (strcmp(s->bodies.method->name, "hold") != 0)
         return settings_wrong(s, "bodies.method",
                               "among particles bodies hold the fluid by "
                               "\"hold\" only");
@@ -214,8 +214,9 @@ static int check_filter(const struct settings *s)
 {
     double h[3];
 
-    if (!settings_has(s, "bodies.filter")) return 0;
-    const double width = settings_real(s, "bodies.filter");
+    const double width = s->bodies.filter;
+
+    if (width == 0.0) return 0;
     case_bodies_cell_widths(s, h);
     const double widest = fmax(h[0], fmax(h[1], h[2]));
     return width >= widest
@@ -228,7 +229,7 @@ static int check_filter(const struct settings *s)
 
 int case_bodies_check(const struct settings *s)
 {
-    if (!settings_has(s, "bodies")) return 0;
+    if (!s->has.bodies) return 0;
     int code = check_mesh(s);
 
     if (case_bodies_count(s) == 0)

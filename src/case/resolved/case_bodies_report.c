@@ -126,7 +126,7 @@ static void report_counts(const struct settings *s)
 
 static void report_free(const struct settings *s, const struct extremes *e)
 {
-    const int raised = e->C_v > settings_real(s, "bodies.virtual_mass");
+    const int raised = e->C_v > s->bodies.virtual_mass;
     const struct case_bodies_contact c = case_bodies_contact(s);
 
     report_numbers(s);
@@ -144,7 +144,7 @@ static void report_free(const struct settings *s, const struct extremes *e)
                "of their contacts");
     const double overlap = case_bodies_expected_overlap(s);
     check_line("expected overlap / d", overlap, "-",
-               overlap > settings_real(s, "bodies.max_overlap")
+               overlap > s->bodies.max_overlap
                    ? "HIGH: above bodies.max_overlap the run stops"
                    : "of an impact, by the speeds that are known");
 }
@@ -152,10 +152,9 @@ static void report_free(const struct settings *s, const struct extremes *e)
 /* Where what an average spreads is moved out of a body [SX15 5c]. */
 static void report_bandwidth(const struct settings *s, double d)
 {
-    static const char key[] = "averaging.bandwidth";
+    const double b = s->averaging.bandwidth;
 
-    if (!s->has.particles || !settings_has(s, key) || d == HUGE_VAL) return;
-    const double b = settings_real(s, key);
+    if (!s->has.particles || b == 0.0 || d == HUGE_VAL) return;
     check_line("bandwidth / d", b / d, "-",
                b > 0.5 * d ? "HIGH: grains beside a body count too far from it"
                            : "");
@@ -207,7 +206,7 @@ void case_bodies_report(const struct settings *s,
     double h[3];
 
     (void)scales;
-    if (!settings_has(s, "bodies")) return;
+    if (!s->has.bodies) return;
     case_bodies_cell_widths(s, h);
     const double dt = s->fluid.dt, nu = s->fluid.mu / s->fluid.rho,
                  narrowest = fmin(h[0], fmin(h[1], h[2]));

@@ -54,8 +54,7 @@ static int size_of(const struct settings *s, const char *of, int i, double *V,
 
 double case_bodies_virtual_mass(const struct settings *s, const char *of, int i)
 {
-    const double least = settings_real(s, "bodies.virtual_mass"),
-                 rho = s->fluid.rho;
+    const double least = s->bodies.virtual_mass, rho = s->fluid.rho;
     double V, width;
 
     if (size_of(s, of, i, &V, &width) != 0) return least;
@@ -109,10 +108,8 @@ static double lightest(const struct settings *s)
 /* k with which a mass bounces off a wall in so many steps [LS 4.4]. */
 static double stiffness_of(const struct settings *s, double m)
 {
-    if (settings_has(s, "bodies.stiffness"))
-        return settings_real(s, "bodies.stiffness");
-    const double e = settings_real(s, "bodies.restitution"),
-                 zeta = contact_damping_ratio(e);
+    if (s->bodies.stiffness > 0.0) return s->bodies.stiffness;
+    const double e = s->bodies.restitution, zeta = contact_damping_ratio(e);
     const double t = steps_an_impact * s->fluid.dt;
 
     return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
@@ -121,7 +118,7 @@ static double stiffness_of(const struct settings *s, double m)
 /* 25 in the impact of two of this mass. */
 static int dem_steps(const struct settings *s, double k, double m)
 {
-    const double e = settings_real(s, "bodies.restitution");
+    const double e = s->bodies.restitution;
 
     if (s->has.particles) return case_steps_within(s);
     if (m == 0.0) return 1;
@@ -183,7 +180,7 @@ double case_bodies_expected_overlap(const struct settings *s)
 
 int case_bodies_check_stiffness(const struct settings *s)
 {
-    const double e = settings_real(s, "bodies.restitution"), m = lightest(s),
+    const double e = s->bodies.restitution, m = lightest(s),
                  k = stiffness_of(s, m);
     const double t = contact_linear_time(k, e, 0.5 * m),
                  step = s->fluid.dt / dem_steps(s, k, m);

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/resolved/case_bodies.h"
+/* bodies_setup.c -- the keys of the group `bodies`, and the members of struct
+ * bodies_setup that they fill. */
+#include "resolved/bodies_setup.h"
 
-const struct key case_bodies_keys[] = {
+#define AT(member) .at = KEY_AT(bodies_setup, member)
+
+const struct key bodies_setup_keys[] = {
     {"bodies", KEY_GROUP, "", "", KEY_OPTIONAL,
      "bodies of many cells, with the flow around them resolved", "EW18 1-4",
      "fluid"},
     {"bodies.method", KEY_NAME, "", "", "hold", "how they hold the fluid",
-     "LS 5.17-5.21", ""},
+     "LS 5.17-5.21", "", AT(method), .models = body_methods},
     {"bodies.spheres", KEY_LIST, "", "", "",
      "each { position, diameter }, and what moves it", "EW18 2, 3", ""},
     {"bodies.spheres.position", KEY_VECTOR, "m", "", NULL, "centre at time 0",
@@ -124,26 +128,26 @@ const struct key case_bodies_keys[] = {
     {"bodies.virtual_mass", KEY_REAL, "-", ">= 0", "2.0",
      "C_v: fluid of so many volumes counts on both sides of the motion, which "
      "keeps light bodies stable; a light, thin or small one gets more",
-     "EW18 2", ""},
+     "EW18 2", "", AT(virtual_mass)},
     {"bodies.stiffness", KEY_REAL, "N/m", "> 0", "",
      "spring of their contacts; left out: an impact lasts eight steps",
-     "LS 4.4", ""},
+     "LS 4.4", "", AT(stiffness)},
     {"bodies.restitution", KEY_REAL, "-", "> 0, <= 1", "0.97",
-     "restitution coefficient of dry contacts", "LS 4.4", ""},
+     "restitution coefficient of dry contacts", "LS 4.4", "", AT(restitution)},
     {"bodies.friction", KEY_REAL, "-", ">= 0", "0.15",
-     "Coulomb's coefficient of friction", "LS 4.8", ""},
+     "Coulomb's coefficient of friction", "LS 4.8", "", AT(friction)},
     {"bodies.max_overlap", KEY_REAL, "-", "> 0", "0.5",
-     "the run stops at a deeper overlap over a diameter or width", "LS 4.7",
-     ""},
+     "the run stops at a deeper overlap over a diameter or width", "LS 4.7", "",
+     AT(max_overlap)},
     {"bodies.lubrication", KEY_BOOL, "", "", "true",
-     "the fluid that is squeezed out of gaps narrower than a cell", "Cox67",
-     ""},
+     "the fluid that is squeezed out of gaps narrower than a cell", "Cox67", "",
+     AT(lubrication)},
     {"bodies.roughness", KEY_REAL, "-", "> 0, < 1", "1e-3",
      "height of the asperities over the smallest radius, where two surfaces "
      "touch",
-     "Cox67", ""},
+     "Cox67", "", AT(roughness)},
     {"bodies.filter", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "width of the cubes around the bodies over whose fluid bodies.csv has "
      "means, with C_d and Re_p by them; left out: none",
-     "EW18 25-27", ""},
+     "EW18 25-27", "", AT(filter)},
     KEY_END};
