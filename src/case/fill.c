@@ -250,6 +250,8 @@ void fill_release(struct settings *s, const struct key *const *tables)
         free(s->sides.item[i].table.at);
     }
     free(s->sides.item);
+    for (int i = 0; i < s->particles.sizes.n; i++)
+        free(s->particles.sizes.item[i].points.at);
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
             free(((struct key_list *)(fill_base_of(s, k) + k->at - 1))->item);

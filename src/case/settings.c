@@ -289,21 +289,6 @@ int settings_length(const struct settings *s, const char *list)
     return found != NULL ? config_setting_length(found) : 0;
 }
 
-int settings_item_named(const struct settings *s, const char *list,
-                        const char *name)
-{
-    const config_setting_t *const found = config_lookup(&s->text->tree, list);
-    const int n = settings_length(s, list);
-    const char *one;
-
-    for (int i = 0; i < n; i++)
-        if (config_setting_lookup_string(
-                config_setting_get_elem(found, (unsigned)i), "name", &one) &&
-            strcmp(one, name) == 0)
-            return i;
-    return -1;
-}
-
 /* The path of the i-th patch of the mesh from files, or NULL. */
 static const char *patch_path(const struct settings *s, int i)
 {

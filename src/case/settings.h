@@ -101,9 +101,6 @@ void settings_point(const struct settings *s, const char *path, int i,
  * out. */
 int settings_is_list(const struct settings *s, const char *path);
 int settings_length(const struct settings *s, const char *list);
-/* The number of the first group of a list with that name; -1: there is none. */
-int settings_item_named(const struct settings *s, const char *list,
-                        const char *name);
 
 /* The path of a key of the i-th group of a list, for the functions above, and
  * these with such a path. */
@@ -120,10 +117,6 @@ const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
     settings_real_or(s, SETTINGS_ITEM(l, i, k), absent)
 #define settings_item_int(s, l, i, k) settings_int(s, SETTINGS_ITEM(l, i, k))
 #define settings_item_text(s, l, i, k) settings_text(s, SETTINGS_ITEM(l, i, k))
-#define settings_item_points(s, l, i, k)                                       \
-    settings_points(s, SETTINGS_ITEM(l, i, k))
-#define settings_item_point(s, l, i, k, ...)                                   \
-    settings_point(s, SETTINGS_ITEM(l, i, k), __VA_ARGS__)
 #define settings_item_vector(s, l, i, k, v)                                    \
     settings_vector(s, SETTINGS_ITEM(l, i, k), v)
 

@@ -23,12 +23,13 @@ static struct sizes_options case_sizes_options(const struct settings *s, int i)
          k++)
         o.own[n++] =
             settings_item_real_or(s, list, i, strrchr(k->path, '.') + 1, 0.0);
-    if (!settings_item_has(s, list, i, "points")) return o;
-    o.n = settings_item_points(s, list, i, "points");
+    o.n = one->points.n;
+    if (o.n == 0) return o;
     double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);
-    for (int k = 0; k < o.n; k++)
-        settings_item_point(s, list, i, "points", k, &point[k][0],
-                            &point[k][1]);
+    for (int k = 0; k < o.n; k++) {
+        point[k][0] = one->points.at[k];
+        point[k][1] = one->points.value[k];
+    }
     o.point = (const double(*)[2])point;
     return o;
 }

@@ -53,6 +53,7 @@ struct sizes_options {
 struct sizes_setup {
     const char *name, *by;   /* by: "number" or "mass" */
     struct sizes_options of; /* without by_mass, own and points */
+    struct key_series points;
 };
 
 /* What is wrong with them, as the end of a sentence; NULL if nothing. */

@@ -141,7 +141,8 @@ static const char *table_wrong(const struct sizes_options *o)
 
 static const struct key points_keys[] = {
     {"particles.sizes.points", KEY_CURVE, "m, -", ">= 0", KEY_OPTIONAL,
-     "((diameter, share), ...); of table the share below the diameter", "", ""},
+     "((diameter, share), ...); of table the share below the diameter", "", "",
+     .at = KEY_AT(sizes_setup, points)},
     KEY_END};
 
 const struct sizes_law sizes_uniform = {
