@@ -652,7 +652,7 @@ suspended() {
     "$winnow" run "$top/cases/settling-suspension.cfg" -o suspended --quiet -j 1 \
         -s output.end=0.02 -s output.statistics.lags=0.01 "$@" && grep '"samples"' suspended/statistics/summary.json
 }
-fact grains_that_were_inserted_at_the_start_have_statistics_of_the_drag 0 '    "samples": 4,' suspended
+fact grains_that_were_inserted_at_the_start_have_statistics_of_the_drag 0 '    "samples": 5,' suspended
 fact statistics_have_an_error_by_blocks 0 '"error"' cat stat/statistics/summary.json
 fact statistics_may_begin_after_the_end 0 "there are no samples" \
     "$winnow" check tiny.cfg -s output.statistics.from=0.02
@@ -735,7 +735,8 @@ fact one_after_the_other_they_can 0 "" "$winnow" run twice.cfg -o after --quiet 
     -s particles.insert.0.rate=1e3 -s 'particles.insert.0.velocity=[0.0,0.5,0.0]'
 speed() { "$winnow" check come.cfg "$@" | grep 'impact speed'; }
 fact safe_step_counts_the_speed_of_those_that_come 0 " 10.02 m/s" \
-    speed -s 'particles.insert.0.velocity=[0.0,10.0,0.0]' -s 'effects.gravity=[0.0,-9.81,0.0]'
+    speed -s 'particles.insert.0.velocity=[0.0,10.0,0.0]' -s 'effects.gravity=[0.0,-9.81,0.0]' \
+    -s 'particles.insert.0.to=[0.02,0.02,0.02]'
 # It falls 25 mm to the wall: sqrt(7^2 + 2 9.81 0.025).
 fact and_of_those_that_are_thrown 0 " 7.035 m/s" "$winnow" check thrown.cfg
 jet_speed() { "$winnow" check tiny.cfg -s fluid.bottom.inlet=30.0 -s fluid.bottom.profile=table \
