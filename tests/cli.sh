@@ -532,6 +532,40 @@ rows_beyond_the_end() {
         cmp ended/probes.csv at_once/probes.csv && echo same
 }
 fact a_run_that_goes_on_has_no_row_of_the_old_end 0 same rows_beyond_the_end
+# Two spheres that fall: in a longer run they meet faster, in a shorter contact.
+cat >auto.cfg <<'END'
+mesh = { size = [0.006, 0.012, 0.006]; cells = [3, 6, 3]; };
+particles = { contact = "hertz"; step = "auto";
+    grains = { density = 1000; young = 1e6; poisson = 0.3; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.003, 0.008, 0.003]; diameter = 1e-3; },
+              { position = [0.0031, 0.011, 0.003]; diameter = 1e-3; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.01; every = 0.005; history = 0.001; };
+END
+step_of() { # summary
+    sed -n 's/.*"particle_step": \(.*\),/\1/p' "$1/summary.json"
+}
+fact auto_step_is_told 0 'particles.step = "auto" is 8.654e-06 s' \
+    "$winnow" run auto.cfg -o auto
+auto_is_suggested() {
+    "$winnow" check auto.cfg | awk '/suggested step/ { a = $3 }
+        /  particle step  / && /auto/ { print a == $3 ? "same" : $3 }'
+}
+fact auto_step_is_the_suggested_one 0 same auto_is_suggested
+fact auto_divides_the_step_of_the_fluid 0 same sh -c '"$1" check tiny.cfg \
+    -s particles.step=auto | awk "/  particle step  / { a = \$3 }
+        /particle steps in one step/ { n = \$6 }
+        END { if (sqrt((a * n / 2e-4 - 1)^2) < 1e-3) print \"same\" }"' sh "$winnow"
+auto_goes_on() {
+    "$winnow" run auto.cfg -o auto --quiet --resume -s output.end=0.1 &&
+        "$winnow" run auto.cfg -o given --quiet -s output.end=0.1 \
+            -s particles.step="$(step_of auto)" &&
+        cmp auto/history.csv given/history.csv &&
+        "$winnow" check auto.cfg -s output.end=0.1 | grep ' 8.316e-06 s *auto'
+}
+fact a_resumed_run_keeps_its_auto_step 0 auto auto_goes_on
+fact auto_step_without_contacts_is_refused 2 "there are no contacts" \
+    "$winnow" check auto.cfg -s particles.list=none
 quiet() {
     for run in new replaced; do
         "$winnow" run tiny.cfg -o quiet --quiet 2>&1 >/dev/null

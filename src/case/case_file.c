@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/case_scales.h"
 #include "case/case_file.h"
 
 #include "case/meshes/read_mesh.h"
@@ -55,6 +56,7 @@ struct settings *case_file_read(const char *file, int n_overrides,
     if (*code == 0) *code = mesh_check_cells(s);
     if (*code == 0) *code = validate_case(s);
     if (*code == 0) *code = case_surfaces_read(s);
+    if (*code == 0) *code = case_scales_auto_step(s); /* with their centres */
     if (*code == 0) return s;
     settings_free(s);
     return NULL;

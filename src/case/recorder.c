@@ -220,6 +220,8 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     MODELS_EACH(history_tables, summarize, sim, f);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
+    if (sim->dem_steps > 0)
+        summary_number(f, "particle_step", sim->dt / sim->dem_steps);
     summary_count(f, "steps", sim->steps);
     summary_number(f, "simulated_seconds", sim->t);
     write_seconds(f, r);

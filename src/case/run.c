@@ -289,6 +289,10 @@ static int run_act(const struct command_line *l)
     interrupt_watch_end(&watch);
     if (l->threads > 0) omp_set_num_threads(l->threads);
     if (s != NULL && l->quiet) settings_set_quiet(s);
+    if (s != NULL && o.resume) resume_keep_step(s, o.dir);
+    if (s != NULL && case_scales_is_auto(s) && !l->quiet)
+        fprintf(stderr, "%s: particles.step = \"auto\" is %.4g s\n", o.dir,
+                case_steps_length(s) / case_steps_within(s));
     if (s != NULL) code = run_case(s, &o);
     settings_free(s);
     free(dir);

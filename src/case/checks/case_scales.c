@@ -2,6 +2,7 @@
 #include "case/checks/case_scales.h"
 
 #include <gsl/gsl_math.h>
+#include <libconfig.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -167,6 +168,34 @@ struct case_scales case_scales_of(const struct settings *s)
     if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
     mesh_free(m);
     return k;
+}
+
+int case_scales_is_auto(const struct settings *s)
+{
+    const config_setting_t *at =
+        config_setting_get_member(settings_root(s), "particles");
+
+    if (at != NULL) at = config_setting_get_member(at, "step");
+    return at != NULL && config_setting_get_string(at) != NULL;
+}
+
+int case_scales_auto_step(struct settings *s)
+{
+    double least = HUGE_VAL;
+
+    if (!case_scales_is_auto(s)) return 0;
+    s->particles.step = s->output.end; /* the speeds do not depend on it */
+    const struct case_scales k = case_scales_of(s);
+    for (int m = 0; m <= s->particles.materials.n; m++) {
+        const struct case_limits one = case_limits_of(s, m, k.impact);
+        if (one.d > 0.0) least = fmin(least, one.suggested);
+    }
+    if (least == HUGE_VAL || case_limits_no_contacts(s))
+        return settings_wrong(s, "particles.step",
+                              "\"auto\": there are no contacts that a step "
+                              "would have to resolve; expected a number of s");
+    s->particles.step = least;
+    return 0;
 }
 
 /* The weights that an averaging method stores for each cell can take more than

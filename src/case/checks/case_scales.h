@@ -23,6 +23,13 @@ struct case_scales {
 };
 struct case_scales case_scales_of(const struct settings *s);
 
+/* particles.step = "auto": 1, or 0 if the case has a number or no particles. */
+int case_scales_is_auto(const struct settings *s);
+
+/* Then the suggested step becomes that of the case, of which the fluid's step
+ * is a whole number. 0, or 2 after a message. */
+int case_scales_auto_step(struct settings *s);
+
 /* Whether the machine has the memory that the averaging takes, besides all
  * else. 0, or 2 after a message. */
 int case_scales_check_memory(const struct settings *s,

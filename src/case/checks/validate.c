@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/case_scales.h"
 #include "case/checks/validate.h"
 
 #include <stdio.h>
@@ -277,10 +278,13 @@ int validate_case(struct settings *s)
         return settings_wrong(s, "mesh",
                               "there is neither fluid nor particles: nothing "
                               "to compute");
-    code = case_steps_check(s);
+    const int is_auto = case_scales_is_auto(s);
+    if (!is_auto) code = case_steps_check(s);
     if (code == 0 && s->has.fluid) code = check_fluid(s);
     if (code == 0) code = model_choice_check(s);
     if (code == 0 && s->has.particles) code = validate_check_particles(s);
+    if (code == 0 && is_auto) code = case_scales_auto_step(s);
+    if (code == 0 && is_auto) code = case_steps_check(s);
     if (code == 0 && s->has.averaging) code = case_averaging_check(s);
     if (code == 0) code = case_engine_check(s);
     if (code == 0) code = case_bodies_check_start(s);

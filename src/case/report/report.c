@@ -155,8 +155,9 @@ static void print_contacts(const struct settings *s,
         print_one(k, &one);
     }
     check_line("particle step", k->dem_dt, "s",
-               k->dem_dt <= safe ? "safe"
-                                 : "NOT SAFE: collisions are not resolved");
+               case_scales_is_auto(s) ? "auto: the suggested one or less"
+               : k->dem_dt <= safe    ? "safe"
+                                   : "NOT SAFE: collisions are not resolved");
     check_line("particle steps in one step", k->dem_steps, "-", "");
 }
 

@@ -8,6 +8,7 @@
  * has the bed that settles, and stays until there is a first checkpoint. In
  * between, a copy of the state in memory is renewed about
  * every second, for a run that breaks down has no good state any more. */
+#include "case/checks/case_scales.h"
 #include "case/resume/resume.h"
 
 #include <math.h>
@@ -164,6 +165,23 @@ void resume_free(struct resume *r)
     free(r->before);
     free(r->lines);
     free(r);
+}
+
+void resume_keep_step(struct settings *s, const char *dir)
+{
+    struct resume r = {.path = file_join(dir, RESUME_FILE),
+                       .before = file_join(dir, RESUME_FILE_BEFORE)};
+    int damaged;
+
+    r.found = case_scales_is_auto(s) ? find_whole(&r, &damaged) : NULL;
+    char *const step =
+        r.found != NULL ? state_file_text(r.found, "particles_step") : NULL;
+    if (step != NULL && strtod(step, NULL) > 0.0)
+        s->particles.step = strtod(step, NULL);
+    free(step);
+    state_file_free(r.found);
+    free(r.path);
+    free(r.before);
 }
 
 struct resume *resume_create(const struct settings *s, struct folder *folder,

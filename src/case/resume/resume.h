@@ -19,6 +19,10 @@
 /* A run whose state is saved. */
 struct resume;
 
+/* Where particles.step = "auto", a run that is resumed keeps the step that it
+ * had, also to a later end, which may have suggested another one. */
+void resume_keep_step(struct settings *s, const char *dir);
+
 /* Before the simulation is built; where the run is to be resumed, finds the
  * state. NULL after a message, with the exit code. All is borrowed. */
 struct resume *resume_create(const struct settings *s, struct folder *folder,

@@ -23,6 +23,9 @@ void state_texts_put(struct state_file *f, const struct settings *s,
     state_file_put_text(f, "case", text != NULL ? text : "");
     state_file_put_text(f, "settings", lines);
     free(text);
+    char step[32];
+    snprintf(step, sizeof step, "%.17g", s->particles.step);
+    state_file_put_text(f, "particles_step", step);
     for (int i = 0; i < o->n_overrides; i++) {
         char name[32];
         snprintf(name, sizeof name, "override_%d", i + 1);
