@@ -319,7 +319,7 @@ fact check_knows_the_courant_number_of_a_moving_wall 0 \
     -s 'fluid.left="slip"' -s 'fluid.right="slip"' -s 'fluid.top={wall=[6.0,0.0,0.0];}'
 fact a_misspelt_key_of_a_patch_is_named 2 "did you mean fluid.left.profile" \
     "$winnow" check channel.cfg -s 'fluid.left={inlet=1.0;profil="parabola";}'
-fact a_patch_is_one_thing 2 "with one of inlet, outlet" \
+fact a_patch_is_one_thing 2 "with one of inlet, wall, outlet, rotation" \
     "$winnow" check channel.cfg -s 'fluid.left={inlet=1.0;outlet=0.0;}'
 # 3 0.05 (1/0.25^2 + 16^2) / 2 = 20.4, and a thousandth of it are 2 %: in a cavity
 # at 17 the force on the lid takes turns by 1.5 %.

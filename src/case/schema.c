@@ -2,6 +2,7 @@
 #include "case/schema.h"
 
 #include "case/models.h"
+#include "fluid/boundary_condition.h"
 #include "case/nearest.h"
 
 #include <stdio.h>
@@ -177,6 +178,20 @@ static void schema_gather(const struct key *key, int conditions,
         }
 }
 
+/* The keys by which a side chooses its boundary condition. */
+static void append_conditions(char text[SCHEMA_TEXT])
+{
+    const char *between = "";
+
+    for (int i = 0; boundary_conditions[i] != NULL; i++) {
+        const struct key *const first = boundary_conditions[i]->keys[0];
+        if (first == NULL) continue;
+        schema_append(text, between);
+        schema_append(text, strrchr(first->path, '.') + 1);
+        between = ", ";
+    }
+}
+
 void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
 {
     static const char *const phrases[] = {
@@ -193,13 +208,13 @@ void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
         [KEY_FLAGS] = "three of true or false [x, y, z]",
         [KEY_SERIES] = "a number or ((time, number), ...), each number",
         [KEY_CURVE] = "((x, number), ...) with x rising, each number",
-        [KEY_PATCH] = ("{ KEY = ...; } with one of inlet, outlet, wall, "
-                       "rotation, pressure")};
+        [KEY_PATCH] = "{ KEY = ...; } with one of "};
     char conditions[SCHEMA_TEXT], words[SCHEMA_TEXT];
 
     schema_gather(key, 1, ", ", conditions);
     schema_gather(key, 0, " or ", words);
     snprintf(text, SCHEMA_TEXT, "%s", phrases[key->type]);
+    if (key->type == KEY_PATCH) append_conditions(text);
     if (conditions[0] != '\0') schema_append(text, " ");
     schema_append(text, conditions);
     if (key->unit[0] != '\0') schema_append(text, " [");
