@@ -920,6 +920,18 @@ fact sphere_leaves_some_fluid 2 "bodies: they cover all of the mesh" \
 printf '0 0 0 0.5\n0.1 0 0 0.5\n' >clump.txt
 fact clump_leaves_some_fluid 2 "bodies: they cover all of the mesh" \
     body -s 'bodies={clumps=({file="clump.txt"; position=[0.05,0.05,0.05]; motion="fixed";})}'
+reads_of_a_clump() {
+    strace -f -o trace -e trace=openat "$winnow" check bodies.cfg -s "$1" >said.check 2>&1
+    code=$?
+    echo "opened $(grep -c '"clump.txt"' trace) times"
+    return $code
+}
+if strace -o trace true 2>/dev/null; then
+    fact a_file_that_two_bodies_name_is_opened_once 0 "opened 1 times" reads_of_a_clump \
+        'bodies={clumps=({file="clump.txt"; scale=0.06; position=[0.03,0.05,0.03]; density=2000.0;},{file="clump.txt"; scale=0.06; position=[0.07,0.05,0.07]; density=2000.0;})}'
+else
+    echo "skipped a_file_that_two_bodies_name_is_opened_once: no strace"
+fi
 fact bodies_leave_an_inlet_its_way 2 "bodies: they cut an inlet off from every outlet" \
     body -s 'fluid={density=960.0; viscosity=0.1; step=0.01; sides="slip"; front_back="slip"; bottom={inlet=0.1;}; top={outlet=0.0;};}' \
     -s 'bodies={boxes=({position=[0.05,0.05,0.05]; size=[0.094,0.04,0.094];})}'

@@ -27,7 +27,7 @@ void body_outline_set_moments(struct body_outline *o, double V,
 
 void body_outline_free(struct body_outline *o)
 {
-    if (o == NULL) return;
+    if (o == NULL || o->kept) return;
     free(o->ball);
     o->free(o);
 }

@@ -29,6 +29,7 @@ struct body_outline {
     int flat;        /* [-] points in one plane, at most; 0: it has none */
     int n_triangles; /* [-] of its surface; 0: none */
     double (*corner)[3][3]; /* [m]; borrowed from the shape */
+    int kept; /* [-] 1: of many bodies, and not freed with one of them */
 };
 
 /* Which numbers of a symmetric matrix its six are: xx, xy, xz, yy, yz, zz. */
@@ -38,7 +39,7 @@ extern const int body_outline_row[6], body_outline_column[6];
  * x x^T, where it was given [m^3, m^4, m^5]. */
 void body_outline_set_moments(struct body_outline *o, double V,
                               const double first[3], const double second[6]);
-void body_outline_free(struct body_outline *o); /* NULL: nothing */
+void body_outline_free(struct body_outline *o); /* NULL or kept: nothing */
 
 /* 1 if it reaches from wall to wall, L [m] apart, along axis k before it turns:
  * not even half of a cell of the width h [m] is left. */

@@ -14,7 +14,7 @@
 const char case_blocks_boxes[] = "bodies.boxes",
            case_blocks_cylinders[] = "bodies.cylinders";
 
-int case_blocks_touch(const struct settings *s)
+static int any_is_free(const struct settings *s)
 {
     const char *const lists[] = {case_blocks_boxes, case_blocks_cylinders,
                                  case_outlines_surfaces};
@@ -23,6 +23,14 @@ int case_blocks_touch(const struct settings *s)
         for (int i = 0; i < settings_length(s, lists[l]); i++)
             if (case_bodies_is(s, lists[l], i, "free")) return 1;
     return 0;
+}
+
+int case_blocks_touch(const struct settings *s)
+{
+    struct kept_outlines *const all = s->outlines;
+
+    if (all->touch == 0) all->touch = 1 + any_is_free(s);
+    return all->touch - 1;
 }
 
 struct body_shape case_blocks_shape(const struct settings *s, const char *list,

@@ -62,15 +62,16 @@ static struct body_outline *read_clump(const struct settings *s, int i)
 
 void case_outlines_radii(const struct settings *s, int i, double R[2])
 {
-    long n = 0;
-    struct body_ball *const ball = read_balls(s, i, &n);
+    struct body_outline *const o =
+        case_outlines_read(s, case_outlines_clumps, i);
+    const int n = o != NULL ? o->n_balls : 0;
 
-    R[0] = R[1] = n > 0 && ball != NULL ? ball[0].R : 0.0;
-    for (long k = 1; ball != NULL && k < n; k++) {
-        R[0] = fmin(R[0], ball[k].R);
-        R[1] = fmax(R[1], ball[k].R);
+    R[0] = R[1] = n > 0 ? o->ball[0].R : 0.0;
+    for (int k = 1; k < n; k++) {
+        R[0] = fmin(R[0], o->ball[k].R);
+        R[1] = fmax(R[1], o->ball[k].R);
     }
-    free(ball);
+    body_outline_free(o);
 }
 
 static struct body_outline *read_surface(const struct settings *s, int i)
@@ -95,14 +96,57 @@ static struct body_outline *read_surface(const struct settings *s, int i)
     return o;
 }
 
-struct body_outline *case_outlines_read(const struct settings *s,
-                                        const char *list, int i)
+void case_outlines_keep(struct settings *s)
+{
+    const size_t n = (size_t)(settings_length(s, case_outlines_clumps) +
+                              settings_length(s, case_outlines_surfaces));
+
+    s->outlines = alloc_zeroed(1, sizeof *s->outlines);
+    s->outlines->item = alloc_zeroed(n + 1, sizeof *s->outlines->item);
+}
+
+void case_outlines_release(struct settings *s)
+{
+    struct kept_outlines *const all = s->outlines;
+
+    for (int k = 0; all != NULL && k < all->n; k++) {
+        all->item[k].outline->kept = 0;
+        body_outline_free(all->item[k].outline);
+    }
+    if (all != NULL) free(all->item);
+    free(all);
+}
+
+/* From its file. */
+static struct body_outline *read_new(const struct settings *s, const char *list,
+                                     int i)
 {
     if (list == case_outlines_clumps) return read_clump(s, i);
-    if (list != case_outlines_surfaces) return case_blocks_outline(s, list, i);
     struct body_outline *const o = read_surface(s, i);
     if (o != NULL) case_blocks_add_points(s, o);
     return o;
+}
+
+struct body_outline *case_outlines_read(const struct settings *s,
+                                        const char *list, int i)
+{
+    struct kept_outlines *const all = s->outlines;
+
+    if (list != case_outlines_clumps && list != case_outlines_surfaces)
+        return case_blocks_outline(s, list, i);
+    struct kept_outline one = {.list = list,
+                               .file = settings_item_text(s, list, i, "file"),
+                               .scale =
+                                   settings_item_real(s, list, i, "scale")};
+    for (int k = 0; k < all->n; k++)
+        if (all->item[k].list == list && all->item[k].scale == one.scale &&
+            strcmp(all->item[k].file, one.file) == 0)
+            return all->item[k].outline;
+    one.outline = read_new(s, list, i);
+    if (one.outline == NULL) return NULL;
+    one.outline->kept = 1;
+    all->item[all->n++] = one;
+    return one.outline;
 }
 
 double case_outlines_contact_volume(const struct settings *s, const char *list,

@@ -9,6 +9,19 @@
 
 extern const char case_outlines_clumps[], case_outlines_surfaces[];
 
+/* What the case names is read once; settings_free releases it. */
+struct kept_outlines {
+    int n;
+    struct kept_outline {
+        const char *list, *file; /* borrowed */
+        double scale;            /* [-] */
+        struct body_outline *outline;
+    } * item;
+    int touch; /* [-] 1 + what case_blocks_touch says; 0: not asked for yet */
+};
+void case_outlines_keep(struct settings *s);
+void case_outlines_release(struct settings *s);
+
 /* Number i of a list: of these two at its scale, NULL after a message; or of
  * case_blocks.h. */
 struct body_outline *case_outlines_read(const struct settings *s,

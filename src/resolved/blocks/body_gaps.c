@@ -308,7 +308,9 @@ double body_gaps_deepest(const struct solid_bodies *b, int pair[2])
 
     for (int i = 0; i < b->ps->n; i++)
         for (int j = 0; j < b->ps->n; j++) {
-            if (i == j || !(can_move(b, i) || can_move(b, j))) continue;
+            if (i == j || !(can_move(b, i) || can_move(b, j)) ||
+                far_apart(b, &box, i, j, 0.0))
+                continue;
             const double depth = too_deep(b, &box, i, j);
             if (depth <= most) continue;
             most = depth;
