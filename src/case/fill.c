@@ -208,21 +208,14 @@ static char *fill_base_of(struct settings *s, const struct key *key)
 }
 
 /* A study has other groups than a case. */
-static int is_of(const struct key *const *tables, const char *group)
-{
-    SCHEMA_EACH (k, tables)
-        if (strcmp(k->path, group) == 0) return 1;
-    return 0;
-}
-
 void fill_settings(struct settings *s, const struct key *const *tables)
 {
     for (int g = 0; g < GROUPS; g++)
-        if (groups[g].has != REQUIRED && is_of(tables, groups[g].name))
+        if (groups[g].has != REQUIRED)
             *(int *)((char *)s + groups[g].has) =
                 schema_find(tables, groups[g].name) != NULL &&
                 settings_has(s, groups[g].name);
-    if (is_of(tables, "fluid")) create_sides(s);
+    if (schema_find(tables, "fluid") != NULL) create_sides(s);
     SCHEMA_EACH (k, tables)
         if (k->size > 0)
             create_list(s, k,
