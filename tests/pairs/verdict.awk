@@ -56,8 +56,8 @@ get("exchange_residual", 0) > (line ~ /=diffusion/ ? 1e-6 : 1e-12) {
     wrong("eps_f " get("eps_f_lowest", 1))
 }
 
-# The first row is of the start: nobody has come or gone.
-FNR == 2 { start = get("particles", 0) }
+# The first row is of the start: nobody has gone, and who comes at t = 0 is there.
+FNR == 2 { start = get("particles", 0) - get("particles_in", 0) }
 "particles" in col && get("particles", 0) != \
         start + get("particles_in", 0) - get("particles_out", 0) {
     wrong("particles: " get("particles", 0) " are not " start " + " \
