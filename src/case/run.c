@@ -90,9 +90,8 @@ static int advance_one(struct run *run, struct thread_tuner *threads,
     struct simulation *const sim = run->sim;
     const int failed = run_step(sim, threads);
 
-    if (case_population_run_is_cut_short(sim)) return INTERRUPTED;
     run->cut = failed && interrupt_arrived();
-    if (run->cut) return INTERRUPTED;
+    if (run->cut || case_population_run_is_cut_short(sim)) return INTERRUPTED;
     if (failed) return broke_down(run);
     progress_show(progress, sim->t);
     overlap_warn(&run->told, sim);
