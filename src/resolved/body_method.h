@@ -13,10 +13,8 @@ struct body_method {
 };
 
 /* All of them, ended by NULL; the first is the default. */
-extern const struct body_method fraction_methods_piso_ib;
 extern const struct body_method hold_method, fraction_methods_fictitious,
     fraction_methods_piso_ib;
 extern const struct body_method *const body_methods[];
-const struct body_method *body_method_named(const char *name);
 
 #endif

@@ -17,8 +17,6 @@ const struct body_method *const body_methods[] = {
     &hold_method, &fraction_methods_fictitious, &fraction_methods_piso_ib,
     NULL};
 
-MODEL_NAMED(body_method)
-
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o)
 {

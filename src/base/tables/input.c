@@ -32,9 +32,10 @@ static long length_of(FILE *in)
 
 /* Room for so many bytes and the zero; NULL, with the reason, if there is not
  * twice as much memory: the numbers of a file take about as much as itself. */
-static char *input_room(double size, const char **why)
+static char *input_room(long size, const char **why)
 {
-    if (2.0 * size < alloc_left()) return alloc_zeroed((size_t)size + 1, 1);
+    if (2.0 * (double)size < alloc_left())
+        return alloc_zeroed((size_t)size + 1, 1);
     *why = "it takes more memory than is left";
     errno = ENOMEM;
     return NULL;
@@ -49,7 +50,7 @@ char *input_text(const char *path, size_t *length, const char **why)
     char *text = NULL;
 
     if (size >= 0) {
-        text = input_room((double)size, why);
+        text = input_room(size, why);
         if (text != NULL) *length = fread(text, 1, (size_t)size, in);
     } else {
         *why = strerror(errno);
@@ -74,17 +75,17 @@ void input_release(struct input *in)
 
 /* Of what is packed in some megabytes, which may be without end, no more than
  * `most` [byte] is counted; -1 if it is damaged. */
-static double unpacked_size(gzFile f, double most)
+static long unpacked_size(gzFile f, double most)
 {
     static const unsigned piece = 1 << 16;
     char *const bytes = alloc_zeroed(piece, 1);
-    double size = 0.0;
+    long size = 0;
     int n;
 
-    while ((n = gzread(f, bytes, piece)) > 0 && size <= most)
+    while ((n = gzread(f, bytes, piece)) > 0 && (double)size <= most)
         size += n;
     free(bytes);
-    return n < 0 || gzrewind(f) != 0 ? -1.0 : size;
+    return n < 0 || gzrewind(f) != 0 ? -1 : size;
 }
 
 char *input_unpacked(const char *path, size_t *length, const char **why)
@@ -95,10 +96,10 @@ char *input_unpacked(const char *path, size_t *length, const char **why)
     *why = input_wrong(path);
     if (*why != NULL) return NULL;
     const gzFile f = gzopen(path, "rb");
-    const double size = f != NULL ? unpacked_size(f, alloc_left()) : -1.0;
+    const long size = f != NULL ? unpacked_size(f, alloc_left()) : -1;
     *why = "damaged";
     errno = EIO;
-    if (size >= 0.0) text = input_room(size, why);
+    if (size >= 0) text = input_room(size, why);
     for (*length = 0; text != NULL && *length < (size_t)size;) {
         const size_t rest = (size_t)size - *length;
         const int n =

@@ -2,6 +2,7 @@
 /* breakdown.c -- the message when a computation breaks down. */
 #include "case/diagnosis/breakdown.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -111,12 +112,14 @@ static void describe_solids(const struct simulation *sim, const char *when,
              when, sim->coupling->report.eps_lowest);
 }
 
-/* Hardly any fluid is left in a cell: packed spheres leave more. A particle
- * that is lost then was thrown out by its drag, and no smaller step keeps it.
- */
+/* No fluid is left in a cell; or hardly any, less than packed spheres leave: a
+ * particle that is lost then was thrown out by its drag, and no smaller step
+ * keeps it. */
 static int is_full(const struct simulation *sim)
 {
-    return sim->coupling != NULL && sim->coupling->report.eps_lowest < 0.05;
+    return sim->coupling != NULL &&
+           sim->coupling->report.eps_lowest <
+               (sim->dem_report.lost > 0 ? 0.05 : DBL_MIN);
 }
 
 /* The void fraction of each cell is positive, but interpolated to a particle it
@@ -157,7 +160,7 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
         describe_fluid(sim, when, text);
     else if (trouble_of(sim) != NULL)
         snprintf(text, BREAKDOWN_TEXT, "%s %s", trouble_of(sim), when);
-    else if (sim->dem_report.lost > 0 && is_full(sim))
+    else if (is_full(sim))
         describe_solids(sim, when, text);
     else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
              sim->dem_report.lost_through >= 0)
@@ -169,8 +172,6 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
     else if (sim->dem != NULL &&
              sim->dem_report.max_overlap > dem_deepest(sim->dem).most)
         describe_overlap(sim, when, text);
-    else if (sim->coupling != NULL && sim->coupling->report.eps_lowest <= 0.0)
-        describe_solids(sim, when, text);
     else if (sim->coupling != NULL &&
              sim->coupling->report.lowest_interpolated <= 0.0)
         describe_seen(sim, when, text);

@@ -98,8 +98,8 @@ static struct body_outline *read_surface(const struct settings *s, int i)
 
 void case_outlines_keep(struct settings *s)
 {
-    const size_t n = (size_t)(settings_length(s, case_outlines_clumps) +
-                              settings_length(s, case_outlines_surfaces));
+    const size_t n = (size_t)settings_length(s, case_outlines_clumps) +
+                     (size_t)settings_length(s, case_outlines_surfaces);
 
     s->outlines = alloc_zeroed(1, sizeof *s->outlines);
     s->outlines->item = alloc_zeroed(n + 1, sizeof *s->outlines->item);

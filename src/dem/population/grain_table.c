@@ -20,7 +20,8 @@ static int counts_atoms(const char *line, long *n)
     char word[8];
     long count;
 
-    if (sscanf(line, "%ld %7s", &count, word) != 2 || strcmp(word, "atoms"))
+    if (sscanf(line, "%ld %7s", &count, word) != 2 ||
+        strcmp(word, "atoms") != 0)
         return 0;
     *n = count;
     return 1;

@@ -139,5 +139,3 @@ const struct surface_shape surface_stl = {
 
 const struct surface_shape *const surface_shapes[] = {
     &surface_plane, &surface_cylinder, &surface_stl, NULL};
-
-MODEL_NAMED(surface_shape)

@@ -37,9 +37,8 @@ struct surface_shape {
                   const double lo[3], const double hi[3], double x[3]);
 };
 
-/* What a case can choose, ended by NULL, and one by its name or NULL. */
+/* What a case can choose, ended by NULL. */
 extern const struct surface_shape *const surface_shapes[];
-const struct surface_shape *surface_shape_named(const char *name);
 
 extern const struct surface_shape surface_plane, surface_cylinder, surface_stl;
 /* The outside of a body in a fluid, which no case names. */
