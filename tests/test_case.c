@@ -10,7 +10,7 @@
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/report/report.h"
-#include "case/means/profiles.h"
+#include "record/profiles.h"
 #include "case/report/list.h"
 #include "case/resume/case_text.h"
 #include "case/models.h"

@@ -10,11 +10,11 @@
 #include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/resolved/case_outlines.h"
-#include "case/statistics/case_statistics.h"
+#include "record/case_statistics.h"
 #include "case/surfaces/case_surfaces.h"
 #include "case/keys.h"
 #include "case/models.h"
-#include "case/recorder_part.h"
+#include "record/recorder_part.h"
 
 #include <assert.h>
 #include <stddef.h>

@@ -19,11 +19,11 @@
 #include "case/checks/case_scales.h"
 #include "case/case_steps.h"
 #include "case/command.h"
-#include "case/recorder.h"
+#include "record/recorder.h"
 #include "case/diagnosis/breakdown.h"
 #include "case/diagnosis/overlap.h"
 #include "case/population/case_population_run.h"
-#include "case/progress/progress.h"
+#include "record/progress.h"
 #include "case/resume/resume.h"
 
 enum {

@@ -3,10 +3,10 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "case/history.h"
+#include "record/history.h"
 #include "case/nearest.h"
-#include "case/means/profiles.h"
-#include "case/recorder_part.h"
+#include "record/profiles.h"
+#include "record/recorder_part.h"
 #include "case/resume/read_summary.h"
 #include "study/results.h"
 #include "study/statistics.h"

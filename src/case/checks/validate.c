@@ -22,7 +22,7 @@
 #include "case/case_mesh.h"
 #include "case/extent/case_extent.h"
 #include "case/checks/model_choice.h"
-#include "case/recorder_part.h"
+#include "record/recorder_part.h"
 #include "case/particle_options.h"
 #include "case/schema.h"
 

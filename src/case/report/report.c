@@ -20,7 +20,7 @@
 #include "case/checks/case_memory.h"
 #include "case/engine/case_engine.h"
 #include "case/resolved/case_bodies.h"
-#include "case/statistics/case_statistics.h"
+#include "record/case_statistics.h"
 #include "case/surfaces/surfaces_part.h"
 #include "case/checks/check_line.h"
 #include "case/case_mesh.h"

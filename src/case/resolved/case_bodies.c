@@ -11,7 +11,7 @@
 #include "case/build_boundaries.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
-#include "case/resolved/bodies_record.h"
+#include "record/bodies_record.h"
 #include "case/resolved/case_blocks.h"
 #include "case/resolved/case_outlines.h"
 #include "case/particle_options.h"

@@ -2,7 +2,7 @@
 #ifndef CASE_RESUME_RESUME_H
 #define CASE_RESUME_RESUME_H
 
-#include "case/recorder.h"
+#include "record/recorder.h"
 #include "case/run.h"
 #include "dem/bed_settling.h"
 

@@ -8,7 +8,7 @@
 #ifndef DISTRIBUTED_RANKS_ENGINE_H
 #define DISTRIBUTED_RANKS_ENGINE_H
 
-#include "case/recorder_part.h"
+#include "record/recorder_part.h"
 #include "coupling/processes.h"
 
 extern const struct recorder_part engine_summary;

@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "case/field_output.h"
+#include "record/field_output.h"
 #include "output/vtk.h"
 
 /* m numbers of each own cell, in a new array. */

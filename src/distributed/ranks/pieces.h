@@ -9,7 +9,7 @@
 #ifndef DISTRIBUTED_RANKS_PIECES_H
 #define DISTRIBUTED_RANKS_PIECES_H
 
-#include "case/snapshot.h"
+#include "record/snapshot.h"
 #include "distributed/ranks/part.h"
 
 /* The piece of a rank of the file DIR/NAME.pvtr: NAME_RANK.vtr, after DIR/ or

@@ -10,8 +10,8 @@
 #include "base/alloc.h"
 #include "case/build_free.h"
 #include "case/case_file.h"
-#include "case/history.h"
-#include "case/means/second_half.h"
+#include "record/history.h"
+#include "record/second_half.h"
 #include "coupling/coupling.h"
 
 int engine_agree(int code)

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "record/contact_list.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/box_domain.h"
+#include "dem/link_cells.h"
+#include "dem/materials.h"
+#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surface_contact_points.h"
+
+static void *contact_list_longer(void *old, int used, int room, size_t size)
+{
+    void *const made = alloc_zeroed((size_t)room, size);
+
+    if (used > 0) memcpy(made, old, (size_t)used * size);
+    free(old);
+    return made;
+}
+
+static void contact_list_reserve(struct contact_list *c)
+{
+    if (c->n < c->room) return;
+    c->room = 2 * c->room + 1024;
+    c->x = contact_list_longer(c->x, 6 * c->n, 6 * c->room, sizeof *c->x);
+    c->force = contact_list_longer(c->force, c->n, c->room, sizeof *c->force);
+    c->depth = contact_list_longer(c->depth, c->n, c->room, sizeof *c->depth);
+    c->ids = contact_list_longer(c->ids, 2 * c->n, 2 * c->room, sizeof *c->ids);
+    c->corner = contact_list_longer(c->corner, 2 * c->n, 2 * c->room,
+                                    sizeof *c->corner);
+    c->end = contact_list_longer(c->end, c->n, c->room, sizeof *c->end);
+    c->index =
+        contact_list_longer(c->index, 2 * c->n, 2 * c->room, sizeof *c->index);
+}
+
+/* Of particle i with another, or with a wall that has a number below 0. */
+struct meeting {
+    int i, j;           /* [-] */
+    int pair;           /* [-] of materials */
+    double d[3];        /* [m] from the centre to the other, or to the wall */
+    double depth, R, m; /* [m], R* [m], m* [kg] */
+};
+
+static void contact_list_add(struct contact_list *c, const struct meeting *a)
+{
+    const struct particles *const ps = c->sim->particles;
+    const double x[3] = {ps->x[a->i], ps->y[a->i], ps->z[a->i]};
+    const struct contact_law *const law = dem_created_with(c->sim->dem)->law;
+
+    contact_list_reserve(c);
+    memcpy(&c->x[6 * c->n], x, sizeof x);
+    vector_along(x, 1.0, a->d, &c->x[6 * c->n + 3]);
+    c->depth[c->n] = a->depth;
+    c->force[c->n] =
+        law->respond(&c->constants[a->pair], a->depth, a->R, a->m).elastic;
+    c->index[2 * c->n] = a->i;
+    c->index[2 * c->n + 1] = a->j;
+    c->ids[2 * c->n] = ps->id[a->i];
+    c->ids[2 * c->n + 1] = a->j < 0 ? a->j : ps->id[a->j];
+    c->corner[2 * c->n] = 2 * c->n;
+    c->corner[2 * c->n + 1] = 2 * c->n + 1;
+    c->end[c->n] = 2 * c->n + 2;
+    c->n++;
+}
+
+static int contact_list_material_of(const struct particles *ps, int i)
+{
+    return ps->material != NULL ? ps->material[i] : 0;
+}
+
+static int contact_list_pair_of(const struct contact_list *c, int a, int b)
+{
+    return a * materials_count(c->sim->materials) + b;
+}
+
+static void contact_list_add_pair(struct contact_list *c, int i, int j,
+                                  const double x[3])
+{
+    const struct particles *const ps = c->sim->particles;
+    const double y[3] = {ps->x[j], ps->y[j], ps->z[j]};
+    const double R[2] = {0.5 * ps->d[i], 0.5 * ps->d[j]};
+    struct meeting a = {i,
+                        j,
+                        contact_list_pair_of(c, contact_list_material_of(ps, i),
+                                             contact_list_material_of(ps, j)),
+                        {0.0},
+                        0.0,
+                        R[0] * R[1] / (R[0] + R[1]),
+                        ps->m[i] * ps->m[j] / (ps->m[i] + ps->m[j])};
+
+    for (int k = 0; k < 3; k++)
+        a.d[k] = box_domain_nearest(&c->box, k, y[k] - x[k]);
+    a.depth = R[0] + R[1] - vector_length(a.d);
+    if (a.depth > 0.0) contact_list_add(c, &a);
+}
+
+/* With something flat of this material, at `gap` from the centre. */
+static void contact_list_add_flat(struct contact_list *c, int i, int number,
+                                  int material, const double d[3], double gap)
+{
+    const struct particles *const ps = c->sim->particles;
+    const double R = 0.5 * ps->d[i];
+    const struct meeting a = {
+        i,
+        number,
+        contact_list_pair_of(c, contact_list_material_of(ps, i), material),
+        {d[0], d[1], d[2]},
+        R - gap,
+        R,
+        ps->m[i]};
+
+    if (gap < R) contact_list_add(c, &a);
+}
+
+static void contact_list_add_walls(struct contact_list *c, int i,
+                                   const double x[3])
+{
+    const struct materials *const all = c->sim->materials;
+
+    for (int w = 0; w < 6; w++) {
+        const double gap = box_domain_gap(&c->box, w, x);
+        double d[3] = {0.0, 0.0, 0.0};
+        d[w / 2] = w % 2 ? gap : -gap;
+        if (!c->box.periodic[w / 2])
+            contact_list_add_flat(c, i, -1 - w, all != NULL ? all->wall : 0, d,
+                                  gap);
+    }
+}
+
+/* The particles as the search for the faces near them wants them. */
+static void contact_list_fill_rows(struct contact_list *c)
+{
+    const struct particles *const ps = c->sim->particles;
+    struct bodies *const rows = c->rows;
+
+    rows->n = ps->n;
+    for (int i = 0; i < ps->n; i++) {
+        const double x[4] = {ps->x[i], ps->y[i], ps->z[i], 0.5 * ps->d[i]};
+        memcpy(rows->position_radius[i], x, sizeof x);
+        memcpy(rows->position_at_rebuild[i], x, 3 * sizeof *x);
+    }
+}
+
+/* They are found anew, where the surfaces are now: before the first step, too.
+ */
+static void contact_list_add_surfaces(struct contact_list *c)
+{
+    const struct dem_options *const o = dem_created_with(c->sim->dem);
+    const struct surface_scene scene = {o->surfaces, o->n_surfaces, &c->box};
+    const struct chunk all = {.end = c->sim->particles->n};
+
+    if (o->n_surfaces == 0) return;
+    contact_list_fill_rows(c);
+    for (int k = 0; k < scene.n; k++)
+        c->pose[k] = dem_surface(c->sim->dem, k).pose;
+    near_faces_find(c->near, &scene, c->pose, &all, c->rows, 0.0);
+    surface_contact_points_find(c->points, c->near, &scene, c->pose, c->rows);
+    for (int q = 0; q < c->points->n; q++) {
+        const struct surface_contact_point *const at = &c->points->list[q];
+        double d[3] = {0.0, 0.0, 0.0};
+        vector_along(d, -at->r, at->n, d);
+        contact_list_add_flat(c, at->owner, -7 - at->surface,
+                              scene.surface[at->surface].material, d, at->r);
+    }
+}
+
+/* A particle is compared with those that were put into the cells before it. */
+void contact_list_find(struct contact_list *c)
+{
+    const struct particles *const ps = c->sim->particles;
+    double widest = 0.0;
+    int near[LINK_CELLS_AROUND];
+
+    c->n = 0;
+    for (int i = 0; i < ps->n; i++)
+        widest = ps->d[i] > widest ? ps->d[i] : widest;
+    link_cells_clear(c->cells, widest);
+    for (int i = 0; i < ps->n; i++) {
+        const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        const int n = link_cells_around(c->cells, x, near);
+        for (int k = 0; k < n; k++)
+            for (int j = c->cells->head[near[k]]; j >= 0; j = c->cells->next[j])
+                contact_list_add_pair(c, i, j, x);
+        contact_list_add_walls(c, i, x);
+        link_cells_add(c->cells, i, x);
+    }
+    contact_list_add_surfaces(c);
+}
+
+struct contact_list *contact_list_create(const struct simulation *sim)
+{
+    struct contact_list *const c = alloc_zeroed(1, sizeof *c);
+    const struct dem_options *const o = dem_created_with(sim->dem);
+    const int n = materials_count(sim->materials);
+
+    c->sim = sim;
+    c->box = box_domain_of(o->lo, o->hi, o->periodic);
+    c->constants = alloc_zeroed((size_t)n * (size_t)n, sizeof *c->constants);
+    materials_table(o->law, &o->material, o->materials, c->constants);
+    c->cells = link_cells_create(sim->particles->capacity, &c->box);
+    if (o->n_surfaces > 0) {
+        c->rows = bodies_create(sim->particles->capacity, &c->box);
+        c->pose = alloc_zeroed((size_t)o->n_surfaces, sizeof *c->pose);
+        c->near = alloc_zeroed(1, sizeof *c->near);
+        c->points = alloc_zeroed(1, sizeof *c->points);
+    }
+    contact_list_reserve(c);
+    return c;
+}
+
+void contact_list_free(struct contact_list *c)
+{
+    if (c == NULL) return;
+    link_cells_free(c->cells);
+    if (c->rows != NULL) {
+        bodies_free(c->rows);
+        near_faces_release(c->near);
+        free(c->points->list);
+    }
+    free(c->pose);
+    free(c->near);
+    free(c->points);
+    free(c->constants);
+    free(c->x);
+    free(c->force);
+    free(c->depth);
+    free(c->ids);
+    free(c->corner);
+    free(c->end);
+    free(c->index);
+    free(c);
+}

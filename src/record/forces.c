@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* forces.c -- forces and torques of the fluid on patches, and of the grains on
+ * surfaces: DIR/forces.csv.
+ *
+ * A row with each row of history.csv. The coefficients of a body are
+ *
+ *   C = F / (1/2 rho U^2 A),   C_m = M / (1/2 rho U^2 A L)
+ *
+ * with the reference values U, A and L of the case; F and M are the parts of
+ * force and torque along the directions of drag, lift and moment.
+ */
+#include "record/recorder_part.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "case/forces/forces.h"
+#include "record/surface_loads.h"
+#include "fluid/forces/wall_stress.h"
+#include "mesh/geometry/face_corners.h"
+#include "output/table.h"
+
+enum { COLUMN = 96, EACH = 15 };
+
+/* A body: some patches that are walls, some surfaces, and its reference
+ * values. */
+struct body {
+    char name[FORCES_NAME];
+    int *on;                          /* [-] 1 for each of its patches; NULL:
+                                         none */
+    struct surface_loads *surfaces;   /* NULL: none */
+    double centre[3];                 /* [m] of the torque */
+    double drag[3], lift[3], axis[3]; /* [-] of length 1 */
+    double per_force, per_torque;     /* [1/N], [1/(N m)]; 0: no coefficients */
+};
+
+struct forces {
+    const struct simulation *sim;
+    int n, n_columns;
+    struct body *body;
+    struct table *table;
+    double *row;
+};
+
+/* --- one body ------------------------------------------------------------- */
+
+struct load {
+    double pressure[3], viscous[3], torque[3]; /* [N], [N m] */
+    double shear;                              /* [Pa] the largest */
+    double y_plus, area;                       /* [-] the largest; [m^2] */
+};
+
+static void forces_add_face(struct load *l, const struct fluid *fl, int patch,
+                            int j, const double centre[3])
+{
+    const struct wall_stress w = wall_stress(fl, patch, j);
+    double x[3], arm[3], force[3], torque[3];
+
+    face_corners_middle(fl->mesh, fl->mesh->patches[patch].first + j, x);
+    vector_between(x, centre, arm);
+    vector_along(w.pressure, 1.0, w.viscous, force);
+    vector_cross(arm, force, torque);
+    for (int k = 0; k < 3; k++) {
+        l->pressure[k] += w.pressure[k];
+        l->viscous[k] += w.viscous[k];
+        l->torque[k] += torque[k];
+    }
+    l->shear = fmax(l->shear, vector_length(w.shear));
+    l->y_plus = fmax(l->y_plus, w.y_plus);
+}
+
+static struct load load_on(const struct body *b, const struct fluid *fl)
+{
+    struct load l = {.shear = 0.0};
+
+    for (int i = 0; i < fl->mesh->n_patches; i++)
+        for (int j = 0; j < fl->mesh->patches[i].n && b->on[i]; j++)
+            forces_add_face(&l, fl, i, j, b->centre);
+    return l;
+}
+
+/* --- what the case says --------------------------------------------------- */
+
+/* A direction of the case, its length made 1. */
+static void forces_direction(const double given[3], double e[3])
+{
+    const double length = vector_length(given);
+
+    for (int k = 0; k < 3; k++)
+        e[k] = length > 0.0 ? given[k] / length : given[k];
+}
+
+/* All walls, if neither patches nor surfaces are named. */
+static void mark_patches(const struct fluid *fl, const char *patches,
+                         struct body *b)
+{
+    b->on = alloc_ints(fl->mesh->n_patches);
+    for (int p = 0; p < fl->mesh->n_patches; p++)
+        b->on[p] =
+            patches == NULL
+                ? fl->options.boundaries[p].kind == BOUNDARY_NO_SLIP
+                : surface_loads_has_word(patches, fl->mesh->patches[p].name);
+}
+
+static void create_body(const struct output_force *o,
+                        const struct simulation *sim, struct body *b)
+{
+    const struct fluid *const fl = sim->fluid;
+
+    forces_name(o, b->name);
+    memcpy(b->centre, o->centre, sizeof b->centre);
+    b->surfaces = surface_loads_create(sim, o->surfaces, b->centre);
+    if (o->patches == NULL && o->surfaces != NULL) return;
+    mark_patches(fl, o->patches, b);
+    forces_direction(o->drag, b->drag);
+    forces_direction(o->lift, b->lift);
+    forces_direction(o->axis, b->axis);
+    const double force =
+        0.5 * fl->options.rho * o->velocity * o->velocity * o->area;
+    b->per_force = force > 0.0 ? 1.0 / force : 0.0;
+    b->per_torque = force * o->length > 0.0 ? 1.0 / (force * o->length) : 0.0;
+}
+
+/* --- the table ------------------------------------------------------------ */
+
+static const char *const columns[EACH] = {
+    "pressure_x [N]",       "pressure_y [N]",        "pressure_z [N]",
+    "viscous_x [N]",        "viscous_y [N]",         "viscous_z [N]",
+    "torque_x [N m]",       "torque_y [N m]",        "torque_z [N m]",
+    "largest_shear [Pa]",   "largest_y_plus [-]",    "drag_coefficient [-]",
+    "lift_coefficient [-]", "moment_coefficient [-]"};
+
+static int columns_of_fluid(const struct body *b)
+{
+    return b->on == NULL         ? 0
+           : b->per_torque > 0.0 ? 14
+           : b->per_force > 0.0  ? 13
+                                 : 11;
+}
+
+static int columns_of(const struct body *b)
+{
+    return columns_of_fluid(b) + (b->surfaces != NULL ? SURFACE_LOADS_EACH : 0);
+}
+
+static const char *column_of(const struct body *b, int k)
+{
+    const int n = columns_of_fluid(b);
+    return k < n ? columns[k] : surface_loads_columns[k - n];
+}
+
+static void fill_fluid(const struct body *b, const struct fluid *fl,
+                       double row[EACH])
+{
+    const struct load l = load_on(b, fl);
+    double force[3];
+
+    memcpy(row, l.pressure, sizeof l.pressure);
+    memcpy(row + 3, l.viscous, sizeof l.viscous);
+    memcpy(row + 6, l.torque, sizeof l.torque);
+    vector_along(l.pressure, 1.0, l.viscous, force);
+    row[9] = l.shear;
+    row[10] = l.y_plus;
+    row[11] = b->per_force * vector_dot(force, b->drag);
+    row[12] = b->per_force * vector_dot(force, b->lift);
+    row[13] = b->per_torque * vector_dot(l.torque, b->axis);
+}
+
+static int forces_add_row(void *memory)
+{
+    struct forces *const f = memory;
+    double *at = f->row;
+
+    *at++ = f->sim->t;
+    for (int i = 0; i < f->n; i++) {
+        const struct body *const b = &f->body[i];
+        const int n = columns_of_fluid(b);
+        double row[EACH];
+        if (n > 0) fill_fluid(b, f->sim->fluid, row);
+        memcpy(at, row, (size_t)n * sizeof *row);
+        if (b->surfaces != NULL) surface_loads_row(b->surfaces, at + n);
+        at += columns_of(b);
+    }
+    return table_add(f->table, f->row);
+}
+
+static struct table *forces_create_table(const struct forces *f,
+                                         struct folder *folder)
+{
+    char(*const text)[COLUMN] =
+        alloc_zeroed((size_t)f->n_columns, sizeof *text);
+    const char **const names =
+        alloc_zeroed((size_t)f->n_columns, sizeof *names);
+    int c = 1;
+
+    names[0] = "time [s]";
+    for (int i = 0; i < f->n; i++)
+        for (int k = 0; k < columns_of(&f->body[i]); k++, c++) {
+            snprintf(text[c], COLUMN, "%s_%s", f->body[i].name,
+                     column_of(&f->body[i], k));
+            names[c] = text[c];
+        }
+    struct table *const t =
+        folder_table(folder, "forces.csv", f->n_columns, names);
+    free(text);
+    free(names);
+    return t;
+}
+
+static void forces_release(void *memory)
+{
+    struct forces *const f = memory;
+
+    if (f == NULL) return;
+    for (int i = 0; i < f->n; i++) {
+        free(f->body[i].on);
+        surface_loads_free(f->body[i].surfaces);
+    }
+    free(f->body);
+    free(f->row);
+    table_free(f->table);
+    free(f);
+}
+
+static void *forces_create(const struct recorder_view *v, int *failed)
+{
+    if (v->settings->output.forces.n == 0) return NULL;
+    struct forces *const f = alloc_zeroed(1, sizeof *f);
+
+    f->sim = v->sim;
+    f->n = v->settings->output.forces.n;
+    f->n_columns = 1;
+    f->body = alloc_zeroed((size_t)f->n, sizeof *f->body);
+    for (int i = 0; i < f->n; i++) {
+        create_body(&v->settings->output.forces.item[i], v->sim, &f->body[i]);
+        f->n_columns += columns_of(&f->body[i]);
+    }
+    f->row = alloc_doubles(f->n_columns);
+    f->table = forces_create_table(f, v->folder);
+    if (f->table != NULL) return f;
+    *failed = 1;
+    forces_release(f);
+    return NULL;
+}
+
+static const struct key keys[] = {
+    {"output.forces", KEY_LIST, "", "", "",
+     "forces and torques of the fluid on walls, each { patches, ... }, without "
+     "its buoyancy, and of grains on surfaces: rows of forces.csv",
+     "", "", .at = KEY_AT(output_options, forces),
+     .size = sizeof(struct output_force)},
+    {"output.forces.name", KEY_TEXT, "", "", "",
+     "how the names of its columns begin; left out: the patches or surfaces",
+     "", "", .at = KEY_AT(output_force, name)},
+    {"output.forces.patches", KEY_TEXT, "", "", "",
+     "names, separated by blanks; left out: all no-slip walls", "", "",
+     .at = KEY_AT(output_force, patches)},
+    {"output.forces.surfaces", KEY_TEXT, "", "", "",
+     "names of particles.surfaces, separated by blanks: force and torque of "
+     "the grains on them, means since the row before",
+     "", "particles", .at = KEY_AT(output_force, surfaces)},
+    {"output.forces.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
+     "the point that the torque is about", "", "",
+     .at = KEY_AT(output_force, centre)},
+    {"output.forces.velocity", KEY_REAL, "m/s", "> 0", "",
+     "reference velocity U of the coefficients", "ST96", "",
+     .at = KEY_AT(output_force, velocity)},
+    {"output.forces.area", KEY_REAL, "m^2", "> 0", "",
+     "reference area A of the coefficients", "ST96", "",
+     .at = KEY_AT(output_force, area)},
+    {"output.forces.length", KEY_REAL, "m", "> 0", "",
+     "reference length L of the coefficient of the torque", "", "",
+     .at = KEY_AT(output_force, length)},
+    {"output.forces.drag", KEY_VECTOR, "-", "", "[1.0, 0.0, 0.0]",
+     "direction of the drag", "", "", .at = KEY_AT(output_force, drag)},
+    {"output.forces.lift", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
+     "direction of the lift", "", "", .at = KEY_AT(output_force, lift)},
+    {"output.forces.axis", KEY_VECTOR, "-", "", "[0.0, 0.0, 1.0]",
+     "direction of the torque in its coefficient", "", "",
+     .at = KEY_AT(output_force, axis)},
+    KEY_END};
+
+static void forces_visit(void *part, struct state *s)
+{
+    struct forces *const f = part;
+
+    state_begin(s, "forces");
+    table_state(f->table, s);
+    for (int i = 0; i < f->n; i++)
+        if (f->body[i].surfaces != NULL)
+            surface_loads_state(f->body[i].surfaces, i, s);
+    state_end(s);
+}
+
+const struct recorder_part forces_part = {
+    .keys = keys,
+    .check = forces_check,
+    .create = forces_create,
+    .row = forces_add_row,
+    .last_row = forces_add_row,
+    .free = forces_release,
+    .state = forces_visit,
+};

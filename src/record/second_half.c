@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "record/second_half.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "record/history_sums.h"
+#include "record/recorder_part.h"
+#include "coupling/processes.h"
+#include "output/means/block_means.h"
+
+/* What a row of the history adds: two numbers with errors by blocks, and the
+ * mean squares of speeds. */
+enum { DROP, LEAN, N_BLOCKED, WEIGHT = N_BLOCKED, SPEED, LEVEL, UPRIGHT, N };
+
+/* All rows are kept, for a run that is resumed may get a later end, and its
+ * second half is then another one. */
+struct second_half {
+    const struct simulation *sim;
+    double end; /* [s] */
+    int rows, capacity;
+    double *time;     /* [s] */
+    double (*row)[N]; /* [Pa, -, Pa, m^2/s^2, m^2/s^2, m^2/s^2] */
+};
+
+struct second_half *second_half_create(const struct simulation *sim, double end)
+{
+    struct second_half *const h = alloc_zeroed(1, sizeof *h);
+
+    h->sim = sim;
+    h->end = end;
+    return h;
+}
+
+void second_half_free(struct second_half *h)
+{
+    if (h == NULL) return;
+    free(h->time);
+    free(h->row);
+    free(h);
+}
+
+/* Mean squares of the velocities, and the lean, of the whole bed. */
+static void put_bed(const struct second_half *h, double row[N])
+{
+    const struct particles *const ps = h->sim->particles;
+    const struct mesh *const m = h->sim->mesh;
+    const double *const g = h->sim->gravity;
+    double mass = 0.0, x = 0.0, square = 0.0, p[3] = {0.0, 0.0, 0.0};
+
+    for (int i = 0; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        mass += ps->m[i];
+        x += ps->m[i] * ps->x[i];
+        square += ps->m[i] * vector_dot(v, v);
+        for (int k = 0; k < 3; k++)
+            p[k] += ps->m[i] * v[k];
+    }
+    mass = processes_total(h->sim, mass);
+    x = processes_total(h->sim, x);
+    square = processes_total(h->sim, square);
+    for (int k = 0; k < 3; k++)
+        p[k] = processes_total(h->sim, p[k]);
+    if (mass == 0.0) return;
+    const double gg = vector_dot(g, g);
+    const double along = gg > 0.0 ? vector_dot(p, g) / sqrt(gg) : 0.0;
+    row[SPEED] = square / mass;
+    row[UPRIGHT] = along * along / (mass * mass);
+    row[LEVEL] = (vector_dot(p, p) - along * along) / (mass * mass);
+    row[LEAN] = (2.0 * x / mass - m->lo[0] - m->hi[0]) / (m->hi[0] - m->lo[0]);
+}
+
+static void second_half_grow(struct second_half *h, int capacity)
+{
+    double *const time = alloc_doubles(capacity);
+    double(*const row)[N] = alloc_zeroed((size_t)capacity, sizeof *row);
+
+    if (h->rows > 0) memcpy(time, h->time, (size_t)h->rows * sizeof *time);
+    if (h->rows > 0) memcpy(row, h->row, (size_t)h->rows * sizeof *row);
+    free(h->time);
+    free(h->row);
+    h->time = time;
+    h->row = row;
+    h->capacity = capacity;
+}
+
+void second_half_add(struct second_half *h)
+{
+    if (h->sim->fluid == NULL) return;
+    if (h->rows == h->capacity) second_half_grow(h, 2 * h->rows + 16);
+    double *const row = h->row[h->rows];
+    for (int k = 0; k < N; k++)
+        row[k] = 0.0;
+    h->time[h->rows++] = h->sim->t;
+    row[DROP] = history_pressure_drop(h->sim);
+    if (h->sim->particles == NULL) return;
+    row[WEIGHT] = history_bed_weight(h->sim);
+    put_bed(h, row);
+}
+
+/* The first row of the second half. */
+static int first(const struct second_half *h)
+{
+    int k = h->rows;
+
+    while (k > 0 && h->time[k - 1] >= 0.5 * h->end)
+        k--;
+    return k;
+}
+
+static double second_half_mean(const struct second_half *h, int column)
+{
+    double sum = 0.0;
+
+    for (int k = first(h); k < h->rows; k++)
+        sum += h->row[k][column];
+    return sum / (double)(h->rows - first(h));
+}
+
+/* The errors of the means by blocks. */
+static void find_errors(const struct second_half *h, double error[N_BLOCKED])
+{
+    static const double once[N_BLOCKED] = {1.0, 1.0};
+    struct block_means *const blocks = block_means_create(N_BLOCKED);
+
+    for (int k = first(h); k < h->rows; k++)
+        block_means_add(blocks, h->row[k], once);
+    for (int q = 0; q < N_BLOCKED; q++)
+        error[q] = block_means_error(blocks, q);
+    block_means_free(blocks);
+}
+
+/* --- as a part of the recorder -------------------------------------------- */
+
+static void second_half_visit(void *part, struct state *s)
+{
+    struct second_half *const h = part;
+
+    state_begin(s, "second_half");
+    state_count(s, "rows", &h->rows, INT_MAX);
+    if (s->loading && !s->failed) {
+        const int rows = h->rows;
+        h->rows = 0;
+        second_half_grow(h, rows + 16);
+        h->rows = rows;
+    }
+    state_reals(s, "time", "s", h->time, h->rows, 1);
+    state_reals(s, "row", "Pa - Pa m2/s2", h->rows > 0 ? h->row[0] : NULL,
+                h->rows, N);
+    state_end(s);
+}
+
+static void *second_half_part_create(const struct recorder_view *v, int *failed)
+{
+    (void)failed;
+    return second_half_create(v->sim, v->settings->output.end);
+}
+
+static void second_half_release(void *part)
+{
+    second_half_free(part);
+}
+
+static int second_half_add_row(void *part)
+{
+    second_half_add(part);
+    return 0;
+}
+
+static void second_half_summarize(const void *part, struct summary *to)
+{
+    const struct second_half *const h = part;
+    double error[N_BLOCKED];
+
+    if (first(h) == h->rows) return;
+    find_errors(h, error);
+    summary_begin(to, "second_half");
+    summary_number(to, "mean_pressure_drop", second_half_mean(h, DROP));
+    if (h->sim->particles != NULL)
+        summary_number(to, "bed_weight", second_half_mean(h, WEIGHT));
+    summary_number(to, "mean_pressure_drop_error", error[DROP]);
+    if (h->sim->particles != NULL) {
+        summary_number(to, "particle_velocity_rms",
+                       sqrt(second_half_mean(h, SPEED)));
+        summary_number(to, "horizontal_velocity_rms",
+                       sqrt(second_half_mean(h, LEVEL)));
+        summary_number(to, "vertical_velocity_rms",
+                       sqrt(second_half_mean(h, UPRIGHT)));
+        summary_number(to, "lean", second_half_mean(h, LEAN));
+        summary_number(to, "lean_error", error[LEAN]);
+    }
+    summary_end(to);
+}
+
+static void second_half_print(const void *part)
+{
+    const struct second_half *const h = part;
+
+    if (first(h) == h->rows || h->sim->particles == NULL) return;
+    printf("pressure drop %.1f Pa (mean of the second half), weight of the "
+           "bed %.1f Pa%s\n",
+           second_half_mean(h, DROP), second_half_mean(h, WEIGHT),
+           h->sim->mesh->shape != NULL ? " over the mean section" : "");
+}
+
+const struct recorder_part second_half_part = {
+    .create = second_half_part_create,
+    .free = second_half_release,
+    .row = second_half_add_row,
+    .summarize = second_half_summarize,
+    .print = second_half_print,
+    .state = second_half_visit};

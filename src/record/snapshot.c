@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "record/snapshot.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "coupling/processes.h"
+#include "coupling/transfer.h"
+
+/* The arrays of real numbers: those of the fluid and of the solids, a row for
+ * each cell, and those with a row for each particle. */
+enum { OF_FLUID = 3, OF_CELLS = OF_FLUID + 2, ARRAYS = OF_CELLS + 11 };
+struct array {
+    double **at;
+    const char *name, *unit;
+    int width; /* [-] numbers a cell or particle */
+};
+
+static void snapshot_list_arrays(struct snapshot *s, struct array list[ARRAYS])
+{
+    const struct array all[ARRAYS] = {
+        {&s->eps, "eps", "-", 1},     {&s->u, "u", "m/s", 3},
+        {&s->p, "p", "Pa", 1},        {&s->eps_s, "eps_s", "-", 1},
+        {&s->u_s, "u_s", "m/s", 3},   {&s->x[0], "x", "m", 1},
+        {&s->x[1], "y", "m", 1},      {&s->x[2], "z", "m", 1},
+        {&s->v[0], "vx", "m/s", 1},   {&s->v[1], "vy", "m/s", 1},
+        {&s->v[2], "vz", "m/s", 1},   {&s->w[0], "wx", "rad/s", 1},
+        {&s->w[1], "wy", "rad/s", 1}, {&s->w[2], "wz", "rad/s", 1},
+        {&s->d, "d", "m", 1},         {&s->speed, "speed", "m/s", 1}};
+
+    memcpy(list, all, sizeof all);
+}
+
+static void snapshot_allocate(struct snapshot *s, int first, int last, int n)
+{
+    struct array list[ARRAYS];
+
+    snapshot_list_arrays(s, list);
+    for (int a = first; a < last; a++)
+        *list[a].at = alloc_doubles(list[a].width * n);
+}
+
+struct snapshot *snapshot_create(const struct simulation *sim)
+{
+    struct snapshot *const s = alloc_zeroed(1, sizeof *s);
+    const struct particles *const ps = sim->particles;
+
+    if (ps != NULL) {
+        s->capacity = ps->capacity;
+        s->id = alloc_ints(s->capacity);
+        snapshot_allocate(s, OF_CELLS, ARRAYS, s->capacity);
+        if (ps->material != NULL) s->material = alloc_ints(s->capacity);
+    }
+    if (sim->fluid != NULL)
+        snapshot_allocate(s, 0,
+                          sim->fluid->options.coupled ? OF_CELLS : OF_FLUID,
+                          sim->mesh->n_cells);
+    return s;
+}
+
+void snapshot_free(struct snapshot *s)
+{
+    if (s == NULL) return;
+    struct array list[ARRAYS];
+    snapshot_list_arrays(s, list);
+    for (int a = 0; a < ARRAYS; a++)
+        free(*list[a].at);
+    for (int i = 0; i < s->n_more; i++)
+        free(s->value[i]);
+    free(s->id);
+    free(s->material);
+    free(s->order);
+    free(s);
+}
+
+static void take_fluid(struct snapshot *s, const struct fluid *fl)
+{
+    const int n = fl->mesh->n_cells;
+
+    memcpy(s->eps, fl->eps, (size_t)n * sizeof *s->eps);
+    memcpy(s->u, fl->u, 3 * (size_t)n * sizeof *s->u);
+    memcpy(s->p, fl->p, (size_t)n * sizeof *s->p);
+    for (int c = 0; c < n && s->eps_s != NULL; c++) {
+        s->eps_s[c] = 1.0 - fl->eps[c];
+        for (int k = 0; k < 3; k++)
+            s->u_s[3 * c + k] =
+                s->eps_s[c] > 0.0 ? fl->eps_us[3 * c + k] / s->eps_s[c] : 0.0;
+    }
+}
+
+static void take_particles(struct snapshot *s, const struct particles *ps)
+{
+    const double *const from[9] = {ps->x,  ps->y,  ps->z,  ps->vx, ps->vy,
+                                   ps->vz, ps->wx, ps->wy, ps->wz};
+    double *const to[9] = {s->x[0], s->x[1], s->x[2], s->v[0], s->v[1],
+                           s->v[2], s->w[0], s->w[1], s->w[2]};
+    const size_t size = (size_t)ps->n * sizeof(double);
+
+    s->n = ps->n;
+    for (int a = 0; a < 9; a++)
+        memcpy(to[a], from[a], size);
+    memcpy(s->d, ps->d, size);
+    memcpy(s->id, ps->id, (size_t)ps->n * sizeof *s->id);
+    if (s->material != NULL)
+        memcpy(s->material, ps->material, (size_t)ps->n * sizeof *s->material);
+    for (int i = 0; i < ps->n; i++)
+        s->speed[i] = sqrt(ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
+                           ps->vz[i] * ps->vz[i]);
+}
+
+void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
+                  void *memory)
+{
+    assert(s->n_more < SNAPSHOT_FIELDS);
+    s->more[s->n_more] = field;
+    s->memory[s->n_more] = memory;
+    s->value[s->n_more++] = alloc_doubles(field->components * s->capacity);
+}
+
+void snapshot_state(struct snapshot *s, const struct mesh *mesh,
+                    struct state *state)
+{
+    struct array list[ARRAYS];
+
+    snapshot_list_arrays(s, list);
+    state_begin(state, "snapshot");
+    state_real(state, "t", "s", &s->t);
+    state_count(state, "count", &s->n, s->capacity);
+    for (int a = 0; a < ARRAYS; a++)
+        state_reals(state, list[a].name, list[a].unit, *list[a].at,
+                    a < OF_CELLS ? mesh->n_cells : s->n, list[a].width);
+    state_wholes(state, "id", "-", s->id, s->n, 1);
+    state_wholes(state, "material", "-", s->material, s->n, 1);
+    for (int i = 0; i < s->n_more; i++)
+        state_reals(state, s->more[i]->name, s->more[i]->unit, s->value[i],
+                    s->n, s->more[i]->components);
+    state_end(state);
+}
+
+void snapshot_take(struct snapshot *s, const struct simulation *sim)
+{
+    processes_join(sim, PROCESSES_SNAPSHOT);
+    s->t = sim->t;
+    if (s->u_s != NULL) transfer_solids_velocity(sim);
+    if (sim->fluid != NULL) take_fluid(s, sim->fluid);
+    if (sim->particles == NULL) return;
+    take_particles(s, sim->particles);
+    for (int i = 0; i < s->n_more; i++)
+        s->more[i]->take(s->memory[i], sim, s->value[i]);
+    if (s->arrange != NULL) s->arrange(s);
+}

@@ -1,0 +1,58 @@
+/* snapshot.h -- a copy of the last valid state.
+ *
+ * It is copied at each row of the history. All files with fields and particles
+ * are written from it: so when a step breaks down, the files at the end show
+ * the last valid state.
+ */
+#ifndef RECORD_SNAPSHOT_H
+#define RECORD_SNAPSHOT_H
+
+#include "coupling/simulation.h"
+
+/* A further number, or vector, of each particle. */
+struct snapshot_field {
+    const char *name, *unit;
+    int components; /* [-] 1 or 3 */
+    void (*take)(void *memory, const struct simulation *sim, double *to);
+};
+enum { SNAPSHOT_FIELDS = 8 };
+
+struct snapshot {
+    double t; /* [s] */
+    /* Fluid; NULL without one. */
+    double *eps;   /* [-] */
+    double *eps_s; /* [-] */
+    double *u;     /* [m/s] 3 a cell */
+    double *p;     /* [Pa] */
+    double *u_s;   /* [m/s] mean velocity of the particles, 3 a cell; 0 where
+                      there are none */
+    /* Particles; n = 0 without any. */
+    int n, capacity;
+    double *x[3];  /* [m] */
+    double *v[3];  /* [m/s] */
+    double *w[3];  /* [rad/s] */
+    double *d;     /* [m] */
+    double *speed; /* [m/s] */
+    int *id;
+    int *material; /* [-] NULL where all are of one */
+    /* What folders add (recorder_part.h). */
+    int n_more;
+    const struct snapshot_field *more[SNAPSHOT_FIELDS];
+    void *memory[SNAPSHOT_FIELDS];
+    double *value[SNAPSHOT_FIELDS];
+    /* Puts the particles in another order; NULL: as the program has them. */
+    void (*arrange)(struct snapshot *s);
+    int *order; /* [-] its work space, released with the snapshot; or NULL */
+};
+
+struct snapshot *snapshot_create(const struct simulation *sim);
+void snapshot_free(struct snapshot *s);
+/* All of it (state.h). */
+void snapshot_state(struct snapshot *s, const struct mesh *mesh,
+                    struct state *state);
+void snapshot_take(struct snapshot *s, const struct simulation *sim);
+/* Adds a field, which is computed with `memory`; before the first step. */
+void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
+                  void *memory);
+
+#endif
