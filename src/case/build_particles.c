@@ -72,9 +72,9 @@ static int make_bed(const struct settings *s, struct simulation *sim,
     b.saver = saver;
     sim->particles = particles_create(b.count + case_population_count(s));
     sim->dem = dem_create(sim->particles, o);
-    const int found =
-        sim->dem == NULL ? BED_REFUSED
-                         : bed_create(path, sim->particles, sim->dem, &b, o, r);
+    const int found = sim->dem == NULL ? BED_REFUSED
+                                       : bed_cache_create(path, sim->particles,
+                                                          sim->dem, &b, o, r);
     particle_options_release(&b);
     return found;
 }

@@ -13,7 +13,6 @@
 #include "base/number.h"
 #include "base/vector.h"
 #include "dem/bed_settling.h"
-#include "dem/population/bed_file.h"
 
 static const double lattice_spacing = 1.02; /* [-] over d */
 
@@ -233,29 +232,15 @@ void bed_measure(const struct particles *ps, const struct bed_options *bed,
     r->packing = ps->n > 0 ? volume / (base * r->height) : 0.0;
 }
 
-int bed_create(const char *path, struct particles *ps, struct dem *run,
-               const struct bed_options *bed, const struct dem_options *dem,
-               struct bed_report *r)
+int bed_create(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_histories *histories)
 {
-    struct bed_histories histories = {0, NULL};
-    int code = BED_ABSENT;
-
     *r = (struct bed_report){.settled = 1};
-    if (path != NULL) code = bed_file_load(path, ps, &histories, bed, dem);
-    if (code == BED_CREATED) bed_measure(ps, bed, dem, r);
-    if (code == BED_ABSENT) {
-        if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
-        const int wrong = bed_settle(ps, bed, dem, r, &histories);
-        code = r->stopped  ? BED_STOPPED
-               : wrong < 0 ? BED_REFUSED
-               : wrong > 0 ? BED_LOST
-                           : BED_CREATED;
-        if (path != NULL && code == BED_CREATED &&
-            bed_file_save(path, ps, &histories, bed, dem) != 0)
-            code = BED_UNSAVED;
-    }
-    if (code == BED_CREATED || code == BED_UNSAVED)
-        dem_restore_histories(run, histories.list, histories.n);
-    free(histories.list);
-    return code;
+    if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
+    const int wrong = bed_settle(ps, bed, dem, r, histories);
+    return r->stopped  ? BED_STOPPED
+           : wrong < 0 ? BED_REFUSED
+           : wrong > 0 ? BED_LOST
+                       : BED_CREATED;
 }

@@ -59,26 +59,26 @@ struct bed_histories {
     struct dem_history *list; /* released with free() */
 };
 
-/* Creates the bed: reads it from the file, if path is not NULL and the file
- * exists; else fills the lattice, settles it, and writes the file. ps has
- * capacity for it; `run` was created for ps with `dem` and starts with the
- * tangential displacements of the bed. A bed that was read and one that was
- * settled continue identically, bit for bit.
+/* Fills the lattice and settles the bed. ps has capacity for it; a run starts
+ * with the histories of the contacts by dem_restore_histories.
  *
- * Returns BED_CREATED; BED_REFUSED or, if the file cannot be written,
- * BED_UNSAVED after a message; or without one BED_LOST if a particle is lost
- * (see r->dem), and BED_STOPPED if the saver ended the settling. */
-enum {
-    BED_CREATED,
-    BED_ABSENT,
-    BED_REFUSED,
-    BED_LOST,
-    BED_UNSAVED,
-    BED_STOPPED
-};
-int bed_create(const char *path, struct particles *ps, struct dem *run,
+ * Returns BED_CREATED; BED_REFUSED after a message; or without one BED_LOST if
+ * a particle is lost (see r->dem), and BED_STOPPED if the saver ended the
+ * settling. BED_UNSAVED is for who keeps it in a file. */
+enum { BED_CREATED, BED_REFUSED, BED_LOST, BED_UNSAVED, BED_STOPPED };
+int bed_create(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_histories *histories);
+
+/* What decides the bed, a line a fact; released with free(). */
+char *bed_made_with(const struct bed_options *bed, const struct dem_options *o);
+
+/* The bed as a state: a bed that was loaded, into a ps without particles, and
+ * one that was settled continue identically, bit for bit. One that cannot be of
+ * these options is refused. */
+void bed_state(struct particles *ps, struct bed_histories *h,
                const struct bed_options *bed, const struct dem_options *dem,
-               struct bed_report *r);
+               struct state *s);
 
 /* The smallest and the largest diameter [m] that the seed of the bed draws, and
  * the volume of all spheres [m^3]. */

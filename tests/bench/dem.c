@@ -19,7 +19,7 @@
 
 #include "base/alloc.h"
 #include "bed.h"
-#include "dem/bed.h"
+#include "case/resume/bed_cache.h"
 
 /* Of several beds the highest spheres are left out: 6 x 6 hold 331 776. */
 enum { COUNT = 9240, OF_MANY = 9216, STEPS_A_RUN = 100 };
@@ -59,9 +59,10 @@ static struct particles *settled(const char *law, const char *path)
     struct bed_report r;
     char name[4096];
 
-    snprintf(name, sizeof name, "%.*s/%s.bed", (int)(strrchr(path, '/') - path),
-             path, law);
-    if (bed_create(name, ps, dem, &bed, &o, &r) != BED_CREATED || !r.settled)
+    snprintf(name, sizeof name, "%.*s/%s.settled",
+             (int)(strrchr(path, '/') - path), path, law);
+    if (bed_cache_create(name, ps, dem, &bed, &o, &r) != BED_CREATED ||
+        !r.settled)
         exit(1);
     dem_free(dem);
     return ps;

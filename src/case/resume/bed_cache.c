@@ -15,6 +15,7 @@
 
 #include "base/tables/input.h"
 #include "case/resume/case_text.h"
+#include "output/checkpoint/state_file.h"
 
 /* A smaller bed settles in a second or two. */
 enum { LEAST_COUNT = 2000 };
@@ -96,4 +97,109 @@ int bed_cache_file(const struct settings *s, char *path, size_t room)
     strncat(folder, "/winnow", sizeof folder - strlen(folder) - 1);
     mkdir(folder, 0777);
     return access(folder, W_OK) == 0;
+}
+
+/* --- the file, a state (state_file.h) ------------------------------------- */
+
+static const char made_with[] = "bed_made_with";
+
+static int bed_cache_save(const char *path, struct particles *ps,
+                          struct bed_histories *histories,
+                          const struct bed_options *bed,
+                          const struct dem_options *dem)
+{
+    struct state_file *const f = state_file_create();
+    char *const facts = bed_made_with(bed, dem);
+
+    state_file_put_text(f, made_with, facts);
+    bed_state(ps, histories, bed, dem, state_file_state(f));
+    struct state_image image = state_file_image(f);
+    const int failed =
+        image.bytes == NULL || state_file_write(&image, path, NULL) != 0;
+    free(image.bytes);
+    free(facts);
+    return failed;
+}
+
+/* Non-zero after a message: the first line that differs says what the bed was
+ * made with instead. */
+static int is_of_another(const char *path, const char *was, const char *now)
+{
+    while (*was != '\0' || *now != '\0') {
+        const int a = (int)strcspn(was, "\n"), b = (int)strcspn(now, "\n");
+        if (a != b || strncmp(was, now, (size_t)a) != 0) {
+            fprintf(stderr,
+                    "winnow: %s: this bed was made with \"%.*s\", not with "
+                    "\"%.*s\"; remove the file to make it anew\n",
+                    path, a, was, b, now);
+            return 1;
+        }
+        was += a + (was[a] == '\n');
+        now += b + (now[b] == '\n');
+    }
+    return 0;
+}
+
+/* Non-zero after a message. */
+static int bed_cache_load(struct state_file *f, const char *path,
+                          struct particles *ps, struct bed_histories *histories,
+                          const struct bed_options *bed,
+                          const struct dem_options *dem)
+{
+    char *const was = state_file_text(f, made_with);
+    char *const now = bed_made_with(bed, dem);
+    struct state *const s = state_file_state(f);
+    int wrong = is_of_another(path, was, now);
+
+    if (!wrong) {
+        bed_state(ps, histories, bed, dem, s);
+        wrong = s->failed || state_file_all_visited(f) != 0;
+        if (wrong)
+            fprintf(stderr, "winnow: remove %s to make the bed anew\n", path);
+    }
+    free(was);
+    free(now);
+    return wrong;
+}
+
+static int load_or_create(const char *path, struct particles *ps,
+                          struct bed_histories *histories,
+                          const struct bed_options *bed,
+                          const struct dem_options *dem, struct bed_report *r)
+{
+    const char *why = NULL;
+    struct state_file *const f =
+        path != NULL ? state_file_open(path, &why) : NULL;
+
+    if (f == NULL && why != NULL) {
+        fprintf(stderr,
+                "winnow: %s: %s; remove the file to make the bed anew\n", path,
+                why);
+        return BED_REFUSED;
+    }
+    if (f == NULL) {
+        const int code = bed_create(ps, bed, dem, r, histories);
+        return path != NULL && code == BED_CREATED &&
+                       bed_cache_save(path, ps, histories, bed, dem) != 0
+                   ? BED_UNSAVED
+                   : code;
+    }
+    const int wrong = bed_cache_load(f, path, ps, histories, bed, dem);
+    state_file_free(f);
+    if (!wrong) bed_measure(ps, bed, dem, r);
+    return wrong ? BED_REFUSED : BED_CREATED;
+}
+
+int bed_cache_create(const char *path, struct particles *ps, struct dem *run,
+                     const struct bed_options *bed,
+                     const struct dem_options *dem, struct bed_report *r)
+{
+    struct bed_histories histories = {0, NULL};
+
+    *r = (struct bed_report){.settled = 1};
+    const int code = load_or_create(path, ps, &histories, bed, dem, r);
+    if (code == BED_CREATED || code == BED_UNSAVED)
+        dem_restore_histories(run, histories.list, histories.n);
+    free(histories.list);
+    return code;
 }
