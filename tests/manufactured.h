@@ -23,7 +23,7 @@
 #ifndef TESTS_MADE_H
 #define TESTS_MADE_H
 
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 #include "tetrahedra.h"
 #include "fluid/fluid.h"
 

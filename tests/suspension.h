@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"

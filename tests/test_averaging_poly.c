@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 #include "averaging/averaging.h"
 
 #include <gsl/gsl_math.h>
@@ -10,7 +10,6 @@
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
-#include "mesh/poly/poly.h"
 #include "warped.h"
 
 enum { N = 200, M = 4 };

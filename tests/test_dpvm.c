@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 #include "averaging/more/dpvm.h"
 
 #include <gsl/gsl_math.h>
@@ -9,7 +9,6 @@
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
-#include "mesh/poly/poly.h"
 #include "warped.h"
 
 /* One amount of 1 for each particle, averaged; field times volume. */

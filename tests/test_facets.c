@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 #include "averaging/poly/facets.h"
 
 #include <check.h>
@@ -10,7 +10,6 @@
 #include "averaging/more/overlap.h"
 #include "base/alloc.h"
 #include "cloud.h"
-#include "mesh/poly/poly.h"
 #include "mesh/poly/poly_raw.h"
 
 static const double ball = 4.0 / 3.0 * M_PI;

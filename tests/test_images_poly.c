@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 #include "averaging/poly/images_poly.h"
 
 #include <gsl/gsl_math.h>
@@ -12,7 +12,6 @@
 #include "facts.h"
 #include "blocks.h"
 #include "cloud.h"
-#include "mesh/poly/poly.h"
 
 /* The largest difference between a box and the same as a mesh of faces, over
  * the largest value. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/inlets/formula.h"
 #include "fluid/forces/wall_stress.h"
-#include "mesh/geometry/face_corners.h"
+#include "mesh/measures.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
 #include "case/build.h"
@@ -327,7 +327,7 @@ static double torque_on(const struct simulation *sim, const char *name)
         const struct wall_stress w =
             wall_stress(sim->fluid, (int)(p - sim->mesh->patches), j);
         double x[3];
-        face_corners_middle(sim->mesh, p->first + j, x);
+        mesh_face_middle(sim->mesh, p->first + j, x);
         sum += x[0] * (w.pressure[1] + w.viscous[1]) -
                x[1] * (w.pressure[0] + w.viscous[0]);
     }

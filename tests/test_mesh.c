@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/mesh.h"
-#include "mesh/poly/sheared.h"
-#include "mesh/poly/quality.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/poly/poly.h"
+#include "mesh/measures.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>

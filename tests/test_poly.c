@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/quality.h"
+#include "mesh/measures.h"
 #include "fluid/fluid.h"
-#include "mesh/poly/locate.h"
-#include "mesh/poly/poly.h"
-#include "mesh/poly/poly_order.h"
 #include "mesh/poly/poly_raw.h"
+#include "mesh/poly/poly.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

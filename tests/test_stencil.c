@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 #include "averaging/kernel/stencil.h"
 
 #include <math.h>
@@ -8,7 +8,6 @@
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
-#include "mesh/poly/poly.h"
 #include "warped.h"
 
 /* Distance along k from the cell (its interval) to x. */

@@ -21,7 +21,7 @@
 #include "dem/particles_setup.h"
 #include "fluid/boundary_condition.h"
 #include "fluid/fluid.h"
-#include "mesh/mesh_options.h"
+#include "mesh/mesh.h"
 #include "output/output_options.h"
 #include "resolved/bodies_setup.h"
 
@@ -38,7 +38,7 @@ struct settings {
     const char *title, *cites;  /* "" if left out */
     const char *engine;         /* "one" or "distributed" */
     int ranks[3], layers;       /* [-] of several machines; 0: left out */
-    struct mesh_options mesh;   /* mesh/mesh_keys.c */
+    struct mesh_options mesh;   /* mesh/mesh.c */
     struct fluid_options fluid; /* fluid/fluid_keys.c */
     struct {
         int n;

@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "mesh/geometry/face_corners.h"
+#include "mesh/measures.h"
 
 /* From the projection of the cell's centre onto boundary face f, where the
  * viscous force takes the velocity of a wall, to the middle of the face; 0 if
@@ -36,7 +36,7 @@ static const char *rotating_wall_build(const struct boundary_request *r,
     for (int j = 0; j < p->n; j++) {
         const double *const S = &m->S[3 * (p->first + j)];
         double x[3], arm[3], off[3], less[3];
-        face_corners_middle(m, p->first + j, x);
+        mesh_face_middle(m, p->first + j, x);
         vector_between(x, r->says->centre, arm);
         vector_cross(omega, arm, &u[3 * j]);
         fastest = fmax(fastest, vector_length(&u[3 * j]));

@@ -15,6 +15,8 @@
 #ifndef MESH_MESH_H
 #define MESH_MESH_H
 
+#include "base/key.h"
+
 /* The largest number of faces: arrays of four numbers a face, or twelve a cell,
  * can then still be indexed by an int. */
 enum { MESH_MOST_FACES = 536870911 };
@@ -152,5 +154,17 @@ void mesh_off_middle(const struct mesh *m, int f, double off[3]);
 
 /* The same, and whether it is more than 1e-6 of the link [-]. */
 int mesh_misses_middle(const struct mesh *m, int f, double off[3]);
+
+/* The mesh that a case asks for: a box and its cells, a
+ * sheared box, or a mesh from files. */
+
+struct mesh_options {
+    struct box_spec box; /* its size and cells are 0 where they are left out */
+    double shear[3];     /* [-] of the box along x over y, x over z, y over z */
+    const char *polymesh; /* the folder of a mesh from files; NULL: a box */
+    int has_grading, has_periodic, has_shear; /* [-] 1: the case has the key */
+};
+
+extern const struct key mesh_keys[];
 
 #endif

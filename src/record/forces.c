@@ -21,7 +21,7 @@
 #include "case/forces/forces.h"
 #include "record/surface_loads.h"
 #include "fluid/forces/wall_stress.h"
-#include "mesh/geometry/face_corners.h"
+#include "mesh/measures.h"
 #include "output/table.h"
 
 enum { COLUMN = 96, EACH = 15 };
@@ -60,7 +60,7 @@ static void forces_add_face(struct load *l, const struct fluid *fl, int patch,
     const struct wall_stress w = wall_stress(fl, patch, j);
     double x[3], arm[3], force[3], torque[3];
 
-    face_corners_middle(fl->mesh, fl->mesh->patches[patch].first + j, x);
+    mesh_face_middle(fl->mesh, fl->mesh->patches[patch].first + j, x);
     vector_between(x, centre, arm);
     vector_along(w.pressure, 1.0, w.viscous, force);
     vector_cross(arm, force, torque);

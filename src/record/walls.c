@@ -11,7 +11,7 @@
 #include "record/field_output.h"
 #include "case/forces/forces.h"
 #include "fluid/forces/wall_stress.h"
-#include "mesh/geometry/face_corners.h"
+#include "mesh/measures.h"
 #include "output/series.h"
 #include "output/polygons/vtk_polygons.h"
 
@@ -43,14 +43,15 @@ static void set_shape(struct walls *w)
     int points = 0;
 
     for (int f = m->n_internal; f < m->n_faces; f++)
-        points += face_corners(m, f, 0, NULL);
+        points += mesh_face_corners(m, f, 0, NULL);
     w->x = alloc_doubles(3 * points);
     w->corner = alloc_ints(points);
     w->end = alloc_ints(n);
     points = 0;
     for (int i = 0; i < n; i++) {
-        const int f = m->n_internal + i, count = face_corners(m, f, 0, NULL);
-        face_corners(m, f, count, (double(*)[3])(w->x + 3L * points));
+        const int f = m->n_internal + i,
+                  count = mesh_face_corners(m, f, 0, NULL);
+        mesh_face_corners(m, f, count, (double(*)[3])(w->x + 3L * points));
         for (int k = 0; k < count; k++, points++)
             w->corner[points] = points;
         w->end[i] = points;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/measures.h"
 
 /* How many of the newest shapes are compared with a new one, and the tolerance:
  * above the rounding of a sum of links, and far below what affects a kernel. */

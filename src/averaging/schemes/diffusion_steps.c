@@ -13,7 +13,7 @@
 #include "base/number.h"
 #include "linear/many/cg_many.h"
 #include "linear/csr.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/measures.h"
 
 enum { MAX_ITERATIONS = 1000 };
 

@@ -9,7 +9,7 @@
 #include "case/case_mesh.h"
 #include "fluid/inlet_profile.h"
 #include "case/extent/case_extent.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/measures.h"
 
 /* --- its keys ------------------------------------------------------------- */
 

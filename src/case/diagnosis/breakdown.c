@@ -9,7 +9,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_mover.h"
 #include "case/diagnosis/overlap.h"
-#include "mesh/poly/quality.h"
+#include "mesh/measures.h"
 
 static int fluid_broke(const struct simulation *sim)
 {

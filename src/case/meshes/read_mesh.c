@@ -8,7 +8,6 @@
 #include "base/alloc.h"
 #include "base/tables/input.h"
 #include "mesh/poly/poly.h"
-#include "mesh/poly/sheared.h"
 #include "case/case_mesh.h"
 #include "case/meshes/patch_schema.h"
 #include "case/source.h"

@@ -8,7 +8,7 @@
 #include "case/case_mesh.h"
 #include "case/checks/check_line.h"
 #include "mesh/mesh.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/measures.h"
 
 #include <math.h>
 #include <stdio.h>

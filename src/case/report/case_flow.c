@@ -12,7 +12,7 @@
 #include "base/vector.h"
 #include "case/build_boundaries.h"
 #include "case/case_mesh.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/measures.h"
 
 /* The largest velocities [m/s], the largest Courant number over the step, and
  * the rate of viscous diffusion across a cell, nu / h^2 [1/s]. */

@@ -3,8 +3,7 @@
 
 #include "averaging/averaging.h"
 #include "base/vector.h"
-#include "mesh/poly/quality.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/measures.h"
 #include "dem/contact.h"
 #include "case/build_particles.h"
 #include "case/checks/case_cost.h"

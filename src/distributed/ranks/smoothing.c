@@ -10,7 +10,7 @@
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
-#include "mesh/geometry/measures.h"
+#include "mesh/measures.h"
 
 enum { MOST_TERMS = 2000 };
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "base/vector.h"
-#include "mesh/geometry/face_corners.h"
+#include "mesh/measures.h"
 
 int wall_stress_is_wall(const struct fluid *fl, int patch)
 {
@@ -41,7 +41,7 @@ struct wall_stress wall_stress(const struct fluid *fl, int patch, int j)
     struct wall_stress w = {.area = vector_length(S)};
     double x[3];
 
-    face_corners_middle(m, f, x);
+    mesh_face_middle(m, f, x);
     const double p = fl->p_face[f] + vector_dot(fl->mean_gradient, x);
     viscous_force(fl, &fl->options.boundaries[patch], j, f, w.viscous);
     const double normal = vector_dot(w.viscous, S) / (w.area * w.area);

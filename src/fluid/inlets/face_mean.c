@@ -2,7 +2,7 @@
 #include "fluid/inlets/face_mean.h"
 
 #include "base/vector.h"
-#include "mesh/geometry/face_corners.h"
+#include "mesh/measures.h"
 
 enum { MOST_CORNERS = 64 }; /* further ones are left out */
 
@@ -47,7 +47,7 @@ double face_mean(const struct mesh *m, int f,
 {
     double x[MOST_CORNERS][3], middle[3] = {0.0, 0.0, 0.0};
     double sum = 0.0, area = 0.0;
-    const int all = face_corners(m, f, MOST_CORNERS, x);
+    const int all = mesh_face_corners(m, f, MOST_CORNERS, x);
     const int n = all < MOST_CORNERS ? all : MOST_CORNERS;
 
     for (int i = 0; i < n; i++)

@@ -14,7 +14,7 @@
  * because the mesh may be concave. Then all cells whose bounding boxes may
  * contain the point are tested.
  */
-#include "mesh/poly/locate.h"
+#include "mesh/poly/poly.h"
 
 #include <math.h>
 #include <stdlib.h>

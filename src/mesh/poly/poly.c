@@ -11,11 +11,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "mesh/poly/locate.h"
-#include "mesh/poly/poly_order.h"
 #include "mesh/poly/poly_raw.h"
 
 /* --- the mesh --------------------------------------------------------------
@@ -335,4 +334,92 @@ struct mesh *poly_read(const char *dir)
     if (!poly_raw_read(&r, folder)) m = poly_build(&r, folder);
     poly_raw_release(&r);
     return m;
+}
+
+/* Where the files of a mesh are, and what its patches are
+ * called. */
+
+int poly_folder(const char *dir, char folder[POLY_FOLDER])
+{
+    static const char *const within[] = {"", "/polyMesh", "/constant/polyMesh"};
+
+    for (int i = 0; i < 6; i++) {
+        char file[POLY_FOLDER + 16];
+        snprintf(folder, POLY_FOLDER, "%s%s", dir, within[i / 2]);
+        snprintf(file, sizeof file, "%s/boundary%s", folder,
+                 i % 2 ? ".gz" : "");
+        if (access(file, R_OK) == 0) return 1;
+    }
+    snprintf(folder, POLY_FOLDER, "%s", dir);
+    return 0;
+}
+
+int poly_is(const char *dir)
+{
+    char folder[POLY_FOLDER];
+    return poly_folder(dir, folder);
+}
+
+int poly_patches(const char *dir, struct mesh_patch_name **list)
+{
+    struct poly_raw r = {0};
+    char folder[POLY_FOLDER];
+    int n = -1;
+
+    *list = NULL;
+    poly_folder(dir, folder);
+    if (!poly_raw_read_parts(&r, folder)) {
+        n = 0;
+        *list = alloc_zeroed((size_t)r.n_parts + 1, sizeof **list);
+        for (int i = 0; i < r.n_parts; i++)
+            if (strcmp(r.part[i].type, "cyclic") != 0)
+                memcpy((*list)[n++].name, r.part[i].name, sizeof(*list)->name);
+    }
+    poly_raw_release(&r);
+    return n;
+}
+
+/* The corners of a mesh, kept for files, pictures and walls. */
+
+/* Lists the polygons of each cell, in the order of the files. */
+static void list_polygons(const struct poly_raw *r, struct mesh_shape *s)
+{
+    int *const used = alloc_ints(r->n_cells);
+
+    s->cell_start = alloc_ints(r->n_cells + 1);
+    for (int pass = 0; pass < 2; pass++) {
+        for (int f = 0; f < r->n_faces; f++)
+            for (int side = 0; side < 1 + (f < r->n_inner); side++) {
+                const int c =
+                    r->number[side == 0 ? r->owner[f] : r->neighbour[f]];
+                if (pass == 0) {
+                    s->cell_start[c + 1]++;
+                    continue;
+                }
+                s->turned[s->cell_start[c] + used[c]] = side == 0 ? 1 : -1;
+                s->polygon[s->cell_start[c] + used[c]++] = f;
+            }
+        if (pass == 1) break;
+        for (int c = 0; c < r->n_cells; c++)
+            s->cell_start[c + 1] += s->cell_start[c];
+        s->polygon = alloc_ints(s->cell_start[r->n_cells]);
+        s->turned = alloc_ints(s->cell_start[r->n_cells]);
+    }
+    free(used);
+}
+
+struct mesh_shape *poly_shape_create(struct poly_raw *r)
+{
+    struct mesh_shape *const s = alloc_zeroed(1, sizeof *s);
+
+    s->n_points = r->n_points;
+    s->n_polygons = r->n_faces;
+    list_polygons(r, s);
+    s->boundary = poly_boundary_order(r);
+    s->point = r->point;
+    s->start = r->start;
+    s->corner = r->corner;
+    r->point = NULL;
+    r->start = r->corner = NULL;
+    return s;
 }

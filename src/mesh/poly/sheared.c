@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "mesh/poly/sheared.h"
+#include "mesh/poly/poly.h"
 
 /* The point at a corner of the cells. */
 static int point_at(const int n[3], int i, int j, int k)
