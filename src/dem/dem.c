@@ -147,7 +147,7 @@ void dem_limit_overlap(struct dem *dem, double expected, double most)
 {
     dem->deepest = (struct dem_overlap){
         .id = -1, .other = -1, .expected = expected, .most = most};
-    dem->method->limit_overlap(dem);
+    if (dem->method->limit_overlap != NULL) dem->method->limit_overlap(dem);
 }
 
 struct dem_overlap dem_deepest(const struct dem *dem)
@@ -246,6 +246,6 @@ void dem_remove(struct dem *dem, const int *removed)
 
 const struct dem_method *const dem_methods[] = {
     &fast_verlet, &reference_link_cells, &reference_all_pairs,
-    &no_contacts_method, NULL};
+    &reference_no_contacts, NULL};
 
 MODEL_NAMED(dem_method)

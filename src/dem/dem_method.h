@@ -3,9 +3,8 @@
  *
  * The motion of the particles is computed by one of several methods. The
  * reference loop (reference.h), which is written to be read, and the fast one
- * (fast/fast.h) give the same numbers up to rounding; another one leaves the
- * contacts out (no_contacts/). dem.c calls them through this table of functions
- * only.
+ * (fast/fast.h) give the same numbers up to rounding; the former can leave the
+ * contacts out. dem.c calls them through this table of functions only.
  */
 #ifndef DEM_DEM_METHOD_H
 #define DEM_DEM_METHOD_H
@@ -29,7 +28,7 @@ struct dem_method {
     void (*run)(struct dem *dem, int steps, struct dem_report *r);
     /* The particles were changed, or the budget begins. */
     void (*changed)(struct dem *dem);
-    /* dem->deepest has been set anew. */
+    /* dem->deepest has been set anew; NULL: it is read where it is. */
     void (*limit_overlap)(struct dem *dem);
     /* Visits dem->state (state.h). */
     void (*visit)(struct dem *dem, struct state *s);
@@ -43,9 +42,8 @@ struct dem_method {
 
 /* All methods, ended by NULL, the default first; dem_method_named: NULL for an
  * unknown name. */
-extern const struct dem_method no_contacts_method;
 extern const struct dem_method fast_verlet, reference_link_cells,
-    reference_all_pairs;
+    reference_all_pairs, reference_no_contacts;
 extern const struct dem_method *const dem_methods[];
 const struct dem_method *dem_method_named(const char *name);
 

@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
+#include "dem/crossing.h"
 #include "dem/dem_internal.h"
 #include "dem/rolling.h"
 
@@ -322,6 +323,7 @@ void reference_forces(struct reference *r, double dt)
 {
     const struct histories swap = r->before;
 
+    if (r->no_contacts) return;
     r->before = r->now;
     r->now = swap;
     r->now.n = 0;
@@ -339,4 +341,31 @@ void reference_forces(struct reference *r, double dt)
     }
     for (int i = r->n; i <= r->capacity; i++)
         r->now.start[i] = r->now.n;
+}
+
+static int reference_cross(const struct reference *r, int i, int j, double dt)
+{
+    const struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
+    double x[3], way[3];
+
+    for (int k = 0; k < 3; k++) {
+        x[k] = box_domain_nearest(&r->box, k, a->x[k] - b->x[k]);
+        way[k] = dt * (a->v[k] - b->v[k]);
+    }
+    return crossing(x, way, a->R + b->R);
+}
+
+struct dem_crossing reference_crossing(const struct reference *r, double dt)
+{
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < r->n && !r->no_contacts; i++)
+        least = fmin(least, r->sphere[i].R);
+    for (int i = 0; i < r->n; i++) {
+        if (vector_length(r->sphere[i].v) * dt <= least) continue;
+        for (int j = 0; j < r->n; j++)
+            if (j != i && reference_cross(r, i, j, dt))
+                return (struct dem_crossing){1, {r->id[i], r->id[j]}};
+    }
+    return (struct dem_crossing){0};
 }

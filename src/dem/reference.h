@@ -2,7 +2,8 @@
  *
  * The pairs are computed one after the other, and each formula has its printed
  * form: no lists, no chunks, no vectors, one thread. The candidates are all
- * pairs ("all-pairs"), or the pairs of neighbouring cells ("link-cells"). The
+ * pairs ("all-pairs"), the pairs of neighbouring cells ("link-cells"), or none:
+ * then spheres pass through each other, and walls reflect them at once. The
  * fast loop (fast/) gives the same numbers up to rounding, and is tested
  * against this one.
  */
@@ -13,7 +14,8 @@
 #include "dem/energy.h"
 #include "dem/link_cells.h"
 
-extern const struct dem_method reference_all_pairs, reference_link_cells;
+extern const struct dem_method reference_all_pairs, reference_link_cells,
+    reference_no_contacts;
 
 struct loads {
     double F[3], T[3]; /* [N], [N m] */
@@ -53,6 +55,7 @@ struct reference {
     struct link_cells *cells;     /* NULL: all pairs */
     struct histories now, before; /* of this step, and of the one before */
     struct energy *energy;        /* the budget (energy.h) */
+    int no_contacts;              /* [-] 1: spheres pass through each other */
     int budget;                   /* [-] 1: a case asks for it */
     double max_overlap;           /* [-] largest of this run */
     struct dem_overlap *deepest;  /* of all runs */
@@ -62,5 +65,9 @@ struct reference {
 
 /* Computes F and T of all spheres; the contact histories advance by dt [s]. */
 void reference_forces(struct reference *r, double dt);
+
+/* The first pair that crossed in the last drift of dt [s]: each that moved by
+ * more than the smallest radius is compared with all. */
+struct dem_crossing reference_crossing(const struct reference *r, double dt);
 
 #endif

@@ -7,7 +7,6 @@
 #include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/vector.h"
-#include "dem/crossing.h"
 #include "dem/dem_internal.h"
 #include "dem/implicit_drag.h"
 #include "dem/reference.h"
@@ -23,6 +22,8 @@ static const char *reference_run_unsupported(const struct dem_options *o)
 {
     if (o->n_surfaces > 0) return "surfaces";
     if (o->n_prescribed > 0) return "prescribed particles";
+    if (o->method->no_contacts && o->n_attractions > 0)
+        return "forces between particles at a distance";
     if (o->integrator != NULL && o->integrator->predicts)
         return "integrators that compute the forces twice";
     return NULL;
@@ -43,6 +44,7 @@ static int reference_run_create(struct dem *dem)
     r->now.start = alloc_ints(capacity + 1);
     r->before.start = alloc_ints(capacity + 1);
     r->deepest = &dem->deepest;
+    r->no_contacts = dem->method->no_contacts;
     if (dem->method == &reference_link_cells)
         r->cells = link_cells_create(capacity, &r->box);
     run->stale = 1;
@@ -67,11 +69,6 @@ static void reference_run_changed(struct dem *dem)
 {
     struct run *const run = dem->state;
     run->stale = 1;
-}
-
-static void reference_run_limit_overlap(struct dem *dem)
-{
-    (void)dem; /* the loop reads dem->deepest */
 }
 
 /* --- particles to spheres, and back --------------------------------------- */
@@ -112,6 +109,13 @@ static void reference_run_store(const struct reference *r, struct particles *ps)
 
 /* --- motion --------------------------------------------------------------- */
 
+/* [kg] with the added mass. */
+static double effective_mass(const struct sphere *s, const struct particles *ps,
+                             int i)
+{
+    return s->m + (ps->drag_coefficient != NULL ? ps->added_mass[i] : 0.0);
+}
+
 /* What a kick of dt changes [LS 4.1-4.3]: dv = F/m dt and domega = T/I dt, or
  * with a drag -k v and an added mass as in implicit_drag.h; `drag` is the
  * impulse [N s] of that. */
@@ -123,7 +127,7 @@ static struct change change_of(const struct sphere *s,
                                const struct particles *ps, int i, double dt)
 {
     const int drag = ps->drag_coefficient != NULL;
-    const double m = s->m + (drag ? ps->added_mass[i] : 0.0);
+    const double m = effective_mass(s, ps, i);
     const double I = 0.4 * s->m * s->R * s->R;
     const double rate = drag ? ps->drag_coefficient[i] / m : 0.0;
     const double gain = implicit_drag_gain(rate * dt);
@@ -189,6 +193,36 @@ static void reference_run_drift(struct reference *r, double dt)
         vector_along(r->sphere[i].x, dt, r->sphere[i].v, r->sphere[i].x);
 }
 
+/* e of the sphere's material against that of the walls. */
+static double restitution_at(const struct reference *r, const struct sphere *s)
+{
+    const struct materials *const all = r->options->materials;
+    const struct material *const m = &r->options->material;
+
+    if (all == NULL) return m->restitution;
+    return materials_pair(m, all, s->material, all->wall).restitution;
+}
+
+/* Without contacts a wall reflects a sphere that approaches it at once, v_n to
+ * -e v_n, so that the step need not resolve the impact: its distance beyond the
+ * wall becomes e times that distance in front of it, as it would without
+ * forces. The spin is unchanged. */
+static void rebound(struct reference *r, const struct particles *ps, int i)
+{
+    struct sphere *const s = &r->sphere[i];
+    const double e = restitution_at(r, s), m = effective_mass(s, ps, i);
+
+    for (int w = 0; w < 6; w++) {
+        const int k = w / 2;
+        const double into = w % 2 ? 1.0 : -1.0;
+        const double gap = box_domain_gap(&r->box, w, s->x) - s->R;
+        if (r->box.periodic[k] || gap >= 0.0 || into * s->v[k] <= 0.0) continue;
+        r->energy->damped_n += 0.5 * m * (1.0 - e * e) * s->v[k] * s->v[k];
+        s->x[k] += (1.0 + e) * into * gap;
+        s->v[k] *= -e;
+    }
+}
+
 /* A particle is lost when it is wholly outside or not finite; a comparison with
  * NaN is false. */
 static int reference_run_is_lost(const struct reference *r,
@@ -216,36 +250,6 @@ static int check_lost(const struct reference *r, struct dem_report *report)
     return report->lost;
 }
 
-static int reference_run_cross(const struct reference *r, int i, int j,
-                               double dt)
-{
-    const struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
-    double x[3], way[3];
-
-    for (int k = 0; k < 3; k++) {
-        x[k] = box_domain_nearest(&r->box, k, a->x[k] - b->x[k]);
-        way[k] = dt * (a->v[k] - b->v[k]);
-    }
-    return crossing(x, way, a->R + b->R);
-}
-
-/* The first pair that crossed in the last drift: each that moved by more than
- * the smallest radius is compared with all. */
-static struct dem_crossing find_crossing(const struct reference *r, double dt)
-{
-    double least = HUGE_VAL;
-
-    for (int i = 0; i < r->n; i++)
-        least = fmin(least, r->sphere[i].R);
-    for (int i = 0; i < r->n; i++) {
-        if (vector_length(r->sphere[i].v) * dt <= least) continue;
-        for (int j = 0; j < r->n; j++)
-            if (j != i && reference_run_cross(r, i, j, dt))
-                return (struct dem_crossing){1, {r->id[i], r->id[j]}};
-    }
-    return (struct dem_crossing){0};
-}
-
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
  * positions are at the same time; where the velocity lags behind (Euler) the
@@ -261,8 +265,10 @@ static void take_steps(const struct dem *dem, struct reference *r, int steps,
         reference_run_kick(r, ps, k == 0 ? by->first * dt : dt,
                            k == 0 ? lag / by->first : 0.0);
         reference_run_drift(r, dt);
+        for (int i = 0; i < r->n && r->no_contacts; i++)
+            rebound(r, ps, i);
         if (check_lost(r, report) > 0) return;
-        report->crossing = find_crossing(r, dt);
+        report->crossing = reference_crossing(r, dt);
         if (report->crossing.found) return;
         /* reference_forces subtracts the energy that is left in the springs */
         r->energy->released += r->energy->tangential;
@@ -301,8 +307,7 @@ static double kinetic_energy(const struct reference *r,
     for (int i = 0; i < r->n; i++) {
         const struct sphere *const s = &r->sphere[i];
         const struct change d = change_of(s, ps, i, dt);
-        const double m =
-            s->m + (ps->drag_coefficient != NULL ? ps->added_mass[i] : 0.0);
+        const double m = effective_mass(s, ps, i);
         double v[3], w[3];
 
         vector_along(s->v, lag, d.v, v);
@@ -443,6 +448,7 @@ static void restore_histories(struct dem *dem, const struct dem_history *list,
     struct histories *const now = &run->loop.now;
     struct history history;
 
+    if (run->loop.no_contacts) return;
     free(now->list);
     now->list = alloc_zeroed((size_t)n, sizeof *now->list);
     now->n = now->capacity = n;
@@ -460,14 +466,12 @@ static void restore_histories(struct dem *dem, const struct dem_history *list,
     run->stale = 1;
 }
 
-/* The two methods differ by their candidates alone (create). */
+/* They differ by their candidates alone (create); the last has none. */
 #define REFERENCE_FUNCTIONS                                                    \
     .unsupported = reference_run_unsupported, .create = reference_run_create,  \
     .free = reference_run_release, .run = reference_run_steps,                 \
-    .changed = reference_run_changed,                                          \
-    .limit_overlap = reference_run_limit_overlap,                              \
-    .visit = reference_run_visit, .histories = histories,                      \
-    .restore_histories = restore_histories
+    .changed = reference_run_changed, .visit = reference_run_visit,            \
+    .histories = histories, .restore_histories = restore_histories
 
 const struct dem_method reference_all_pairs = {
     .name = "all-pairs",
@@ -481,4 +485,13 @@ const struct dem_method reference_link_cells = {
     .what = "pairs of neighbouring cells in every step, by the same loop",
     .equations = "LS section 5.2.2",
     .function = "link_cells_around",
+    REFERENCE_FUNCTIONS};
+
+/* For one- and two-way coupling: the walls reflect a sphere (rebound). */
+const struct dem_method reference_no_contacts = {
+    .name = "none",
+    .what = "no contacts between particles; walls reflect them",
+    .equations = "LS 4.1",
+    .function = "rebound",
+    .no_contacts = 1,
     REFERENCE_FUNCTIONS};
