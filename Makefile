@@ -24,7 +24,7 @@ LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 # Built into build/winnow-mpi only: see `distributed` below.
 RANKS := src/distributed/ranks
 SRC   := $(filter-out $(RANKS)/%,$(wildcard src/commands.c src/*/*.c src/*/*/*.c))
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/case/report/equation_index_rows.o
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/tell/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
@@ -218,13 +218,13 @@ $B/%.o: %.c | $B/packages
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
 $B/src/output/checkpoint/%.o $B/tests/test_crafted.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/null)
 # What takes longer to optimise than to run.
-$B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
+$B/tests/%.o $B/src/case/%.o $B/src/tell/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
 # The book's table of equations, for `winnow explain KEY`.
-$B/src/case/report/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
+$B/src/tell/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
 	@awk -f chapters/tools/rows.awk $< >$@.new && mv $@.new $@
-$B/src/case/report/equation_index_rows.o: $B/src/case/report/equation_index_rows.c src/case/report/equation_index.h
+$B/src/tell/equation_index_rows.o: $B/src/tell/equation_index_rows.c src/tell/equations.h
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints

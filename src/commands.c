@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-const struct command *const commands[] = {&command_run,     &study_command,
-                                          &export_command,  &command_check,
-                                          &command_explain, &command_list,
-                                          &command_new,     &command_eval,
-                                          &command_status,  NULL};
+const struct command *const commands[] = {&command_run,      &study_command,
+                                          &export_command,   &check_command,
+                                          &explain_command,  &list_command,
+                                          &list_new_command, &eval_command,
+                                          &command_status,   NULL};

@@ -122,7 +122,7 @@ ln -s "$build" "$work/build"
 cd "$top" || exit 1
 
 compile
-first src/case/report/equation_index_rows.o
+first src/tell/equation_index_rows.o
 first tests/winnow_main.o
 awk -f tests/commands.awk README.md chapters/*.md chapters/steps/README.md >"$work/commands"
 while read -r where code command; do

@@ -9,9 +9,9 @@
 #include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/report/report.h"
+#include "tell/check.h"
 #include "record/profiles.h"
-#include "case/report/list.h"
+#include "tell/list.h"
 #include "case/resume/case_text.h"
 #include "case/models.h"
 #include "case/schema.h"
@@ -692,7 +692,7 @@ START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
     struct capture c = capture_begin(1);
     double S_c = 0.0;
 
-    ck_assert_int_eq(report_case(s), 0);
+    ck_assert_int_eq(check_case(s), 0);
     capture_end(&c, said);
     const char *const line = strstr(said, "  S_c ");
     ck_assert_ptr_nonnull(line);

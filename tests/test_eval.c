@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/report/equations.h"
-#include "case/report/eval.h"
+#include "tell/equations.h"
 
 #include "facts.h"
 #include "capture.h"

@@ -87,3 +87,9 @@ void text_put(FILE *out, const char *text, enum text_target target)
     }
     if (!bare) fputs(q->around, out);
 }
+
+void text_line(const char *name, double value, const char *unit,
+               const char *remark)
+{
+    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
+}

@@ -33,4 +33,9 @@ enum text_target {
  * and of what the target cannot quote, a sign in its place. */
 void text_put(FILE *out, const char *text, enum text_target target);
 
+/* Prints a number with its name, its unit and a remark: a line of what
+ * `winnow check` tells. */
+void text_line(const char *name, double value, const char *unit,
+               const char *remark);
+
 #endif

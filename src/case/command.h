@@ -31,8 +31,8 @@ struct command {
 
 /* All of them, ended by NULL. */
 extern const struct command command_run, study_command, export_command,
-    command_check, command_explain, command_list, command_new, command_eval,
-    command_status;
+    check_command, explain_command, list_command, list_new_command,
+    eval_command, command_status;
 extern const struct command *const commands[];
 
 /* The settings of the case that the first word names, with the overrides; NULL

@@ -20,8 +20,7 @@
 #include "case/case_steps.h"
 #include "case/command.h"
 #include "record/recorder.h"
-#include "case/diagnosis/breakdown.h"
-#include "case/diagnosis/overlap.h"
+#include "coupling/breakdown.h"
 #include "case/population/case_population_run.h"
 #include "record/progress.h"
 #include "case/resume/resume.h"
@@ -94,7 +93,7 @@ static int advance_one(struct run *run, struct thread_tuner *threads,
     if (run->cut || case_population_run_is_cut_short(sim)) return INTERRUPTED;
     if (failed) return broke_down(run);
     progress_show(progress, sim->t);
-    overlap_warn(&run->told, sim);
+    breakdown_warn(&run->told, sim);
     if (run_sample(run->recorder, sim) != 0) return NOT_WRITTEN;
     if (resume_after_step(run->resume) != 0) return NOT_WRITTEN;
     return interrupt_arrived() ? INTERRUPTED : 0;
@@ -109,7 +108,7 @@ static int run_advance(struct run *run)
     struct progress progress;
     int code = 0;
 
-    run->told = overlap_is_deeper(sim); /* before this run went on */
+    run->told = breakdown_overlaps(sim); /* before this run went on */
     progress_init(&progress, sim->t, run->settings->output.end,
                   settings_quiet(run->settings));
     while (code == 0 && sim->steps < steps)

@@ -59,4 +59,11 @@ double drag_stokes_time(double rho_p, double d, double mu);
 /* The same with the correction of Schiller and Naumann [s] [LS 5.13]. */
 double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re);
 
+/* Velocity after the time t of a particle at rest that a fluid of velocity u_f
+ * takes along, du/dt = (u_f - u) / tau_p(|u_f - u|) with tau_p of
+ * Syamlal-O'Brien at a constant solids fraction [m/s]; nan for t < 0.
+ * [XS11 4.1] */
+double drag_released(double rho_s, double eps_s, double rho_f, double mu,
+                     double d, double u_f, double t);
+
 #endif

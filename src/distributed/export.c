@@ -19,7 +19,7 @@
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/simulation.h"
-#include "case/engine/refusal.h"
+#include "case/engine/case_engine.h"
 #include "case/engine/words.h"
 
 static void export_put_line(void *to, const char *line)
@@ -134,7 +134,7 @@ static int export_act(const struct command_line *l)
         return 2;
     }
     struct settings *const s = command_settings(l, &code);
-    if (s != NULL) code = refusal_export(s);
+    if (s != NULL) code = case_engine_check_export(s);
     if (s != NULL && code == 0)
         code = export_case(s, l->dir != NULL ? l->dir : "out/export");
     settings_free(s);

@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "case/case_steps.h"
-#include "case/checks/check_line.h"
+#include "base/text.h"
 #include "record/history_sums.h"
 #include "record/grain_series.h"
 #include "record/layers.h"
@@ -189,8 +189,8 @@ const struct key case_statistics_keys[] = {
 void case_statistics_print(const struct settings *s)
 {
     if (begins_after_end(s))
-        check_line("statistics", s->output.statistics.from, "s",
-                   "they begin after the end: there are no samples");
+        text_line("statistics", s->output.statistics.from, "s",
+                  "they begin after the end: there are no samples");
 }
 
 const struct recorder_part case_statistics_output = {

@@ -7,7 +7,7 @@
 #include "base/tables/input.h"
 #include "base/interrupt.h"
 #include "base/version.h"
-#include "case/checks/case_cost.h"
+#include "case/checks/case_scales.h"
 #include "case/resume/case_text.h"
 #include "case/resume/read_summary.h"
 
@@ -112,7 +112,7 @@ static int runs_make_folder(const struct plan *p, struct run *r)
     char *const runs = file_join(p->words.dir, "runs");
     r->folder = file_join(runs, r->name);
     free(runs);
-    r->expected = case_cost_seconds(s);
+    r->expected = case_scales_seconds(s);
     r->contents = runs_contents_of(s);
     r->identity = identity_of(p, r);
     settings_free(s);

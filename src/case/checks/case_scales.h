@@ -39,4 +39,39 @@ int case_scales_check_memory(const struct settings *s,
  * impacts, unless particles.unsafe_step is set. 0, or 2 after a message. */
 int case_scales_check(const struct settings *s);
 
+/* Of the smallest particle of one material in an impact on an equal one. */
+struct case_limits {
+    int material;     /* [-] its number */
+    double d;         /* [m] */
+    double density;   /* [kg/m^3] */
+    double rayleigh;  /* [s] T_R [LS 5.11]; HUGE_VAL: the law has none */
+    double contact;   /* [s] duration of an impact */
+    double suggested; /* [s] */
+    double longest;   /* [s] that still resolves the impact */
+};
+
+/* 1 if particles.list chooses a method without contacts: particles pass through
+ * each other, and no impact has to be resolved. */
+int case_scales_no_contacts(const struct settings *s);
+
+/* Of material number m, for impacts at v [m/s]; d = 0 if no particle is of
+ * it. */
+struct case_limits case_scales_limits(const struct settings *s, int m,
+                                      double v);
+
+/* The one that allows the shortest step; d = 0 if there is no particle. */
+struct case_limits case_scales_tightest(const struct settings *s, double v);
+
+/* The largest velocity that the case gives a sphere, at the start or when it is
+ * inserted [m/s]. */
+double case_scales_initial_speed(const struct settings *s);
+
+/* The name of a material. */
+const char *case_scales_name(const struct settings *s, int m);
+
+/* About the time of one core, without settling [s]; the same of a case with
+ * these scales; flow: 1 if it has a fluid. */
+double case_scales_seconds(const struct settings *s);
+double case_scales_cost(const struct case_scales *k, int flow);
+
 #endif

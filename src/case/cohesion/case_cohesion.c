@@ -9,9 +9,8 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "case/case_materials.h"
-#include "case/checks/case_limits.h"
-#include "case/checks/case_memory.h"
 #include "case/checks/case_scales.h"
+#include "case/checks/case_memory.h"
 #include "case/table_numbers.h"
 
 /* charge: room for one of each material. */
@@ -111,7 +110,7 @@ int case_cohesion_check_pairs(const struct settings *s)
         range = fmax(range, all[i].range);
     }
     free(all);
-    if (skin + range == 0.0 || case_limits_no_contacts(s)) return 0;
+    if (skin + range == 0.0 || case_scales_no_contacts(s)) return 0;
     const double apart = (k.d_most + skin + range) / k.d;
     const double around = fmin(k.particles, 8.0 * packed * gsl_pow_3(apart));
     return case_memory_check_pairs(s, key, 0.5 * k.particles * around);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "case/checks/check_line.h"
+#include "base/text.h"
 #include "case/particle_options.h"
 #include "case/resolved/case_blocks.h"
 #include "case/resolved/case_bodies.h"
@@ -32,9 +32,9 @@ static void report_numbers(const struct settings *s)
                           vector_length(s->effects.gravity) * d),
                  Re = body_numbers_reynolds(rho, V, d, s->fluid.mu);
 
-    check_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
-    check_line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
-               "an impact rebounds from about 10 on");
+    text_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
+    text_line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
+              "an impact rebounds from about 10 on");
 }
 
 /* The smallest width of spheres, clumps and cylinders, and of others that are
@@ -115,13 +115,13 @@ static void report_counts(const struct settings *s)
     const int outlines = settings_length(s, case_outlines_clumps) +
                          settings_length(s, case_outlines_surfaces);
 
-    check_line("spheres", settings_length(s, list), "-", "");
-    check_line("boxes and cylinders",
-               settings_length(s, case_blocks_boxes) +
-                   settings_length(s, case_blocks_cylinders),
-               "-", "");
+    text_line("spheres", settings_length(s, list), "-", "");
+    text_line("boxes and cylinders",
+              settings_length(s, case_blocks_boxes) +
+                  settings_length(s, case_blocks_cylinders),
+              "-", "");
     if (outlines > 0)
-        check_line("clumps and closed surfaces", outlines, "-", "");
+        text_line("clumps and closed surfaces", outlines, "-", "");
 }
 
 static void report_free(const struct settings *s, const struct extremes *e)
@@ -130,23 +130,22 @@ static void report_free(const struct settings *s, const struct extremes *e)
     const struct case_bodies_contact c = case_bodies_contact(s);
 
     report_numbers(s);
-    check_line(
-        "smallest density ratio", e->ratio, "-",
-        e->ratio < 1.0 && e->cells < 7.5
-            ? "LOW: in contact such a body needs eight cells, or moves on"
-        : e->ratio < 0.5 ? "LOW: stable; halve fluid.step and compare"
-                         : "");
-    check_line("largest virtual mass", e->C_v, "-",
-               raised ? "as a light, thin or small body needs, or one of many"
-                      : "as bodies.virtual_mass says");
-    check_line("stiffness", c.stiffness, "N/m", "");
-    check_line("particle steps in one step", c.dem_steps, "-",
-               "of their contacts");
+    text_line("smallest density ratio", e->ratio, "-",
+              e->ratio < 1.0 && e->cells < 7.5
+                  ? "LOW: in contact such a body needs eight cells, or moves on"
+              : e->ratio < 0.5 ? "LOW: stable; halve fluid.step and compare"
+                               : "");
+    text_line("largest virtual mass", e->C_v, "-",
+              raised ? "as a light, thin or small body needs, or one of many"
+                     : "as bodies.virtual_mass says");
+    text_line("stiffness", c.stiffness, "N/m", "");
+    text_line("particle steps in one step", c.dem_steps, "-",
+              "of their contacts");
     const double overlap = case_bodies_expected_overlap(s);
-    check_line("expected overlap / d", overlap, "-",
-               overlap > s->bodies.max_overlap
-                   ? "HIGH: above bodies.max_overlap the run stops"
-                   : "of an impact, by the speeds that are known");
+    text_line("expected overlap / d", overlap, "-",
+              overlap > s->bodies.max_overlap
+                  ? "HIGH: above bodies.max_overlap the run stops"
+                  : "of an impact, by the speeds that are known");
 }
 
 /* Where what an average spreads is moved out of a body [SX15 5c]. */
@@ -155,9 +154,9 @@ static void report_bandwidth(const struct settings *s, double d)
     const double b = s->averaging.bandwidth;
 
     if (!s->has.particles || b == 0.0 || d == HUGE_VAL) return;
-    check_line("bandwidth / d", b / d, "-",
-               b > 0.5 * d ? "HIGH: grains beside a body count too far from it"
-                           : "");
+    text_line("bandwidth / d", b / d, "-",
+              b > 0.5 * d ? "HIGH: grains beside a body count too far from it"
+                          : "");
 }
 
 /* The gaps of less than a cell whose cells are held; and what is left for free
@@ -173,15 +172,15 @@ static void report_gaps(const struct settings *s, double d, int free)
             open ? &first.seal.open : &first.seal.closed;
         body_seal_describe(g, open, where);
         if (g->beside > 0)
-            check_line(open ? "widest narrow gap / h" : "widest closed gap / h",
-                       g->width, "-", where);
+            text_line(open ? "widest narrow gap / h" : "widest closed gap / h",
+                      g->width, "-", where);
     }
     if (first.seal.covered > 0.0)
-        check_line("share of an inlet in bodies", first.seal.covered, "-",
-                   "what comes in there flows through them");
+        text_line("share of an inlet in bodies", first.seal.covered, "-",
+                  "what comes in there flows through them");
     if (free && first.left < d)
-        check_line("way of a prescribed body to a wall", first.left, "m",
-                   "LOW: at the end; a free body between stops the run");
+        text_line("way of a prescribed body to a wall", first.left, "m",
+                  "LOW: at the end; a free body between stops the run");
 }
 
 /* The residual of the splitting enters the next step. Where viscosity crosses
@@ -190,13 +189,13 @@ static void report_viscous(const struct settings *s, double number, int free)
 {
     const double tolerance = s->fluid.piso_tolerance;
 
-    check_line("nu dt / h^2", number, "-",
-               free && number > 1.0 && !(tolerance > 0.0 && tolerance < 1.1e-4)
-                   ? "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4"
-               : tolerance * number > 2e-3
-                   ? "HIGH: pressure, forces on walls; lower "
-                     "fluid.piso_tolerance"
-                   : "the drag does not depend on it");
+    text_line("nu dt / h^2", number, "-",
+              free && number > 1.0 && !(tolerance > 0.0 && tolerance < 1.1e-4)
+                  ? "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4"
+              : tolerance * number > 2e-3
+                  ? "HIGH: pressure, forces on walls; lower "
+                    "fluid.piso_tolerance"
+                  : "the drag does not depend on it");
 }
 
 void case_bodies_report(const struct settings *s,
@@ -215,17 +214,17 @@ void case_bodies_report(const struct settings *s,
     puts("Bodies");
     report_counts(s);
     if (e.cells < HUGE_VAL)
-        check_line("d / h", e.cells, "-",
-                   e.cells < 7.0 ? "LOW: good to look at; 12 to measure"
-                   : e.cells < 11.5
-                       ? "about 5 % of the drag where they are apart"
-                       : "2 to 3 % of the drag where they are apart");
+        text_line("d / h", e.cells, "-",
+                  e.cells < 7.0 ? "LOW: good to look at; 12 to measure"
+                  : e.cells < 11.5
+                      ? "about 5 % of the drag where they are apart"
+                      : "2 to 3 % of the drag where they are apart");
     report_gaps(s, e.d, e.free > 0);
     report_bandwidth(s, e.d);
     report_viscous(s, nu * dt / (narrowest * narrowest), e.free > 0);
-    check_line("CFL of the bodies", e.speed * dt / narrowest, "-",
-               e.speed * dt / narrowest > 0.5
-                   ? "HIGH: more than half a cell in a step"
-                   : "by their speed at time 0");
+    text_line("CFL of the bodies", e.speed * dt / narrowest, "-",
+              e.speed * dt / narrowest > 0.5
+                  ? "HIGH: more than half a cell in a step"
+                  : "by their speed at time 0");
     if (e.free > 0) report_free(s, &e);
 }

@@ -10,7 +10,7 @@
 #include "base/alloc.h"
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
-#include "case/checks/check_line.h"
+#include "base/text.h"
 #include "case/models.h"
 #include "case/surfaces/case_surfaces.h"
 #include "case/surfaces/case_walls.h"
@@ -47,11 +47,10 @@ void surfaces_part_dem_options(const struct settings *s, struct dem_options *o)
  */
 static void print_speed(double speed, const struct case_scales *k)
 {
-    check_line("highest speed", speed, "m/s",
-               "of any point of them in the box");
+    text_line("highest speed", speed, "m/s", "of any point of them in the box");
     if (k->particles > 0 && speed > 0.0)
-        check_line("its path in a particle step / d", speed * k->dem_dt / k->d,
-                   "-", "of the smallest particle");
+        text_line("its path in a particle step / d", speed * k->dem_dt / k->d,
+                  "-", "of the smallest particle");
 }
 
 void surfaces_part_print(const struct settings *s, const struct case_scales *k)
@@ -70,8 +69,8 @@ void surfaces_part_print(const struct settings *s, const struct case_scales *k)
         speed = fmax(speed, motion_speed(&made[i].motion, reach));
     }
     puts("Walls besides the box");
-    check_line("surfaces", n, "-", are_unseen(s) ? unseen : "");
-    check_line("triangles", triangles, "-", "");
+    text_line("surfaces", n, "-", are_unseen(s) ? unseen : "");
+    text_line("triangles", triangles, "-", "");
     print_speed(speed, k);
     case_surfaces_free(made, n);
 }

@@ -3,7 +3,7 @@
 #include "study/truth.h"
 
 #include "base/alloc.h"
-#include "case/report/equations.h"
+#include "tell/equations.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,19 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/report/report.h"
+#include "tell/check.h"
 
 #include "averaging/averaging.h"
 #include "base/vector.h"
 #include "mesh/measures.h"
 #include "dem/contact.h"
 #include "case/build_particles.h"
-#include "case/checks/case_cost.h"
-#include "case/report/case_averaging_report.h"
-#include "case/report/case_drag.h"
-#include "case/report/report_accuracy.h"
-#include "case/report/case_flow.h"
-#include "case/report/report_cohesion.h"
-#include "case/report/case_effects.h"
-#include "case/checks/case_limits.h"
 #include "case/checks/case_scales.h"
 #include "case/case_materials.h"
 #include "case/checks/case_memory.h"
@@ -21,7 +13,7 @@
 #include "case/resolved/case_bodies.h"
 #include "record/case_statistics.h"
 #include "case/surfaces/surfaces_part.h"
-#include "case/checks/check_line.h"
+#include "base/text.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/command.h"
@@ -30,10 +22,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Solid fractions of which the time scales are printed: a packed bed, where the
- * interstitial velocity is largest, and a single particle. */
-static const double packed = 0.6;
 
 /* A line with the place of the cell in question. */
 static void line_at(const char *name, double value, const char *unit,
@@ -44,7 +32,7 @@ static void line_at(const char *name, double value, const char *unit,
 
     snprintf(remark, sizeof remark, "at [%.3g, %.3g, %.3g] m%s%s", x[0], x[1],
              x[2], advice[0] != '\0' ? ": " : "", advice);
-    check_line(name, value, unit, remark);
+    text_line(name, value, unit, remark);
 }
 
 /* Of links that are not normal to their faces the part along the face is taken
@@ -66,7 +54,7 @@ static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
                                 : "good");
     line_at("largest aspect ratio", q->aspect, "-", m, q->n_flat,
             q->aspect > 20.0 ? "high: solvers are slower on flat cells" : "");
-    check_line("openness", q->openness, "-", "of the worst cell: closed");
+    text_line("openness", q->openness, "-", "of the worst cell: closed");
     line_at("smallest cell", q->V_min, "m^3", m, q->n_small, "");
 }
 
@@ -81,7 +69,7 @@ static void print_longest(const struct mesh *m)
 
     if (longest <= sqrt(7.0)) return;
     if (c < 0)
-        check_line(name, longest, "-", advice);
+        text_line(name, longest, "-", advice);
     else
         line_at(name, longest, "-", m, c, advice);
 }
@@ -99,65 +87,64 @@ static void print_quality(const struct settings *s)
     if (crooked) print_bad_cells(m, &q);
     if (s->has.fluid) print_longest(m);
     if (most > least * (1.0 + 1e-9))
-        check_line(
+        text_line(
             "largest over smallest cell", most / least, "-",
             "volumes; what the schemes assume is near 1 between neighbours");
     if (q.growth > 1.0 + 1e-9)
-        check_line("largest between neighbours", q.growth, "-",
-                   q.growth > 2.1 ? "HIGH: second order is lost there"
-                                  : "good");
+        text_line("largest between neighbours", q.growth, "-",
+                  q.growth > 2.1 ? "HIGH: second order is lost there" : "good");
     mesh_free(m);
 }
 
 static void print_resolution(const struct case_scales *k)
 {
     puts("Resolution");
-    check_line("cells", k->cells, "-", "");
-    check_line("S_c", k->S_c, "m", "cube root of the mean cell volume");
+    text_line("cells", k->cells, "-", "");
+    text_line("S_c", k->S_c, "m", "cube root of the mean cell volume");
     if (k->particles == 0) return;
-    check_line("particles", k->particles, "-", "");
-    check_line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
-    check_line("N_p / N_c", (double)k->particles / k->cells, "-", "");
+    text_line("particles", k->particles, "-", "");
+    text_line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
+    text_line("N_p / N_c", (double)k->particles / k->cells, "-", "");
 }
 
 static void print_one(const struct case_scales *k, const struct case_limits *m)
 {
     if (m->rayleigh < HUGE_VAL) {
-        check_line("T_R", m->rayleigh, "s",
-                   "Rayleigh time of the smallest particle");
-        check_line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
+        text_line("T_R", m->rayleigh, "s",
+                  "Rayleigh time of the smallest particle");
+        text_line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
     }
-    check_line("contact time", m->contact, "s",
-               m->contact < HUGE_VAL ? "of two of the smallest particles"
-                                     : "critical damping: no rebound");
-    check_line("suggested step", m->suggested, "s", "");
-    check_line("safe step", m->longest, "s", "");
+    text_line("contact time", m->contact, "s",
+              m->contact < HUGE_VAL ? "of two of the smallest particles"
+                                    : "critical damping: no rebound");
+    text_line("suggested step", m->suggested, "s", "");
+    text_line("safe step", m->longest, "s", "");
 }
 
 static void print_contacts(const struct settings *s,
                            const struct case_scales *k)
 {
-    const double safe = case_limits_tightest(s, k->impact).longest;
+    const double safe = case_scales_tightest(s, k->impact).longest;
 
     puts("Contacts");
-    if (case_limits_no_contacts(s)) {
-        check_line("particle step", k->dem_dt, "s",
-                   "safe: particles.list = \"none\", no contacts");
+    if (case_scales_no_contacts(s)) {
+        text_line("particle step", k->dem_dt, "s",
+                  "safe: particles.list = \"none\", no contacts");
         return;
     }
-    check_line("impact speed", k->impact, "m/s", "assumed for what follows");
+    text_line("impact speed", k->impact, "m/s", "assumed for what follows");
     for (int m = 0; m <= s->particles.materials.n; m++) {
-        const struct case_limits one = case_limits_of(s, m, k->impact);
+        const struct case_limits one = case_scales_limits(s, m, k->impact);
         if (one.d <= 0.0) continue;
         if (s->particles.materials.n > 0)
-            check_line(case_limits_name(s, m), one.d, "m", "smallest of it");
+            text_line(case_scales_name(s, m), one.d, "m", "smallest of it");
         print_one(k, &one);
     }
-    check_line("particle step", k->dem_dt, "s",
-               case_scales_is_auto(s) ? "auto: the suggested one or less"
-               : k->dem_dt <= safe    ? "safe"
-                                   : "NOT SAFE: collisions are not resolved");
-    check_line("particle steps in one step", k->dem_steps, "-", "");
+    text_line("particle step", k->dem_dt, "s",
+              case_scales_is_auto(s) ? "auto: the suggested one or less"
+              : k->dem_dt <= safe    ? "safe"
+                                     : "NOT SAFE: collisions are not resolved");
+    text_line("particle steps in one step", k->dem_steps, "-", "");
 }
 
 static void print_weight(const struct settings *s, const struct case_scales *k)
@@ -168,10 +155,10 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
     case_mesh_ends(s, lo, size);
     if (settings_mesh(s) != NULL) return; /* it has no one section */
     if (!s->effects.has_gravity || !s->particles.has_bed) return;
-    check_line("weight of the bed over its area",
-               k->volume * rho_s * fabs(s->effects.gravity[1]) /
-                   (size[0] * size[2]),
-               "Pa", "the pressure drop of a fluidized bed");
+    text_line("weight of the bed over its area",
+              k->volume * rho_s * fabs(s->effects.gravity[1]) /
+                  (size[0] * size[2]),
+              "Pa", "the pressure drop of a fluidized bed");
 }
 
 /* Where whole steps do not give the time between two rows or pictures. */
@@ -184,7 +171,7 @@ static void print_interval(const struct settings *s, const char *name,
 
     if (fabs(given - asked) <= 0.01 * asked) return;
     snprintf(remark, sizeof remark, "in whole steps; %s is %.4g s", key, asked);
-    check_line(name, given, "s", remark);
+    text_line(name, given, "s", remark);
 }
 
 static void print_cost(const struct settings *s, const struct case_scales *k)
@@ -193,19 +180,19 @@ static void print_cost(const struct settings *s, const struct case_scales *k)
     const double steps = k->end / k->dt;
 
     puts("Cost");
-    check_line("steps", steps, "-", "");
+    text_line("steps", steps, "-", "");
     if (o->history > 0.0)
         print_interval(s, "time between two rows", "output.history", o->history,
                        k->dt);
     print_interval(s, "time between two pictures", "output.every", o->every,
                    k->dt);
-    check_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
-    check_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
-    check_line("time", case_cost_seconds(s), "s",
-               "about, after settling, on one core");
+    text_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
+    text_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
+    text_line("time", case_scales_seconds(s), "s",
+              "about, after settling, on one core");
 }
 
-int report_case(const struct settings *s)
+int check_case(const struct settings *s)
 {
     const struct case_scales k = case_scales_of(s);
 
@@ -216,41 +203,38 @@ int report_case(const struct settings *s)
     print_resolution(&k);
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
-    if (k.particles > 0) report_cohesion(s, k.d, k.density, k.dem_dt, k.impact);
+    if (k.particles > 0) check_cohesion(s, &k);
     surfaces_part_print(s, &k);
     case_engine_print(s, &k);
     case_bodies_report(s, &k);
     case_statistics_print(s);
-    if (s->has.fluid) case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
-    if (s->has.averaging)
-        case_averaging_print(
-            s, &(struct averaging_scales){k.S_c, k.d_most, k.volume, packed});
-    if (s->has.exchange && k.particles > 0)
-        case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
+    if (s->has.fluid) check_flow(s, &k);
+    if (s->has.averaging) check_averaging(s, &k);
+    if (s->has.exchange && k.particles > 0) check_drag(s, &k);
     if (k.particles > 0) {
         print_weight(s, &k);
-        case_effects_print(s, &k);
+        check_effects(s, &k);
     }
     print_cost(s, &k);
-    report_accuracy(s, &k);
+    check_accuracy(s, &k);
     return case_scales_check(s); /* as a run is refused */
 }
 
-static int report_act(const struct command_line *l)
+static int check_act(const struct command_line *l)
 {
     int code;
     struct settings *const s = command_settings(l, &code);
 
-    if (s != NULL) code = report_case(s);
+    if (s != NULL) code = check_case(s);
     settings_free(s);
     return code;
 }
 
-const struct command command_check = {
+const struct command check_command = {
     "check",
     "CASE [-s path.to.key=value]...",
     "check a case and print the numbers that follow from it",
     "s",
     1,
     1,
-    report_act};
+    check_act};

@@ -3,8 +3,8 @@
  * A row carries an equation of the documents to the function that the solver
  * itself calls, so that what `winnow eval` prints is what a run computes.
  */
-#ifndef CASE_REPORT_EQUATIONS_H
-#define CASE_REPORT_EQUATIONS_H
+#ifndef TELL_EQUATIONS_H
+#define TELL_EQUATIONS_H
 
 #include <stddef.h>
 
@@ -24,32 +24,8 @@ struct equation {
                                           drag law */
 };
 
-/* A function of one to seven numbers as the value of an equation whose inputs
- * are these: EQUATION_OF_2(f), and EQUATION_BY(f) as the end of its row. */
-#define EQUATION_OF(f, ...)                                                    \
-    static double value_of_##f(const double *x)                                \
-    {                                                                          \
-        return f(__VA_ARGS__);                                                 \
-    }
-#define EQUATION_OF_1(f) EQUATION_OF(f, x[0])
-#define EQUATION_OF_2(f) EQUATION_OF(f, x[0], x[1])
-#define EQUATION_OF_3(f) EQUATION_OF(f, x[0], x[1], x[2])
-#define EQUATION_OF_4(f) EQUATION_OF(f, x[0], x[1], x[2], x[3])
-#define EQUATION_OF_5(f) EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4])
-#define EQUATION_OF_6(f) EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4], x[5])
-#define EQUATION_OF_7(f)                                                       \
-    EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4], x[5], x[6])
-#define EQUATION_BY(f) #f, value_of_##f
-
 /* The i-th of all, in the order of the documents; 0 past the last. */
 int equations_at(int i, struct equation *e);
-
-/* Those of EW18 and of the further forces, ended by one without a key; that of
- * the i-th drag law, 0 past the last, and its value. */
-extern const struct equation equations_ew18[];
-extern const struct equation equations_forces[];
-int equations_drag(int i, struct equation *e);
-double equations_drag_value(const struct equation *e, const double *in);
 
 /* The equation of that key; 0 if there is none, and e is then empty. */
 int equations_named(const char *key, struct equation *e);
@@ -62,5 +38,29 @@ double equations_value(const struct equation *e, const double *in);
 int equations_inputs(const struct equation *e);
 int equations_input(const struct equation *e, const char *name, size_t length);
 void equations_name(const struct equation *e, int i, char name[EQUATIONS_TEXT]);
+
+/* `winnow eval`: lists every equation; prints the value of one for inputs
+ * "name=value", and returns 0, or 2 after one message. */
+void eval_list(void);
+int eval_print(const char *key, int n, const char *const *inputs);
+
+/* The index of the book, chapters/equations.md, which `make weave` gathers from
+ * the keys in source, tests and chapters; the build turns it into C. */
+enum equation_index_kind {
+    EQUATION_INDEX_SAYS,   /* name: what the equation says */
+    EQUATION_INDEX_STATUS, /* name: what is missing yet */
+    EQUATION_INDEX_AS, /* name: the key of the equation that stands for it */
+    EQUATION_INDEX_FUNCTION, /* name and file, and so below */
+    EQUATION_INDEX_TEST,
+    EQUATION_INDEX_SECTION
+};
+
+/* All of them, those of an equation together; ended by one without a key. */
+struct equation_index_row {
+    const char *key; /* "XS11 2.13" */
+    enum equation_index_kind kind;
+    const char *name, *file;
+};
+extern const struct equation_index_row equation_index_rows[];
 
 #endif

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/report/report_accuracy.h"
+#include "tell/check.h"
 
 #include "case/case_mesh.h"
-#include "case/checks/case_cost.h"
-#include "case/checks/case_limits.h"
-#include "case/checks/check_line.h"
+#include "case/checks/case_scales.h"
+#include "base/text.h"
 #include "fluid/time_scheme.h"
 
 #include <math.h>
@@ -19,12 +18,12 @@ static void line_by(const char *name, double time, const char *of, double by)
 
     snprintf(remark, sizeof remark, "times the time; %s %s %.3g", of,
              by < 1.0 ? "times" : "over", by < 1.0 ? 1.0 / by : by);
-    check_line(name, time, "-", remark);
+    text_line(name, time, "-", remark);
 }
 
 /* A factor of two in a size, of that order. */
-static void report_accuracy_line(const char *name, double time, const char *of,
-                                 double order, int finer)
+static void accuracy_line(const char *name, double time, const char *of,
+                          double order, int finer)
 {
     line_by(name, time, of, pow(2.0, finer ? order : -order));
 }
@@ -38,11 +37,11 @@ static double time_with(const struct case_scales *k, int flow, double steps,
 
     other.dt = k->dt / steps;
     other.dem_steps = 1;
-    const double one = case_cost_of(k, flow);
+    const double one = case_scales_cost(k, flow);
     const double grains =
-        case_cost_of(k, 0) * particle_steps; /* without the flow */
+        case_scales_cost(k, 0) * particle_steps; /* without the flow */
     other.particles = 0;
-    return (grains + cells * case_cost_of(&other, flow)) / one;
+    return (grains + cells * case_scales_cost(&other, flow)) / one;
 }
 
 static void print_fluid(const struct settings *s, const struct case_scales *k)
@@ -50,12 +49,12 @@ static void print_fluid(const struct settings *s, const struct case_scales *k)
     const double order = s->fluid.time->time_levels;
 
     if (order == 1.0)
-        check_line("fluid.time = bdf2", 1.0, "-",
-                   "times the time; the error of the step of order 2, not 1");
-    report_accuracy_line("fluid.step halved", time_with(k, 1, 2.0, 1.0, 1.0),
-                         "the error of the step", order, 1);
-    report_accuracy_line("fluid.step doubled", time_with(k, 1, 0.5, 1.0, 1.0),
-                         "the error of the step", order, 0);
+        text_line("fluid.time = bdf2", 1.0, "-",
+                  "times the time; the error of the step of order 2, not 1");
+    accuracy_line("fluid.step halved", time_with(k, 1, 2.0, 1.0, 1.0),
+                  "the error of the step", order, 1);
+    accuracy_line("fluid.step doubled", time_with(k, 1, 0.5, 1.0, 1.0),
+                  "the error of the step", order, 0);
 }
 
 /* Two of the convection schemes are of first order. */
@@ -68,8 +67,7 @@ static double order_of_cells(const struct settings *s)
 }
 
 /* Directions that have more than one cell, and the product of their numbers. */
-static int report_accuracy_directions_of(const struct settings *s,
-                                         double *cells)
+static int accuracy_directions_of(const struct settings *s, double *cells)
 {
     const int *const n = s->mesh.box.cells;
     int directions = 0;
@@ -144,7 +142,7 @@ static struct carried carried_in(const struct settings *s,
                                  const struct case_scales *k, int only)
 {
     double cells;
-    const int directions = report_accuracy_directions_of(s, &cells);
+    const int directions = accuracy_directions_of(s, &cells);
 
     if (only < 0 || !has_end(s, only, BOUNDARY_INLET) || k->inlet == 0.0)
         return (struct carried){0, pow(cells, 1.0 / directions) / 4.0};
@@ -177,8 +175,7 @@ static int only_direction(const struct settings *s)
     const int *const n = s->mesh.box.cells;
     double cells;
 
-    if (report_accuracy_directions_of(s, &cells) != 1 || s->has.exchange)
-        return -1;
+    if (accuracy_directions_of(s, &cells) != 1 || s->has.exchange) return -1;
     return n[0] > 1 ? 0 : n[1] > 1 ? 1 : 2;
 }
 
@@ -192,7 +189,7 @@ static void print_convection(const struct settings *s,
 
     while (from < scheme_costs + SCHEME_COSTS && strcmp(from->name, name) != 0)
         from++;
-    if (report_accuracy_directions_of(s, &cells) == 0 ||
+    if (accuracy_directions_of(s, &cells) == 0 ||
         from == scheme_costs + SCHEME_COSTS ||
         (only >= 0 && carries_nothing(s, only)))
         return;
@@ -242,27 +239,27 @@ static void print_correctors(const struct settings *s,
 static void print_cells(const struct settings *s, const struct case_scales *k)
 {
     double n;
-    const int directions = report_accuracy_directions_of(s, &n);
+    const int directions = accuracy_directions_of(s, &n);
     const double cells = pow(2.0, directions);
 
     if (directions == 0) return;
-    report_accuracy_line("mesh.cells doubled, fluid.step halved",
-                         time_with(k, 1, 2.0, 1.0, cells), "that of the cells",
-                         order_of_cells(s), 1);
-    report_accuracy_line("mesh.cells halved, fluid.step doubled",
-                         time_with(k, 1, 0.5, 1.0, 1.0 / cells),
-                         "that of the cells", order_of_cells(s), 0);
+    accuracy_line("mesh.cells doubled, fluid.step halved",
+                  time_with(k, 1, 2.0, 1.0, cells), "that of the cells",
+                  order_of_cells(s), 1);
+    accuracy_line("mesh.cells halved, fluid.step doubled",
+                  time_with(k, 1, 0.5, 1.0, 1.0 / cells), "that of the cells",
+                  order_of_cells(s), 0);
 }
 
 /* Smoothing reduces a wave by a share proportional to the square of the
  * bandwidth. The diffusion takes the same time for any bandwidth. */
-static void report_accuracy_print_bandwidth(const struct settings *s)
+static void accuracy_print_bandwidth(const struct settings *s)
 {
     if (s->averaging.method != &diffusion_method) return;
-    report_accuracy_line("averaging.bandwidth halved", 1.0,
-                         "the damping of a wave", 2.0, 1);
-    report_accuracy_line("averaging.bandwidth doubled", 1.0,
-                         "the damping of a wave", 2.0, 0);
+    accuracy_line("averaging.bandwidth halved", 1.0, "the damping of a wave",
+                  2.0, 1);
+    accuracy_line("averaging.bandwidth doubled", 1.0, "the damping of a wave",
+                  2.0, 0);
 }
 
 /* A sub-step asks for the drag of each particle once, which was seen to cost as
@@ -277,12 +274,12 @@ static void print_substeps(const struct settings *s,
     if (n == 0) return;
     one.dem_steps = n;
     one.cells = 0;
-    const double more = case_cost_of(&one, 0) / case_cost_of(k, 1);
-    report_accuracy_line("exchange.substeps doubled", 1.0 + more,
-                         "the error of the drag", 1.0, 1);
+    const double more = case_scales_cost(&one, 0) / case_scales_cost(k, 1);
+    accuracy_line("exchange.substeps doubled", 1.0 + more,
+                  "the error of the drag", 1.0, 1);
     if (n > 1)
-        report_accuracy_line("exchange.substeps halved", 1.0 - 0.5 * more,
-                             "the error of the drag", 1.0, 0);
+        accuracy_line("exchange.substeps halved", 1.0 - 0.5 * more,
+                      "the error of the drag", 1.0, 0);
 }
 
 /* The force of a dashpot jumps when a contact begins and ends. Without one, e =
@@ -292,15 +289,13 @@ static void print_particles(const struct settings *s,
 {
     const double order = s->particles.grains.of.restitution == 1.0 ? 2.0 : 1.0;
 
-    report_accuracy_line("particles.step halved",
-                         time_with(k, flow, 1.0, 2.0, 1.0),
-                         "the error of an impact", order, 1);
-    report_accuracy_line("particles.step doubled",
-                         time_with(k, flow, 1.0, 0.5, 1.0),
-                         "the error of an impact", order, 0);
+    accuracy_line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),
+                  "the error of an impact", order, 1);
+    accuracy_line("particles.step doubled", time_with(k, flow, 1.0, 0.5, 1.0),
+                  "the error of an impact", order, 0);
 }
 
-void report_accuracy(const struct settings *s, const struct case_scales *k)
+void check_accuracy(const struct settings *s, const struct case_scales *k)
 {
     const int flow = s->has.fluid;
 
@@ -310,8 +305,8 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     if (flow) print_convection(s, k);
     if (flow) print_tolerance(s, k);
     if (flow) print_correctors(s, k);
-    if (s->has.averaging) report_accuracy_print_bandwidth(s);
+    if (s->has.averaging) accuracy_print_bandwidth(s);
     if (s->has.exchange) print_substeps(s, k);
-    if (k->particles > 0 && !case_limits_no_contacts(s))
+    if (k->particles > 0 && !case_scales_no_contacts(s))
         print_particles(s, k, flow);
 }

@@ -1,6 +1,6 @@
 /* list.h -- `winnow list`: what there is to choose from. */
-#ifndef CASE_REPORT_LIST_H
-#define CASE_REPORT_LIST_H
+#ifndef TELL_LIST_H
+#define TELL_LIST_H
 
 /* Prints the kinds of models on stdout. */
 void list_kinds(void);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/report/eval.h"
+/* eval.c -- `winnow eval`: one equation at a time. */
+#include "tell/equations.h"
 
-#include "case/report/equations.h"
 #include "case/command.h"
 #include "case/nearest.h"
 
@@ -99,6 +99,6 @@ static int eval_act(const struct command_line *l)
     return 0;
 }
 
-const struct command command_eval = {
+const struct command eval_command = {
     "eval",  "[KEY name=value ...]", "the value of one equation", "", 0, -1,
     eval_act};

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/report/shipped.h"
-
-#include "case/case_file.h"
-#include "case/checks/case_scales.h"
-#include "case/command.h"
-#include "case/nearest.h"
+/* list.c -- `winnow list`: what there is to choose from; and `winnow new`: a
+ * shipped case to begin with. */
+#include "tell/list.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -13,6 +10,148 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "case/case_file.h"
+#include "case/checks/case_scales.h"
+#include "case/command.h"
+#include "case/models.h"
+#include "case/nearest.h"
+#include "case/schema.h"
+
+void list_kinds(void)
+{
+    struct model m;
+
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++) {
+        printf("%-14s %s, chosen by %s:\n%-14s", (*k)->name, (*k)->what,
+               (*k)->key, "");
+        for (int i = 0; (*k)->model(i, &m); i++)
+            printf(" %s", m.name);
+        putchar('\n');
+    }
+    printf("%-14s every key of a case file\n", "keys");
+    printf("%-14s the cases that come with the program\n", "cases");
+}
+
+/* "[SX15 Table 1]", or nothing where there is no source. */
+static void print_source(const char *source)
+{
+    if (source[0] != '\0') printf("  [%s]", source);
+    putchar('\n');
+}
+
+/* "; needs fluid averaging; not with effects.x" of "fluid averaging !effects.x"
+ */
+static void print_needs(const char *needs)
+{
+    const char *const without = strchr(needs, '!');
+    const int length =
+        without != NULL ? (int)(without - needs) : (int)strlen(needs);
+
+    if (length > 0)
+        printf("; needs %.*s", without != NULL ? length - 1 : length, needs);
+    if (without != NULL) printf("; not with %s", without + 1);
+}
+
+static void print_key(const struct key *key, const char *indent)
+{
+    char expected[SCHEMA_TEXT], value[SCHEMA_TEXT];
+
+    schema_expected(key, expected);
+    printf("%s%s = %s", indent, key->path, expected);
+    if (schema_is_required(key))
+        printf("; required");
+    else if (schema_has_default(key)) {
+        schema_default(key, value);
+        printf("; default %s", value);
+    }
+    print_needs(key->needs);
+    printf("\n%s    %s", indent, key->what);
+    print_source(key->source);
+}
+
+void list_model(const struct model *m)
+{
+    printf("    %s: %s", m->name, m->what);
+    print_source(m->equations);
+    for (int t = 0; t < KEY_TABLES && m->keys[t] != NULL; t++)
+        for (const struct key *k = m->keys[t]; k->path != NULL; k++)
+            print_key(k, "        ");
+}
+
+/* The rows of a group, of the groups in it and of their models, or of one key.
+ */
+static int print_part(const struct key *const *tables, const char *part)
+{
+    int n = 0;
+
+    SCHEMA_EACH (key, tables)
+        if (schema_is_within(key, part)) {
+            print_key(key, "");
+            n++;
+        }
+    return n;
+}
+
+static int unknown_part(const struct key *const *tables, const char *name)
+{
+    char nearest[SCHEMA_TEXT] = "";
+
+    if (schema_nearest(tables, name, nearest) != NULL)
+        fprintf(stderr,
+                "winnow: no part of a case is called %s; did you mean %s?\n",
+                name, nearest);
+    else
+        fprintf(stderr,
+                "winnow: no part of a case is called %s; winnow list keys "
+                "names all keys\n",
+                name);
+    return 2;
+}
+
+int list_keys(const char *part)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+
+    case_file_tables(tables);
+    if (part != NULL)
+        return print_part(tables, part) > 0 ? 0 : unknown_part(tables, part);
+    SCHEMA_EACH (key, tables)
+        if (schema_member(key, "") != NULL) print_part(tables, key->path);
+    return 0;
+}
+
+static int unknown_kind(const char *name)
+{
+    struct nearest n;
+
+    nearest_init(&n, name);
+    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
+        nearest_offer(&n, (*k)->name);
+    nearest_offer(&n, "keys");
+    nearest_offer(&n, "cases");
+    if (nearest_best(&n) != NULL)
+        fprintf(stderr, "winnow: no kind of model %s; did you mean %s?\n", name,
+                nearest_best(&n));
+    else
+        fprintf(stderr,
+                "winnow: no kind of model %s; winnow list names them all\n",
+                name);
+    return 2;
+}
+
+int list_models(const char *name)
+{
+    const struct kind *const kind = models_kind(name);
+    struct model m;
+
+    if (strcmp(name, "keys") == 0) return list_keys(NULL);
+    if (kind == NULL) return unknown_kind(name);
+    printf("%s, chosen by %s\n", kind->what, kind->key);
+    for (int i = 0; kind->model(i, &m); i++)
+        list_model(&m);
+    return 0;
+}
 
 /* The case to begin with if no other one is named. */
 #define FIRST "small-bed"
@@ -104,7 +243,7 @@ static void shipped_print_case(const char *path, const struct settings *s,
            k.particles, s->title, line[0] != '\0' ? ". Look at: " : "", line);
 }
 
-int shipped_list(void)
+static int shipped_list(void)
 {
     char text[CASE_TEXT];
     glob_t found;
@@ -206,7 +345,7 @@ static int shipped_act(const struct command_line *l)
     return 0;
 }
 
-const struct command command_new = {
+const struct command list_new_command = {
     "new",
     "NAME [FROM]",
     "NAME.cfg, a case to begin with: a small bed, or a copy of FROM, one of "
@@ -215,3 +354,34 @@ const struct command command_new = {
     1,
     2,
     shipped_act};
+
+static int list_wrong_word(const char *word)
+{
+    fprintf(stderr,
+            "winnow: %s: one argument too many\n"
+            "winnow list [KIND] | keys [PART] | cases\n",
+            word);
+    return 2;
+}
+
+static int list_act(const struct command_line *l)
+{
+    if (l->n_words > 1 && strcmp(l->words[0], "keys") == 0)
+        return list_keys(l->words[1]);
+    if (l->n_words > 1) return list_wrong_word(l->words[1]);
+    if (l->n_words > 0 && strcmp(l->words[0], "cases") == 0)
+        return shipped_list();
+    if (l->n_words > 0) return list_models(l->words[0]);
+    list_kinds();
+    return 0;
+}
+
+const struct command list_command = {
+    "list",
+    "[KIND] | keys [PART] | cases",
+    "the models of a kind with their keys; or the keys of a part of a case; or "
+    "the cases that come with the program",
+    "",
+    0,
+    2,
+    list_act};

@@ -1,6 +1,6 @@
 /* breakdown.h -- why a computation broke down. */
-#ifndef CASE_DIAGNOSIS_BREAKDOWN_H
-#define CASE_DIAGNOSIS_BREAKDOWN_H
+#ifndef COUPLING_BREAKDOWN_H
+#define COUPLING_BREAKDOWN_H
 
 #include "coupling/simulation.h"
 
@@ -8,5 +8,10 @@
 enum { BREAKDOWN_TEXT = 512 };
 void breakdown_describe(const struct simulation *sim,
                         char text[BREAKDOWN_TEXT]);
+
+/* 1 if an overlap is deeper than expected; breakdown_warn: says so, once in a
+ * run, as *told says. */
+int breakdown_overlaps(const struct simulation *sim);
+void breakdown_warn(int *told, const struct simulation *sim);
 
 #endif

@@ -1,25 +1,54 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/report/equations.h"
+/* equations.c -- the rows of equations.h. */
+#include "tell/equations.h"
 
-#include "averaging/diffusion.h"
-#include "averaging/kernel/kernel.h"
-#include "coupling/effects/time_average.h"
-#include "coupling/drag.h"
-#include "case/report/exact.h"
-#include "dem/cohesion/capillary.h"
-#include "dem/contact_hertz.h"
-#include "dem/contact_linear.h"
-#include "dem/cohesion/electrostatic.h"
-#include "dem/limits.h"
-#include "dem/cohesion/van_der_waals.h"
-
+#include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "averaging/averaging.h"
+#include "averaging/diffusion.h"
+#include "averaging/kernel/kernel.h"
+#include "averaging/more/images.h"
+#include "coupling/drag.h"
+#include "coupling/drag_laws/beetstra.h"
+#include "coupling/drag_laws/coefficient.h"
+#include "coupling/drag_laws/di_felice.h"
+#include "coupling/drag_laws/fluidization.h"
+#include "coupling/effects/basset.h"
+#include "coupling/effects/saffman.h"
+#include "coupling/effects/spin.h"
+#include "coupling/effects/stochastic_drag.h"
+#include "coupling/effects/time_average.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/cohesion/electrostatic.h"
+#include "dem/cohesion/van_der_waals.h"
+#include "dem/contact_hertz.h"
+#include "dem/contact_linear.h"
+#include "dem/limits.h"
+
+/* A function of one to seven numbers as the value of an equation whose inputs
+ * are these: EQUATION_OF_2(f), and EQUATION_BY(f) as the end of its row. */
+#define EQUATION_OF(f, ...)                                                    \
+    static double value_of_##f(const double *x)                                \
+    {                                                                          \
+        return f(__VA_ARGS__);                                                 \
+    }
+#define EQUATION_OF_1(f) EQUATION_OF(f, x[0])
+#define EQUATION_OF_2(f) EQUATION_OF(f, x[0], x[1])
+#define EQUATION_OF_3(f) EQUATION_OF(f, x[0], x[1], x[2])
+#define EQUATION_OF_4(f) EQUATION_OF(f, x[0], x[1], x[2], x[3])
+#define EQUATION_OF_5(f) EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4])
+#define EQUATION_OF_6(f) EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4], x[5])
+#define EQUATION_OF_7(f)                                                       \
+    EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4], x[5], x[6])
+#define EQUATION_BY(f) #f, value_of_##f
 
 /* Each function unpacks its inputs and calls the room's. */
 EQUATION_OF_4(drag_reynolds)
 EQUATION_OF_2(drag_terminal_ratio)
-EQUATION_OF_7(exact_released)
+EQUATION_OF_7(drag_released)
 EQUATION_OF_1(kernel_bell)
 EQUATION_OF_2(diffusion_kernel)
 EQUATION_OF_2(time_average_weight)
@@ -126,7 +155,7 @@ static const struct equation others[] = {
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_f [m/s], "
      "t "
      "[s]",
-     "u", "m/s", EQUATION_BY(exact_released)},
+     "u", "m/s", EQUATION_BY(drag_released)},
     {"SX15:6", "Gaussian kernel equivalent to diffusion",
      "h = exp(-r^2 / b^2) / (pi b^2)^(3/2)", "r [m], b [m]", "h", "1/m^3",
      EQUATION_BY(diffusion_kernel)},
@@ -195,6 +224,152 @@ static const struct equation others[] = {
      "alpha [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "beta",
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
     {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
+
+/* The further forces of LS 5.1. */
+
+EQUATION_OF_5(basset_force)
+EQUATION_OF_3(saffman_reynolds)
+EQUATION_OF_4(saffman_force)
+EQUATION_OF_4(spin_force)
+
+static const struct equation equations_forces[] = {
+    {"LS:5.4", "Basset's history force at a constant rate of the slip",
+     "F = 3 d^2 sqrt(pi rho_f mu t) dw/dt, from w = 0 on",
+     "rho_f [kg/m^3], mu [Pa s], d [m], t [s], rate [m/s^2]", "F", "N",
+     EQUATION_BY(basset_force)},
+    {"LS:5.5", "Reynolds number of a shear", "Re_G = d^2 G / nu",
+     "d [m], nu [m^2/s], G [1/s]", "Re_G", "-", EQUATION_BY(saffman_reynolds)},
+    {"LS:5.6", "Saffman's lift, as printed", "F = 1.61 mu d u_r sqrt(Re_G)",
+     "mu [Pa s], d [m], u_r [m/s], Re_G [-]", "F", "N",
+     EQUATION_BY(saffman_force)},
+    {"LS:5.7", "Magnus's lift for a spin normal to the slip",
+     "F = rho_f (pi d^2 / 4) C_LR |u_r| u_r / 2",
+     "rho_f [kg/m^3], C_LR [-], d [m], u_r [m/s]", "F", "N",
+     EQUATION_BY(spin_force)},
+    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
+
+/* EW18. */
+
+EQUATION_OF_1(averaging_sigma)
+EQUATION_OF_2(images_kernel)
+EQUATION_OF_6(fluidization_velocity)
+EQUATION_OF_5(coefficient_of_force)
+EQUATION_OF_5(coefficient_reynolds)
+EQUATION_OF_4(stochastic_drag_step)
+EQUATION_OF_3(stochastic_drag_mean)
+EQUATION_OF_3(stochastic_drag_variance)
+EQUATION_OF_2(stochastic_drag_time)
+EQUATION_OF_5(drag_di_felice_force)
+EQUATION_OF_1(drag_di_felice_exponent)
+EQUATION_OF_5(drag_beetstra_force)
+EQUATION_OF_2(drag_beetstra_factor)
+
+static double sphere_cd(const double *x)
+{
+    return drag_wen_yu_cd(1.0, x[0]);
+}
+
+static const struct equation equations_ew18[] = {
+    {"EW18:19", "Gaussian kernel",
+     "W = exp(-r^2 / (2 sigma_k^2)) / (2 pi sigma_k^2)^(3/2)",
+     "r [m], sigma_k [m]", "W", "1/m^3", EQUATION_BY(images_kernel)},
+    {"EW18:20", "its width from that at half its height",
+     "sigma_k = delta_05 / (2 sqrt(2 ln 2))", "delta_05 [m]", "sigma_k", "m",
+     EQUATION_BY(averaging_sigma)},
+    {"EW18:22", "velocity of minimum fluidization, superficial, Ergun",
+     "(1 - eps) (rho_s - rho_f) g = beta u_mf, beta = 150 (1 - eps)^2 mu / "
+     "(eps^3 d^2) + 1.75 (1 - eps) rho_f u_mf / (eps^3 d)",
+     "eps_mf [-], rho_f [kg/m^3], rho_s [kg/m^3], mu [Pa s], d [m], g [m/s^2]",
+     "u_mf", "m/s", EQUATION_BY(fluidization_velocity)},
+    {"EW18:26", "drag coefficient of a force, with the superficial slip",
+     "C_d = 8 F / (pi rho_f d^2 eps^2 u_r |u_r|)",
+     "F [N], rho_f [kg/m^3], d [m], eps [-], u_r [m/s]", "C_d", "-",
+     EQUATION_BY(coefficient_of_force)},
+    {"EW18:27", "Reynolds number with the superficial slip",
+     "Re_p = rho_f d eps |u_r| / mu",
+     "eps [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "Re_p", "-",
+     EQUATION_BY(coefficient_reynolds)},
+    {"EW18:33", "fluctuation of the drag coefficient after a step",
+     "C_next = a C + b sqrt(1 - a^2) w", "a [-], b [-], C [-], w [-]", "C_next",
+     "-", EQUATION_BY(stochastic_drag_step)},
+    {"EW18:35", "fluctuation to be expected after n steps", "E = a^n C",
+     "a [-], n [-], C [-]", "E", "-", EQUATION_BY(stochastic_drag_mean)},
+    {"EW18:36", "variance to be expected after n steps",
+     "Var = b^2 (1 - a^(2 n))", "a [-], b [-], n [-]", "Var", "-",
+     EQUATION_BY(stochastic_drag_variance)},
+    {"EW18:37", "integral time of the fluctuation", "T = -dt / ln(a)",
+     "a [-], dt [s]", "T", "s", EQUATION_BY(stochastic_drag_time)},
+    {"EW18:A.1", "Reynolds number with the superficial slip",
+     "Re_p = rho_f d eps |u_r| / mu",
+     "eps [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "Re_p", "-",
+     EQUATION_BY(coefficient_reynolds)},
+    {"EW18:A.2", "drag after Di Felice, without the mean pressure gradient",
+     "F = (1/2) C_d rho_f (pi d^2 / 4) (eps u_r)^2 eps^-chi; as printed, the "
+     "whole force with u_r^2, it is 1 / eps^2 times that",
+     "eps [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "F", "N",
+     EQUATION_BY(drag_di_felice_force)},
+    {"EW18:A.3", "exponent of the fluid fraction after Di Felice",
+     "chi = 3.7 - 0.65 exp(-(1.5 - log10(Re))^2 / 2)", "Re [-]", "chi", "-",
+     EQUATION_BY(drag_di_felice_exponent)},
+    {"EW18:A.4", "drag coefficient of one sphere",
+     "C_d = 24 (1 + 0.15 Re^0.687) / Re; 0.44 from Re = 1000 on", "Re [-]",
+     "C_d", "-", "drag_wen_yu_cd", sphere_cd},
+    {"EW18:A.5", "drag after Beetstra, the whole force",
+     "F = 3 pi mu d u_r g(eps, Re_p), Re_p with the superficial slip",
+     "eps [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "F", "N",
+     EQUATION_BY(drag_beetstra_force)},
+    {"EW18:A.6", "factor to Stokes' law after Beetstra",
+     "g = 10 (1 - eps) / eps^2 + eps^2 (1 + 1.5 sqrt(1 - eps)) + 0.413 Re / "
+     "(24 eps^2) (1 / eps + 3 eps (1 - eps) + 8.4 Re^-0.343) / (1 + 10^(3 (1 - "
+     "eps)) Re^(-0.5 - 2 (1 - eps)))",
+     "eps [-], Re [-]", "g", "-", EQUATION_BY(drag_beetstra_factor)},
+    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
+
+/* Every drag law by its name. */
+
+static const char prefix[] = "drag:";
+
+/* Adds the keys that the law alone reads, without their group. */
+static void add_own_inputs(const struct key *keys, char *inputs)
+{
+    for (const struct key *k = keys; k != NULL && k->path != NULL; k++) {
+        const size_t used = strlen(inputs);
+        snprintf(inputs + used, EQUATIONS_INPUT_TEXT - used, ", %s [%s]",
+                 strrchr(k->path, '.') + 1, k->unit);
+    }
+}
+
+static int equations_drag(int i, struct equation *e)
+{
+    for (int k = 0; k <= i; k++)
+        if (drag_laws[k] == NULL) return 0;
+    const struct drag_law *const law = drag_laws[i];
+    *e = (struct equation){.what = law->what,
+                           .formula =
+                               "F = F_d / (3 pi mu d eps_f u_r), Re = eps_f "
+                               "rho_f d u_r / mu",
+                           .inputs = "eps_f [-], Re [-]",
+                           .out = "F",
+                           .unit = "-",
+                           .function = law->function};
+    snprintf(e->key, sizeof e->key, "%s%s", prefix, law->name);
+    add_own_inputs(law->own_keys, e->inputs);
+    return 1;
+}
+
+/* The drag over Stokes' law at the superficial slip eps_f u_r, x = eps_f and
+ * the Reynolds number of that slip: beta/eps_s of (9.7) over 18 mu eps_f/d^2.
+ * In units of d, rho_f and mu. The numbers of the law's own keys follow. */
+static double equations_drag_value(const struct equation *e, const double *x)
+{
+    struct drag_law law = *drag_law_named(e->key + strlen(prefix));
+
+    if (x[0] > 1.0 || x[1] < 0.0) return NAN;
+    for (int k = 0; law.own_keys != NULL && law.own_keys[k].path != NULL; k++)
+        law.own[k] = x[2 + k];
+    return drag_resistance(&law, x[0], 1.0, 1.0, 1.0, x[1] / x[0]) /
+           (18.0 * x[0]);
+}
 
 static const struct equation *const tables[] = {others, equations_forces,
                                                 equations_ew18, NULL};

@@ -1,18 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* case_flow.c -- the Courant number of a uniform flow, in the cell where it is
+/* check_flow.c -- how far the fluid moves in a step, and what the averaging
+ * keeps: the Courant number of a uniform flow, in the cell where it is
  * largest: U dt sum |S . e| / (2 V) with e the direction of the flow. An inlet
  * and a mean flow are taken to fill the mesh, a wall to move the cells that
  * touch it. */
-#include "case/report/case_flow.h"
+
+#include "tell/check.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "averaging/averaging.h"
+#include "averaging/averaging_method.h"
+#include "averaging/kernel/weights.h"
+#include "base/text.h"
 #include "base/vector.h"
+#include "case/build.h"
 #include "case/build_boundaries.h"
 #include "case/case_mesh.h"
 #include "mesh/measures.h"
+#include "mesh/mesh.h"
 
 /* The largest velocities [m/s], the largest Courant number over the step, and
  * the rate of viscous diffusion across a cell, nu / h^2 [1/s]. */
@@ -165,12 +173,6 @@ static struct rates rates_of(const struct settings *s)
     return r;
 }
 
-static void case_flow_line(const char *name, double value, const char *unit,
-                           const char *remark)
-{
-    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
-}
-
 /* The residual of the splitting enters the next step, so that the velocities
  * beside a wall alternate from step to step, by about fluid.piso_tolerance
  * times nu dt / h^2 of their difference, and the pressure from cell to cell.
@@ -185,29 +187,119 @@ static void print_viscous(const struct settings *s, double number)
         remark, sizeof remark,
         "HIGH: pressure, forces on walls to %.1g; fluid.piso_tolerance = %.0e",
         part, pow(10.0, floor(log10(1e-3 / number))));
-    case_flow_line("nu dt / h^2", number, "-", remark);
+    text_line("nu dt / h^2", number, "-", remark);
 }
 
-void case_flow_print(const struct settings *s, double dt, double eps_s)
+void check_flow(const struct settings *s, const struct case_scales *k)
 {
+    const double dt = k->dt, eps_s = k->particles > 0 ? CHECK_PACKED : 0.0;
     const struct rates r = rates_of(s);
     const double rate = r.courant / (1.0 - eps_s);
     char remark[64] = "of the flow as it enters, or as a wall moves it";
 
     puts("Flow");
-    case_flow_line("step", dt, "s", "");
+    text_line("step", dt, "s", "");
     if (r.inlet > 0.0)
-        case_flow_line("inlet", r.inlet, "m/s", "superficial, largest");
-    if (r.wall > 0.0)
-        case_flow_line("moving walls", r.wall, "m/s", "the fastest");
-    if (r.mean > 0.0) case_flow_line("mean flow", r.mean, "m/s", "superficial");
+        text_line("inlet", r.inlet, "m/s", "superficial, largest");
+    if (r.wall > 0.0) text_line("moving walls", r.wall, "m/s", "the fastest");
+    if (r.mean > 0.0) text_line("mean flow", r.mean, "m/s", "superficial");
     print_viscous(s, r.viscous * dt);
     if (rate <= 0.0) return;
     if (eps_s > 0.0)
         snprintf(remark, sizeof remark, "between grains at eps_s = %g", eps_s);
-    case_flow_line("CFL", rate * dt, "-", remark);
-    case_flow_line("step at CFL = 1", 1.0 / rate, "s",
-                   rate * dt <= 1.0
-                       ? "the step is below: accurate in time"
-                       : "the step is above: stable, not accurate");
+    text_line("CFL", rate * dt, "-", remark);
+    text_line("step at CFL = 1", 1.0 / rate, "s",
+              rate * dt <= 1.0 ? "the step is below: accurate in time"
+                               : "the step is above: stable, not accurate");
+}
+
+static const double report_threshold = 10e6; /* [byte] */
+
+/* Of the Gaussian, over the diameter: what chapter "Beds, compared with
+ * measurements" found for Mueller's bed. With 4 d its bubbles are smeared;
+ * below 1.5 d the fluid fraction follows single spheres. */
+static const double narrow = 1.5, wide = 3.0;
+
+/* Bandwidths in the height of a packed bed. With fewer of them the averaged
+ * solids fraction at its ends is low, and so is the drag: more gas is needed to
+ * fluidize the bed. */
+static const double few = 6.0;
+
+/* With weights at the centres of cells the bandwidth has to reach from one
+ * large cell to the next; otherwise the small cells beside it receive its
+ * share. */
+static void print_bandwidth(const struct mesh *m, double b, double S_c,
+                            double widths)
+{
+    double V, least, mean;
+
+    mesh_volumes(m, &least, &V, &mean);
+    text_line("bandwidth / S_c", b / S_c, "-", "");
+    if (cbrt(V) > 1.01 * S_c)
+        text_line("bandwidth / width of the largest cell", b / cbrt(V), "-",
+                  b < widths * cbrt(V)
+                      ? "LOW: smaller cells get too large a solid fraction"
+                      : "");
+}
+
+/* How wide the Gaussian is for the spheres and for a bed of them. */
+static void print_smearing(const struct settings *s, double b,
+                           const struct case_scales *k)
+{
+    double lo[3], size[3];
+    const int is_bed = s->effects.has_gravity && k->volume > 0.0;
+
+    if (k->d_most <= 0.0) return;
+    text_line("Gaussian's b / d", b / k->d_most, "-",
+              is_bed && b > wide * k->d_most
+                  ? "WIDE: bubbles are smeared; better 2 to 3"
+              : is_bed && b < narrow * k->d_most
+                  ? "NARROW: the fields show single spheres"
+                  : "of the largest particle");
+    if (settings_mesh(s) != NULL || !is_bed) return;
+    case_mesh_ends(s, lo, size);
+    const double height = k->volume / (CHECK_PACKED * size[0] * size[2]);
+    text_line("height of the packed bed / b", height / b, "-",
+              height < few * b
+                  ? "LOW: its ends are smeared, it fluidizes too late"
+                  : "at eps_s = 0.6");
+}
+
+/* One cell in the depth averages over all of it, whatever the bandwidth. */
+static void print_depth(const struct mesh *m, double b)
+{
+    const int n = m->box.n[2];
+    const double depth = m->hi[2] - m->lo[2];
+
+    if (m->face_centre != NULL || m->box.periodic[2]) return;
+    if (n > 1 || depth > 2.0 * b)
+        text_line("cells over the depth", n, "-",
+                  n == 1 ? "FEW: the depth is several bandwidths"
+                  : n * b < 0.5 * depth
+                      ? "FEW: they are wider than two bandwidths"
+                      : "");
+}
+
+void check_averaging(const struct settings *s, const struct case_scales *k)
+{
+    struct mesh *const m = case_mesh_outline(s);
+    const struct averaging_options o = build_averaging_options(s);
+    const double b = o.method->gaussian * o.bandwidth;
+    const int steps = averaging_check(o.method, m, &o); /* of Crank-Nicolson */
+    const double bytes = weights_bytes(o.method, m, k->d_most, &o);
+
+    puts("Averaging");
+    if (o.bandwidth > 0.0)
+        print_bandwidth(m, o.bandwidth, k->S_c, o.method->uniform_widths);
+    if (b > 0.0) {
+        print_smearing(s, b, k);
+        print_depth(m, b);
+    }
+    if (steps > 0)
+        text_line("averaging.steps", steps, "-",
+                  "needed: with fewer the fields undershoot");
+    if (bytes > report_threshold)
+        text_line("memory for the cells near each", 1e-6 * bytes, "MB",
+                  "about, besides that below");
+    mesh_free(m);
 }

@@ -1,0 +1,27 @@
+/* check.h -- `winnow check`: a case in derived numbers, before it is run. */
+#ifndef TELL_CHECK_H
+#define TELL_CHECK_H
+
+#include "case/checks/case_scales.h"
+#include "coupling/effect_scales.h"
+
+/* Solids fraction of a packed bed, where the interstitial velocity is largest
+ * [-]. */
+#define CHECK_PACKED 0.6
+
+/* Prints on stdout what follows from the case: resolution, time scales, chosen
+ * steps, cost. Returns the exit code, 0 or 2. */
+int check_case(const struct settings *s);
+
+/* Its sections: the Courant number of the flow as it enters; the bandwidth
+ * beside cells, particles and bed; relaxation times and what a bed asks for;
+ * attractions; every effect, named or not, and how the phases should be
+ * coupled; the next finer and the next coarser choices. */
+void check_flow(const struct settings *s, const struct case_scales *k);
+void check_averaging(const struct settings *s, const struct case_scales *k);
+void check_drag(const struct settings *s, const struct case_scales *k);
+void check_cohesion(const struct settings *s, const struct case_scales *k);
+void check_effects(const struct settings *s, const struct case_scales *k);
+void check_accuracy(const struct settings *s, const struct case_scales *k);
+
+#endif
