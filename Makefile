@@ -84,7 +84,7 @@ sanitized:
 style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
-	@sh tests/cli.sh $B/winnow
+	@sh tests/table.sh $B tests/tables/cli.txt
 kills: $B/winnow
 	@sh tests/kills.sh $B/winnow
 kills-slow: $B/winnow
@@ -94,7 +94,7 @@ free: $B/winnow
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
 study: $B/winnow
-	@sh tests/study.sh $B/winnow
+	@sh tests/table.sh $B tests/tables/study.txt
 pairs: $B/winnow
 	@sh tests/pairs.sh $B/winnow
 pairs-slow: $B/winnow

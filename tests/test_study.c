@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a study computes: choices, measures, truths, means with their errors,
- * orders. The processes are in tests/study.sh. */
+ * orders. The processes are in tests/tables/study.txt. */
 #include "case/resume/read_summary.h"
 #include "study/choices.h"
 #include "study/curve.h"
