@@ -2,7 +2,7 @@
 #include "fluid/fluid.h"
 #include "linear/ldu.h"
 #include "linear/fast/contiguous_faces.h"
-#include "linear/vec3.h"
+#include "linear/reduce.h"
 
 #include "facts.h"
 #include "linear_case.h"

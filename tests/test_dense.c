@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/multigrid/dense.h"
+#include "linear/multigrid/level_matrix.h"
 
 #include "facts.h"
 #include "linear_case.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/multigrid/pairwise_aggregation.h"
+#include "linear/multigrid/graph.h"
 
 #include "facts.h"
 #include "linear_case.h"
@@ -21,7 +21,7 @@ static struct step coarsen(struct links b)
                           b.link, b.V);
     s.parent = alloc_ints(b.n);
     s.bundle = alloc_ints(b.n_links);
-    s.coarse = pairwise_aggregation_coarsen(s.fine, s.parent, s.bundle);
+    s.coarse = graph_coarsened(s.fine, s.parent, s.bundle);
     return s;
 }
 

@@ -17,7 +17,7 @@
 #define AVERAGING_AVERAGING_H
 
 #include "averaging/averaging_method.h"
-#include "linear/report.h"
+#include "linear/cg.h"
 #include "mesh/mesh.h"
 #include "dem/particles.h"
 

@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"
 #include "base/vector.h"
-#include "linear/vec3.h"
+#include "linear/reduce.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"

@@ -31,7 +31,7 @@
 #include "fluid/shared_solution.h"
 #include "fluid/velocity_gradient.h"
 #include "fluid/time_scheme.h"
-#include "linear/report.h"
+#include "linear/cg.h"
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };

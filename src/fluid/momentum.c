@@ -17,7 +17,7 @@
 #include <string.h>
 
 #include "linear/face_loops.h"
-#include "linear/vec3.h"
+#include "linear/reduce.h"
 #include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"

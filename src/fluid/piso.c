@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "linear/vec3.h"
+#include "linear/reduce.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
 #include "fluid/time_levels.h"

@@ -10,7 +10,7 @@
 #ifndef FLUID_SHARED_SOLUTION_H
 #define FLUID_SHARED_SOLUTION_H
 
-#include "linear/report.h"
+#include "linear/cg.h"
 
 struct fluid;
 

@@ -9,7 +9,7 @@
 
 #include "base/parallel_ranges.h"
 #include "base/vector.h"
-#include "linear/vec3.h"
+#include "linear/reduce.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
 

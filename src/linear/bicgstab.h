@@ -11,7 +11,7 @@
 #define LINEAR_BICGSTAB_H
 
 #include "linear/ldu.h"
-#include "linear/report.h"
+#include "linear/cg.h"
 
 struct bicgstab_work;
 

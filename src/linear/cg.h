@@ -5,7 +5,17 @@
 #define LINEAR_CG_H
 
 #include "linear/preconditioned.h"
-#include "linear/report.h"
+
+/* The report of an iterative solver.
+ *
+ * The caller reads it: a solver never aborts and never hides that it failed.
+ */
+struct solve_report {
+    int iterations;
+    double before, after; /* [-] 2-norm of b - A x over its scale |b|_2, at
+                             entry and at return */
+    int converged;        /* 1: |b - A x| is not above what was asked for */
+};
 
 struct cg_work;
 

@@ -2,7 +2,7 @@
 #include "linear/faces.h"
 
 #include "linear/fast/contiguous_faces.h"
-#include "linear/vec3.h"
+#include "linear/reduce.h"
 
 #include <stddef.h>
 

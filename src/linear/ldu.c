@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"
-#include "linear/vec3.h"
+#include "linear/reduce.h"
 
 #include <stdlib.h>
 #include <string.h>

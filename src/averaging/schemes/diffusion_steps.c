@@ -11,7 +11,7 @@
 #include "averaging/diffusion_matrix.h"
 #include "base/alloc.h"
 #include "base/number.h"
-#include "linear/many/cg_many.h"
+#include "linear/cg_many.h"
 #include "linear/csr.h"
 #include "mesh/measures.h"
 

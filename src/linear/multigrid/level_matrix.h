@@ -4,7 +4,7 @@
  * It is symmetric, with the entry -g[l] for link l and a diagonal such that the
  * row sums are those given. The cycle works in single precision, with the
  * matrix times `unit`, and the outer iteration in double precision. It is
- * stored by diagonals for speed (linear/fast); the test compares that with
+ * stored by diagonals for speed (symmetric.c); the test compares that with
  * rows.
  */
 #ifndef LINEAR_MULTIGRID_LEVEL_MATRIX_H
@@ -36,5 +36,28 @@ struct level_matrix_kind {
 /* By diagonals, which the cycle uses; and the plain kind. */
 extern const struct level_matrix_kind level_matrix_bands;
 extern const struct level_matrix_kind level_matrix_rows;
+
+/* Of a matrix by diagonals: the links that are on none of those stored. */
+int symmetric_links_left(const void *data);
+
+/* Direct solution of a small symmetric system.
+ *
+ * A = L D L^T, L with a unit diagonal. If a pivot is zero within rounding (in a
+ * singular system, such as that of the pressure between walls), its unknown is
+ * set to zero, because a division would only amplify rounding errors.
+ */
+
+struct dense;
+
+struct dense *dense_create(int n);
+void dense_free(struct dense *D);
+
+/* Returns the matrix, n columns of n numbers, of which only the lower part is
+ * used. The caller fills it; dense_factor then factors it in place. */
+double *dense_matrix(struct dense *D);
+void dense_factor(struct dense *D);
+
+/* x = A^-1 b; x may be b. */
+void dense_solve(const struct dense *D, const double *b, double *x);
 
 #endif

@@ -2,7 +2,7 @@
 /* poly.c -- reads a mesh in OpenFOAM's format: cells of any number of faces,
  * faces of any number of points, in any order.
  *
- * Cells and faces are put in order (poly_order.h). Cyclic patches become inner
+ * Cells and faces are put in order (poly_order.c). Cyclic patches become inner
  * faces with periodic links.
  */
 #include "mesh/poly/poly.h"

@@ -9,7 +9,7 @@
 
 /* The mesh of the five files in dir, or in dir/polyMesh or
  * dir/constant/polyMesh, ascii or binary, packed by gzip or not; NULL after
- * one message on stderr. Cells and faces are renumbered (poly_order.h);
+ * one message on stderr. Cells and faces are renumbered (poly_order.c);
  * boundary faces stay in their patch. */
 struct mesh *poly_read(const char *dir);
 

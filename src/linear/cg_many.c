@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/many/cg_many.h"
+#include "linear/cg_many.h"
 
 #include "base/alloc.h"
 #include "base/field_groups.h"

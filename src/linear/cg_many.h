@@ -10,11 +10,11 @@
  * the field u of b = V u keeps sum_i V_i x_i to rounding: all residuals and
  * directions then have the sum, or the V-weighted sum, zero.
  */
-#ifndef LINEAR_MANY_CG_MANY_H
-#define LINEAR_MANY_CG_MANY_H
+#ifndef LINEAR_CG_MANY_H
+#define LINEAR_CG_MANY_H
 
 #include "linear/csr.h"
-#include "linear/report.h"
+#include "linear/cg.h"
 
 enum { CG_MANY_FIELDS = 16 }; /* at most */
 
