@@ -9,7 +9,6 @@
 #include "case/engine/case_engine.h"
 #include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
-#include "case/resolved/case_outlines.h"
 #include "record/case_statistics.h"
 #include "case/surfaces/case_surfaces.h"
 #include "case/keys.h"
@@ -55,7 +54,7 @@ struct settings *case_file_read(const char *file, int n_overrides,
     if (*code == 0) *code = case_memory_check(s, 0.0);
     if (*code == 0) *code = read_mesh(s);
     if (*code == 0) *code = mesh_check_cells(s);
-    case_outlines_keep(s);
+    if (*code == 0) case_bodies_keep(s);
     if (*code == 0) *code = validate_case(s);
     if (*code == 0) *code = case_surfaces_read(s);
     if (*code == 0) *code = case_scales_auto_step(s); /* with their centres */

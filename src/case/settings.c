@@ -8,7 +8,7 @@
 #include "case/meshes/read_mesh.h"
 #include "case/schema.h"
 #include "case/source.h"
-#include "case/resolved/case_outlines.h"
+#include "case/resolved/case_bodies.h"
 #include "case/surfaces/case_surfaces.h"
 #include "case/schema_check.h"
 
@@ -111,7 +111,7 @@ void settings_free(struct settings *s)
     if (s == NULL) return;
     case_population_release(s);
     case_surfaces_release(s);
-    case_outlines_release(s);
+    case_bodies_release(s);
     fill_release(s, s->text->tables);
     config_destroy(&s->text->tree);
     free(s->text->tables);

@@ -50,7 +50,7 @@ struct settings {
     struct effects_options effects;     /* each in the file of the effect */
     struct bodies_setup bodies;         /* resolved/bodies_setup.c */
     struct output_options output;       /* output/output_keys.c */
-    struct kept_outlines *outlines;     /* case/resolved/case_outlines.h */
+    struct case_bodies *all_bodies;     /* case/resolved/case_bodies.h */
     struct settings_text *text;         /* the case as it is written */
 };
 

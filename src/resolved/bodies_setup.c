@@ -3,7 +3,48 @@
  * bodies_setup that they fill. */
 #include "resolved/bodies_setup.h"
 
+#include "base/model.h"
+
+static const struct model is_free = {.name = "free", .value = BODY_FREE},
+                          is_fixed = {.name = "fixed", .value = BODY_FIXED},
+                          is_prescribed = {.name = "prescribed",
+                                           .value = BODY_PRESCRIBED},
+                          is_on_spring = {.name = "spring",
+                                          .value = BODY_SPRING};
+static const struct model *const motions[] = {
+    &is_free, &is_fixed, &is_prescribed, &is_on_spring, NULL};
+
 #define AT(member) .at = KEY_AT(bodies_setup, member)
+#define OF(member) .at = KEY_AT(body_setup, member)
+#define LIST_OF(number) AT(list[number]), .size = sizeof(struct body_setup)
+
+/* What rows of several lists have in common, after their paths. */
+#define ZERO "[0.0, 0.0, 0.0]"
+#define POSITION(what) KEY_VECTOR, "m", "", NULL, what, "", "", OF(position)
+#define DIAMETER KEY_REAL, "m", "> 0", NULL, "diameter", "", "", OF(diameter)
+#define SCALE(what) KEY_REAL, "-", "> 0", "1.0", what, "", "", OF(scale)
+#define DENSITY(who)                                                           \
+    KEY_REAL, "kg/m^3", "> 0", "", "density; asked for by " who, "EW18 2", "", \
+        OF(density)
+#define MOVES(words, first, what)                                              \
+    KEY_NAME, "", words, first, what, "", "", OF(motion), .choices = motions
+#define MOVES_FREELY                                                           \
+    MOVES("free | fixed | prescribed | spring", "free",                        \
+          "moved by the fluid; at rest; with velocity and spin as they are; "  \
+          "or moved against a spring")
+#define STANDS                                                                 \
+    MOVES("fixed | free | prescribed | spring", "fixed",                       \
+          "at rest; moved by fluid, particles and contacts; with velocity "    \
+          "and spin as they are; or moved against a spring")
+#define SPRING                                                                 \
+    KEY_VECTOR, "N/m", ">= 0", ZERO,                                           \
+        "stiffness along x, y, z; 0: it cannot move along that axis",          \
+        "LS section 5.5", "", OF(spring)
+#define VELOCITY                                                               \
+    KEY_VECTOR, "m/s", "", ZERO, "velocity at time 0", "", "", OF(velocity)
+#define SPIN(about)                                                            \
+    KEY_VECTOR, "rad/s", "", ZERO, "angular velocity at time 0" about, "", "", \
+        OF(spin)
 
 const struct key bodies_setup_keys[] = {
     {"bodies", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -12,119 +53,71 @@ const struct key bodies_setup_keys[] = {
     {"bodies.method", KEY_NAME, "", "", "hold", "how they hold the fluid",
      "LS 5.17-5.21", "", AT(method), .models = body_methods},
     {"bodies.spheres", KEY_LIST, "", "", "",
-     "each { position, diameter }, and what moves it", "EW18 2, 3", ""},
-    {"bodies.spheres.position", KEY_VECTOR, "m", "", NULL, "centre at time 0",
-     "", ""},
-    {"bodies.spheres.diameter", KEY_REAL, "m", "> 0", NULL, "diameter", "", ""},
-    {"bodies.spheres.density", KEY_REAL, "kg/m^3", "> 0", "",
-     "density; asked for by a free one, and by one on a spring", "EW18 2", ""},
-    {"bodies.spheres.motion", KEY_NAME, "",
-     "free | fixed | prescribed | spring", "free",
-     "moved by the fluid; at rest; with velocity and spin as they are; or "
-     "moved "
-     "against a spring",
-     "", ""},
-    {"bodies.spheres.spring", KEY_VECTOR, "N/m", ">= 0", "[0.0, 0.0, 0.0]",
-     "stiffness along x, y, z; 0: it cannot move along that axis",
-     "LS section 5.5", ""},
-    {"bodies.spheres.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
-     "velocity at time 0", "", ""},
-    {"bodies.spheres.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
-     "angular velocity at time 0", "", ""},
+     "each { position, diameter }, and what moves it", "EW18 2, 3", "",
+     LIST_OF(BODY_SPHERES)},
+    {"bodies.spheres.position", POSITION("centre at time 0")},
+    {"bodies.spheres.diameter", DIAMETER},
+    {"bodies.spheres.density", DENSITY("a free one, and by one on a spring")},
+    {"bodies.spheres.motion", MOVES_FREELY},
+    {"bodies.spheres.spring", SPRING},
+    {"bodies.spheres.velocity", VELOCITY},
+    {"bodies.spheres.spin", SPIN("")},
     {"bodies.boxes", KEY_LIST, "", "", "",
-     "each { position, size }, and what moves it", "EW18 2, 3", ""},
-    {"bodies.boxes.position", KEY_VECTOR, "m", "", NULL, "centre at time 0", "",
-     ""},
+     "each { position, size }, and what moves it", "EW18 2, 3", "",
+     LIST_OF(BODY_BOXES)},
+    {"bodies.boxes.position", POSITION("centre at time 0")},
     {"bodies.boxes.size", KEY_VECTOR, "m", "> 0", NULL,
-     "length of its edges, along x, y, z", "", ""},
-    {"bodies.boxes.rotation", KEY_VECTOR, "rad", "", "[0.0, 0.0, 0.0]",
+     "length of its edges, along x, y, z", "", "", OF(size)},
+    {"bodies.boxes.rotation", KEY_VECTOR, "rad", "", ZERO,
      "how it is turned at time 0: the direction is the axis, the length the "
      "angle",
-     "", ""},
-    {"bodies.boxes.motion", KEY_NAME, "", "fixed | free | prescribed | spring",
-     "fixed",
-     "at rest; moved by fluid, particles and contacts; with velocity and spin "
-     "as they are; or moved against a spring",
-     "", ""},
-    {"bodies.boxes.spring", KEY_VECTOR, "N/m", ">= 0", "[0.0, 0.0, 0.0]",
-     "stiffness along x, y, z; 0: it cannot move along that axis",
-     "LS section 5.5", ""},
-    {"bodies.boxes.density", KEY_REAL, "kg/m^3", "> 0", "",
-     "density; asked for by one that is moved", "EW18 2", ""},
-    {"bodies.boxes.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
-     "velocity at time 0", "", ""},
-    {"bodies.boxes.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
-     "angular velocity at time 0", "", ""},
+     "", "", OF(rotation)},
+    {"bodies.boxes.motion", STANDS},
+    {"bodies.boxes.spring", SPRING},
+    {"bodies.boxes.density", DENSITY("one that is moved")},
+    {"bodies.boxes.velocity", VELOCITY},
+    {"bodies.boxes.spin", SPIN("")},
     {"bodies.cylinders", KEY_LIST, "", "", "",
      "each { position, diameter, length, axis }, and what moves it",
-     "EW18 2, 3", ""},
-    {"bodies.cylinders.position", KEY_VECTOR, "m", "", NULL, "centre at time 0",
-     "", ""},
-    {"bodies.cylinders.diameter", KEY_REAL, "m", "> 0", NULL, "diameter", "",
-     ""},
+     "EW18 2, 3", "", LIST_OF(BODY_CYLINDERS)},
+    {"bodies.cylinders.position", POSITION("centre at time 0")},
+    {"bodies.cylinders.diameter", DIAMETER},
     {"bodies.cylinders.length", KEY_REAL, "m", "> 0", NULL,
-     "length; twice the box for one without ends", "", ""},
+     "length; twice the box for one without ends", "", "", OF(length)},
     {"bodies.cylinders.axis", KEY_VECTOR, "-", "", "[0.0, 0.0, 1.0]",
-     "direction of its axis", "", ""},
-    {"bodies.cylinders.motion", KEY_NAME, "",
-     "fixed | free | prescribed | spring", "fixed",
-     "at rest; moved by fluid, particles and contacts; with velocity and spin "
-     "as they are; or moved against a spring",
-     "", ""},
-    {"bodies.cylinders.spring", KEY_VECTOR, "N/m", ">= 0", "[0.0, 0.0, 0.0]",
-     "stiffness along x, y, z; 0: it cannot move along that axis",
-     "LS section 5.5", ""},
-    {"bodies.cylinders.density", KEY_REAL, "kg/m^3", "> 0", "",
-     "density; asked for by one that is moved", "EW18 2", ""},
-    {"bodies.cylinders.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
-     "velocity at time 0", "", ""},
-    {"bodies.cylinders.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
-     "angular velocity at time 0", "", ""},
+     "direction of its axis", "", "", OF(axis)},
+    {"bodies.cylinders.motion", STANDS},
+    {"bodies.cylinders.spring", SPRING},
+    {"bodies.cylinders.density", DENSITY("one that is moved")},
+    {"bodies.cylinders.velocity", VELOCITY},
+    {"bodies.cylinders.spin", SPIN("")},
     {"bodies.clumps", KEY_LIST, "", "", "",
-     "each { file, position }, spheres that are one body", "EW18 2, 3", ""},
+     "each { file, position }, spheres that are one body", "EW18 2, 3", "",
+     LIST_OF(BODY_CLUMPS)},
     {"bodies.clumps.file", KEY_FILE, "", "", NULL,
-     "lines of x y z d [m], a sphere each; they may overlap", "", ""},
-    {"bodies.clumps.scale", KEY_REAL, "-", "> 0", "1.0",
-     "factor of all numbers in the file", "", ""},
-    {"bodies.clumps.position", KEY_VECTOR, "m", "", NULL,
-     "where the origin of the file is at time 0", "", ""},
-    {"bodies.clumps.motion", KEY_NAME, "", "free | fixed | prescribed | spring",
-     "free",
-     "moved by the fluid; at rest; with velocity and spin as they are; or "
-     "moved against a spring",
-     "", ""},
-    {"bodies.clumps.spring", KEY_VECTOR, "N/m", ">= 0", "[0.0, 0.0, 0.0]",
-     "stiffness along x, y, z; 0: it cannot move along that axis",
-     "LS section 5.5", ""},
-    {"bodies.clumps.density", KEY_REAL, "kg/m^3", "> 0", "",
-     "density; asked for by one that is moved", "EW18 2", ""},
-    {"bodies.clumps.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
-     "velocity at time 0", "", ""},
-    {"bodies.clumps.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
-     "angular velocity at time 0, about its centroid", "", ""},
+     "lines of x y z d [m], a sphere each; they may overlap", "", "", OF(file)},
+    {"bodies.clumps.scale", SCALE("factor of all numbers in the file")},
+    {"bodies.clumps.position",
+     POSITION("where the origin of the file is at time 0")},
+    {"bodies.clumps.motion", MOVES_FREELY},
+    {"bodies.clumps.spring", SPRING},
+    {"bodies.clumps.density", DENSITY("one that is moved")},
+    {"bodies.clumps.velocity", VELOCITY},
+    {"bodies.clumps.spin", SPIN(", about its centroid")},
     {"bodies.surfaces", KEY_LIST, "", "", "",
      "each { file, position }, a body within a closed surface of triangles",
-     "EW18 4", ""},
+     "EW18 4", "", LIST_OF(BODY_SURFACES)},
     {"bodies.surfaces.file", KEY_FILE, "", "", NULL,
-     "an STL file whose triangles close", "", ""},
-    {"bodies.surfaces.scale", KEY_REAL, "-", "> 0", "1.0",
-     "factor of all numbers in the file: 1e-3 if they are mm", "", ""},
-    {"bodies.surfaces.position", KEY_VECTOR, "m", "", NULL,
-     "where the origin of the file is at time 0", "", ""},
-    {"bodies.surfaces.motion", KEY_NAME, "",
-     "fixed | free | prescribed | spring", "fixed",
-     "at rest; moved by fluid, particles and contacts; with velocity and spin "
-     "as they are; or moved against a spring",
-     "", ""},
-    {"bodies.surfaces.spring", KEY_VECTOR, "N/m", ">= 0", "[0.0, 0.0, 0.0]",
-     "stiffness along x, y, z; 0: it cannot move along that axis",
-     "LS section 5.5", ""},
-    {"bodies.surfaces.density", KEY_REAL, "kg/m^3", "> 0", "",
-     "density; asked for by one that is moved", "EW18 2", ""},
-    {"bodies.surfaces.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
-     "velocity at time 0", "", ""},
-    {"bodies.surfaces.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
-     "angular velocity at time 0, about its centroid", "", ""},
+     "an STL file whose triangles close", "", "", OF(file)},
+    {"bodies.surfaces.scale",
+     SCALE("factor of all numbers in the file: 1e-3 if they are mm")},
+    {"bodies.surfaces.position",
+     POSITION("where the origin of the file is at time 0")},
+    {"bodies.surfaces.motion", STANDS},
+    {"bodies.surfaces.spring", SPRING},
+    {"bodies.surfaces.density", DENSITY("one that is moved")},
+    {"bodies.surfaces.velocity", VELOCITY},
+    {"bodies.surfaces.spin", SPIN(", about its centroid")},
     {"bodies.virtual_mass", KEY_REAL, "-", ">= 0", "2.0",
      "C_v: fluid of so many volumes counts on both sides of the motion, which "
      "keeps light bodies stable; a light, thin or small one gets more",

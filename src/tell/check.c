@@ -206,7 +206,7 @@ int check_case(const struct settings *s)
     if (k.particles > 0) check_cohesion(s, &k);
     surfaces_part_print(s, &k);
     case_engine_print(s, &k);
-    case_bodies_report(s, &k);
+    case_bodies_report(s);
     case_statistics_print(s);
     if (s->has.fluid) check_flow(s, &k);
     if (s->has.averaging) check_averaging(s, &k);

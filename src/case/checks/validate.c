@@ -387,6 +387,6 @@ int validate_case(struct settings *s)
     if (code == 0 && is_auto) code = case_steps_check(s);
     if (code == 0 && s->has.averaging) code = case_averaging_check(s);
     if (code == 0) code = case_engine_check(s);
-    if (code == 0) code = case_bodies_check_start(s);
+    if (code == 0) code = case_bodies_check(s);
     return code != 0 ? code : check_output(s);
 }

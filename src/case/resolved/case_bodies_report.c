@@ -2,32 +2,26 @@
 /* case_bodies_report.c -- what `check` says of the bodies. */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
-#include "base/vector.h"
 #include "base/text.h"
-#include "case/particle_options.h"
-#include "case/resolved/case_blocks.h"
+#include "base/vector.h"
 #include "case/resolved/case_bodies.h"
-#include "case/resolved/case_outlines.h"
 #include "resolved/body_numbers.h"
 
-static const char *const list = case_bodies_spheres;
-
-/* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
+/* [EW18 6, 8, 9] of the first free sphere, with the velocity of a fall through
  * its own diameter without drag, V = sqrt(|rho_r - 1| g d). */
 static void report_numbers(const struct settings *s)
 {
+    const int n = s->bodies.list[BODY_SPHERES].n;
+    const struct body_setup *b = s->bodies.list[BODY_SPHERES].item, *const end =
+                                                                        b + n;
     const double rho = s->fluid.rho;
-    int i = 0;
 
-    while (i < settings_length(s, list) && !case_bodies_is(s, list, i, "free"))
-        i++;
-    if (i == settings_length(s, list)) return;
-    if (!s->effects.has_gravity) return;
-    const double d = settings_item_real(s, list, i, "diameter"),
-                 ratio = body_numbers_density_ratio(
-                     settings_item_real(s, list, i, "density"), rho),
+    while (b < end && b->motion != BODY_FREE)
+        b++;
+    if (b == end || !s->effects.has_gravity) return;
+    const double d = b->diameter,
+                 ratio = body_numbers_density_ratio(b->density, rho),
                  V = sqrt(fabs(ratio - 1.0) *
                           vector_length(s->effects.gravity) * d),
                  Re = body_numbers_reynolds(rho, V, d, s->fluid.mu);
@@ -47,78 +41,58 @@ struct extremes {
     int free;
 };
 
-/* [m]; HUGE_VAL if its file cannot be read. */
-static double case_bodies_report_width_of(const struct settings *s,
-                                          const char *of, int i)
+static double width_of(const struct case_body *b) /* [m] */
 {
-    double R[2], width = HUGE_VAL;
-
-    if (of == list ||
-        (of == case_blocks_cylinders && !case_bodies_is(s, of, i, "free")))
-        return settings_item_real(s, of, i, "diameter");
-    if (of == case_outlines_clumps) {
-        case_outlines_radii(s, i, R);
-        return 2.0 * R[0];
-    }
-    struct body_outline *const o = case_outlines_read(s, of, i);
-    if (o != NULL) width = o->width;
-    body_outline_free(o);
-    return width;
+    if (b->list == BODY_SPHERES ||
+        (b->list == BODY_CYLINDERS && b->says->motion != BODY_FREE))
+        return b->says->diameter;
+    return b->list == BODY_CLUMPS ? 2.0 * b->R_min : b->outline->width;
 }
 
-/* Of the cells around number i, the largest width [m]. A cylinder along an axis
+/* Of the cells around a body, the largest width [m]. A cylinder along an axis
  * has the same shape in each layer of them. */
-static double cell_width(const struct settings *s, const char *of, int i)
+static double cell_width(const struct settings *s, const struct case_body *b)
 {
-    double h[3], widest = 0.0;
+    double widest = 0.0;
 
-    case_bodies_cell_widths(s, h);
-    if (of == case_blocks_cylinders) {
-        const struct body_shape shape = case_blocks_shape(s, of, i);
-        for (int k = 0; k < 3; k++)
-            if (body_shape_along(&shape, k)) h[k] = 0.0;
-    }
     for (int k = 0; k < 3; k++)
-        widest = fmax(widest, h[k]);
+        if (b->list != BODY_CYLINDERS || !body_shape_along(&b->plain, k))
+            widest = fmax(widest, s->all_bodies->h[k]);
     return widest;
 }
 
-static void look_at_free(const struct settings *s, const char *of, int i,
-                         struct extremes *e)
+static struct extremes extremes_of(const struct settings *s)
 {
-    const double rho = s->fluid.rho, C_v = case_bodies_virtual_mass(s, of, i);
+    const struct case_bodies *const c = s->all_bodies;
+    struct extremes e = {.d = HUGE_VAL, .cells = HUGE_VAL, .ratio = HUGE_VAL};
 
-    e->free++;
-    e->ratio = fmin(e->ratio, settings_item_real(s, of, i, "density") / rho);
-    e->C_v = fmax(e->C_v, C_v);
+    for (const struct case_body *b = c->item; b < c->item + c->n; b++) {
+        const int free = b->says->motion == BODY_FREE;
+        e.speed = fmax(e.speed, vector_length(b->says->velocity));
+        if (!free && (b->list == BODY_BOXES || b->list == BODY_SURFACES))
+            continue; /* parts of walls, often */
+        e.d = fmin(e.d, width_of(b));
+        e.cells = fmin(e.cells, width_of(b) / cell_width(s, b));
+        if (!free) continue;
+        e.free++;
+        e.ratio = fmin(e.ratio, b->says->density / s->fluid.rho);
+        e.C_v = fmax(e.C_v, case_bodies_virtual_mass(s, b));
+    }
+    return e;
 }
 
-static void case_bodies_report_look_at(const struct settings *s, const char *of,
-                                       struct extremes *e)
+static int count_of(const struct settings *s, enum body_list a,
+                    enum body_list b)
 {
-    for (int i = 0; i < settings_length(s, of); i++) {
-        const int free = case_bodies_is(s, of, i, "free");
-        double v[3];
-        settings_item_vector(s, of, i, "velocity", v);
-        e->speed = fmax(e->speed, vector_length(v));
-        if (!free && (of == case_blocks_boxes || of == case_outlines_surfaces))
-            continue; /* parts of walls, often */
-        const double width = case_bodies_report_width_of(s, of, i);
-        e->d = fmin(e->d, width);
-        e->cells = fmin(e->cells, width / cell_width(s, of, i));
-        if (free) look_at_free(s, of, i, e);
-    }
+    return s->bodies.list[a].n + s->bodies.list[b].n;
 }
 
 static void report_counts(const struct settings *s)
 {
-    const int outlines = settings_length(s, case_outlines_clumps) +
-                         settings_length(s, case_outlines_surfaces);
+    const int outlines = count_of(s, BODY_CLUMPS, BODY_SURFACES);
 
-    text_line("spheres", settings_length(s, list), "-", "");
-    text_line("boxes and cylinders",
-              settings_length(s, case_blocks_boxes) +
-                  settings_length(s, case_blocks_cylinders),
+    text_line("spheres", s->bodies.list[BODY_SPHERES].n, "-", "");
+    text_line("boxes and cylinders", count_of(s, BODY_BOXES, BODY_CYLINDERS),
               "-", "");
     if (outlines > 0)
         text_line("clumps and closed surfaces", outlines, "-", "");
@@ -198,19 +172,13 @@ static void report_viscous(const struct settings *s, double number, int free)
                   : "the drag does not depend on it");
 }
 
-void case_bodies_report(const struct settings *s,
-                        const struct case_scales *scales)
+void case_bodies_report(const struct settings *s)
 {
-    struct extremes e = {.d = HUGE_VAL, .cells = HUGE_VAL, .ratio = HUGE_VAL};
-    double h[3];
-
-    (void)scales;
     if (!s->has.bodies) return;
-    case_bodies_cell_widths(s, h);
+    const struct extremes e = extremes_of(s);
+    const double *const h = s->all_bodies->h;
     const double dt = s->fluid.dt, nu = s->fluid.mu / s->fluid.rho,
                  narrowest = fmin(h[0], fmin(h[1], h[2]));
-    for (int l = 0; case_bodies_lists[l] != NULL; l++)
-        case_bodies_report_look_at(s, case_bodies_lists[l], &e);
     puts("Bodies");
     report_counts(s);
     if (e.cells < HUGE_VAL)
