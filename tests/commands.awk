@@ -3,7 +3,7 @@
 # CODE is the exit code that the text promises: <!-- exit 3 --> above the lines; 0
 # without one.
 #
-#   awk -f tests/commands.awk README.md chapters/*.md chapters/steps/README.md
+#   awk -f tests/commands.awk README.md chapters/*.md chapters/*/*.md
 FNR == 1 { fenced = code = 0; command = "" }
 /^```/ { fenced = !fenced }
 fenced { next }

@@ -124,7 +124,8 @@ cd "$top" || exit 1
 compile
 first src/tell/equation_index_rows.o
 first tests/winnow_main.o
-awk -f tests/commands.awk README.md chapters/*.md chapters/steps/README.md >"$work/commands"
+awk -f tests/commands.awk README.md chapters/*.md chapters/manual/*.md \
+    chapters/journal/*.md chapters/steps/README.md >"$work/commands"
 while read -r where code command; do
     # shellcheck disable=SC2086 # words
     try "$where" "$code" $command

@@ -28,7 +28,7 @@ end
 local function is_caption(block)
   local first = block and block.t == "Para" and block.content[1]
   local mark = first and first.t == "Strong" and pandoc.utils.stringify(first)
-  return mark and (mark == "Sketch." or mark:match("^Figure %d+%.%d+%.$"))
+  return mark and (mark == "Sketch." or mark:match("^Figure [%d.]+$"))
 end
 
 local function figure(image, caption)

@@ -11,12 +11,15 @@ colours=
 [ "${2:-}" != plain ] || colours=--no-highlight
 tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
-pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
 steps=
-[ ! -d chapters/steps ] || steps=chapters/steps \
-    pages="$pages chapters/steps/README.md $(find chapters/steps -name "step-*.md" | LC_ALL=C sort)"
-[ ! -f chapters/course.md ] || pages="$pages chapters/course.md"
-pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
+[ ! -d chapters/steps ] || steps=chapters/steps
+# The pages in the order of the plan, README.md; then what it does not name.
+pages=$({
+    sed -n 's/^| \[[^]]*\](\([^)]*[.]md\)).*/chapters\/\1/p' chapters/README.md
+    find chapters -name '*.md' ! -path '*/solutions/*' ! -path '*/steps/*' \
+        ! -path chapters/README.md | LC_ALL=C sort
+} | awk '!seen[$0]++ { print }
+    /steps\/README/ { while (("ls chapters/steps/step-*.md" | getline step) > 0) print step }')
 
 command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
 rm -rf "$out"

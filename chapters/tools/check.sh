@@ -21,12 +21,13 @@ step() {
 
 text() {
     # shellcheck disable=SC2046 # one word a file
-    step awk -f "$tools/text.awk" chapters/*.md chapters/solutions/*.md \
+    step awk -f "$tools/text.awk" $(find chapters -name '*.md' ! -path '*/steps/*' | LC_ALL=C sort) \
         $(find src tests chapters/steps -name '*.[ch]')
     step sh "$tools/weave.sh" check
     step sh "$tools/ledger.sh" check
     step sh "$tools/unshown.sh" check
-    awk -v half=1 -f "$tools/listings.awk" chapters/[0-9]*.md
+    # shellcheck disable=SC2046
+    awk -v half=1 -f "$tools/listings.awk" $(find chapters -name '[0-9]*.md' ! -path '*/solutions/*')
 }
 
 results() {

@@ -17,6 +17,7 @@ awk -v ledger=chapters/ledger.txt -v pending=chapters/pending.txt \
     -v left="$left" -f "$tools/c.awk" -f "$tools/cite.awk" \
     -f "$tools/table.awk" -f "$tools/ledger.awk" \
     $(find src tests -name '*.[ch]' | LC_ALL=C sort) chapters/[0-9]*.md \
+    $(find chapters/manual chapters/journal -name '*.md' 2>/dev/null | LC_ALL=C sort) \
     >"$new" || failed=1
 
 if [ "$mode" = check ]; then

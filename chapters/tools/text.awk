@@ -1,6 +1,6 @@
 # text.awk -- checks what the chapters say, before anything is rendered.
 #
-#   awk -f c.awk -f text.awk chapters/*.md SOURCES
+#   awk -f c.awk -f text.awk PAGES SOURCES
 #
 # Headings and equations are numbered as the file is, every reference leads to
 # an equation or a source that exists, every link to a file, every name in the

@@ -16,6 +16,7 @@ names=
 # shellcheck disable=SC2046 # one word a file
 awk -v exempt=chapters/unshown.txt -v names=$names -f "$tools/c.awk" \
     -f "$tools/unshown.awk" chapters/[0-9]*.md \
+    $(find chapters/manual chapters/journal -name '*.md' 2>/dev/null) \
     $(find src -name '*.[ch]' | LC_ALL=C sort) >"$list"
 failed=$?
 if [ "${1:-}" = check ]; then tail -1 "$list"; else cat "$list"; fi

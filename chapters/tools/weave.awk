@@ -96,7 +96,8 @@ function directive(line,    words, n, text, mark) {
 function caption(line,    mark, n, words, i, out) {
     mark = FILENAME
     sub(/.*\//, "", mark)
-    mark = sketch ? "**Sketch.**" : "**Figure " (mark + 0) "." ++figures ".**"
+    mark = sketch ? "**Sketch.**" : \
+           "**Figure " (mark + 0 ? mark + 0 "." : "") ++figures ".**"
     if (line ~ /^\*\*(Figure|Sketch)/) {
         sub(/^\*\*(Figure|Sketch)[^*]*\*\*/, mark, line)
         return line
@@ -131,7 +132,7 @@ function see_image(line) {
     before = line
 }
 
-FNR == 1 { chaptered = FILENAME ~ /[0-9][0-9]-[a-z0-9-]*[.]md$/ && FILENAME !~ /solutions/ }
+FNR == 1 { chaptered = FILENAME ~ /\/([0-9][0-9]-|journal\/|manual\/)[^\/]*[.]md$/ && FILENAME !~ /solutions/ }
 
 {
     line = $0

@@ -10,11 +10,14 @@ new=$(mktemp)
 trap 'rm -f "$new"' EXIT
 failed=0
 
-for chapter in chapters/*.md chapters/solutions/*.md; do
-    # equations.md is made by ledger.sh, and README.md shows the directives.
-    case $chapter in */equations.md | */README.md) continue ;; esac
-    if ! awk -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
-        "$chapter" >"$new"; then
+for chapter in $(find chapters -name '*.md' ! -path '*/steps/*' | LC_ALL=C sort); do
+    # equations.md is made by ledger.sh. README.md shows the directives, and has minutes.
+    case $chapter in
+    */equations.md) continue ;;
+    */README.md) set -- -f "$tools/minutes.awk" ;;
+    *) set -- -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" ;;
+    esac
+    if ! awk "$@" "$chapter" >"$new"; then
         failed=1
     elif cmp -s "$chapter" "$new"; then
         :
