@@ -131,7 +131,8 @@ long_headers='averaging/averaging.h averaging/diffusion.h base/key.h base/parall
 coupling/coupling.h dem/bed.h dem/cohesion/attraction_sweep.h dem/contact.h
 dem/dem.h dem/fast/bodies.h dem/fast/chunk.h dem/fast/contact_sweep.h
 dem/fast/neighbours.h dem/fast/sweep_buffers.h dem/fast/sweep_energy.h
-dem/fast/sweep_rolling.h fluid/fluid.h fluid/piso.h linear/face_loops.h mesh/mesh.h'
+dem/fast/sweep_rolling.h fluid/fluid.h fluid/piso.h linear/face_loops.h mesh/mesh.h study/curve.h study/outcome.h
+study/plan.h'
 
 lengths() {
     # shellcheck disable=SC2086 # one word a file

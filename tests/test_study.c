@@ -2,14 +2,7 @@
 /* What a study computes: choices, measures, truths, means with their errors,
  * orders. The processes are in tests/tables/study.txt. */
 #include "case/resume/read_summary.h"
-#include "study/choices.h"
-#include "study/curve.h"
-#include "study/measure.h"
-#include "study/plan.h"
-#include "study/results.h"
-#include "study/runs.h"
-#include "study/statistics.h"
-#include "study/truth.h"
+#include "study/outcome.h"
 
 #include "facts.h"
 #include "scratch.h"
@@ -25,8 +18,8 @@ static struct choices two_choices(void)
     struct choices c = {0};
 
     ck_assert_int_eq(choices_add(&c, "a.step=4e-3, 2e-3,1e-3"), 0);
-    ck_assert_int_eq(choices_add(&c, "mesh.cells:b=[8,4,1]:\"x,y\",[16,4,1]:z"),
-                     0);
+    ck_assert_int_eq(
+        choices_add(&c, "mesh.cells:threads=[8,4,1]:\"x,y\",[16,4,1]:z"), 0);
     return c;
 }
 
@@ -37,14 +30,14 @@ START_TEST(values_split_at_top_level_commas_and_keys_cross)
     struct texts set = {0};
 
     ck_assert_int_eq(choices_variants(&c), 6);
-    choices_overrides(&c, 3, "b", &set); /* entries 1 and 1 */
+    choices_overrides(&c, 3, &set); /* entries 1 and 1 */
     ck_assert_int_eq(set.n, 2);
     ck_assert_str_eq(set.text[0], "a.step=2e-3");
     ck_assert_str_eq(set.text[1], "mesh.cells=[16,4,1]");
-    ck_assert_str_eq(choices_value(&c, 3, "b"), "z");
+    ck_assert_str_eq(choices_value(&c, 3, "threads"), "z");
     texts_free(&set);
     char *const label = choices_label(&c, 2, 0);
-    ck_assert_str_eq(label, "cells=[8,4,1], b=\"x,y\"");
+    ck_assert_str_eq(label, "cells=[8,4,1], threads=\"x,y\"");
     free(label);
     ck_assert_int_eq(choices_with(&c, 3, 0, 2), 5);
     choices_free(&c);
@@ -58,9 +51,9 @@ START_TEST(a_value_as_is_sets_nothing)
     struct texts set = {0};
 
     ck_assert_int_eq(choices_add(&c, "effects.saffman=as-is, {}"), 0);
-    choices_overrides(&c, 0, "", &set);
+    choices_overrides(&c, 0, &set);
     ck_assert_int_eq(set.n, 0);
-    choices_overrides(&c, 1, "", &set);
+    choices_overrides(&c, 1, &set);
     ck_assert_int_eq(set.n, 1);
     ck_assert_str_eq(set.text[0], "effects.saffman={}");
     texts_free(&set);
@@ -104,15 +97,13 @@ START_TEST(richardson_finds_the_order_and_the_limit)
 
     for (int i = 0; i < 3; i++)
         q[i] = 3.0 + 0.7 * pow(h[i], 1.6);
-    const double p =
-        statistics_richardson(h, fabs(q[1] - q[0]) / fabs(q[2] - q[1]));
+    const double p = curve_richardson(h, fabs(q[1] - q[0]) / fabs(q[2] - q[1]));
     /* bisected to 1e-17 of the interval; the powers round */
     ck_assert_double_eq_tol(p, 1.6, 1e-12);
     const double q_0 = q[2] + (q[2] - q[1]) / (pow(h[1] / h[2], p) - 1.0);
     ck_assert_double_eq_tol(q_0, 3.0, 1e-12);
-    ck_assert_double_eq_tol(statistics_order(1.0, 0.7, 0.5, 0.7 / 8.0), 3.0,
-                            1e-14);
-    ck_assert_double_nan(statistics_richardson(h, 0.5)); /* they part */
+    ck_assert_double_eq_tol(curve_order(1.0, 0.7, 0.5, 0.7 / 8.0), 3.0, 1e-14);
+    ck_assert_double_nan(curve_richardson(h, 0.5)); /* they part */
 }
 END_TEST
 
@@ -138,10 +129,10 @@ START_TEST(changes_that_turn_back_or_are_chance_have_no_order)
                          line_of(5.0, 10.0, 1.0)};
 
     ck_assert_double_eq_tol(
-        statistics_richardson(h, curve_changes(&of[0], &of[1], &of[2])), 2.0,
+        curve_richardson(h, curve_changes(&of[0], &of[1], &of[2])), 2.0,
         1e-12); /* bisected */
     ck_assert_double_eq_tol(curve_changes(&of[0], &of[1], &of[3]), -4.0, 1e-14);
-    ck_assert_double_nan(statistics_richardson(h, -4.0));
+    ck_assert_double_nan(curve_richardson(h, -4.0));
     ck_assert_double_nan(curve_changes(&of[0], &of[1], &of[4]));
     for (int i = 0; i < 5; i++)
         curve_free(&of[i]);
@@ -185,10 +176,10 @@ START_TEST(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean)
     for (int i = 1; i < N; i++)
         x[i] = phi * x[i - 1] + gsl_ran_gaussian(rng, 1.0);
     const double exact = 1.0 / (1.0 - phi) / sqrt(N);
-    const double found = statistics_block_error(N, x);
+    const double found = curve_block_error(N, x);
     ck_assert_double_gt(found, 0.7 * exact);
     ck_assert_double_lt(found, 1.6 * exact);
-    ck_assert_double_lt(statistics_error(N, x), 0.3 * exact);
+    ck_assert_double_lt(curve_scatter(N, x), 0.3 * exact);
     free(x);
     gsl_rng_free(rng);
 }

@@ -5,7 +5,7 @@
 #include "case/schema.h"
 #include "facts.h"
 #include "scratch.h"
-#include "study/study_words.h"
+#include "study/plan.h"
 
 /* A line break, an escape code, its one-byte form, delete, the shortest. */
 static const char *const controls[] = {"\\n", "\\x1b[2J", "\xc2\x9b", "\\x7f",
@@ -84,7 +84,7 @@ static int refused(const struct key *const *tables)
 START_TEST(no_key_takes_a_text_with_a_control_character)
 {
     const struct key *tables[CASE_FILE_TABLES];
-    const struct key *const of_study[] = {study_words_keys, NULL};
+    const struct key *const of_study[] = {plan_keys, NULL};
 
     case_file_tables(tables);
     ck_assert_int_ge(refused(tables), 20);

@@ -2,6 +2,8 @@
 #include "base/text.h"
 
 #include <ctype.h>
+#include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Bytes of the control character that begins here, or 0. Terminals take some of
@@ -92,4 +94,30 @@ void text_line(const char *name, double value, const char *unit,
                const char *remark)
 {
     printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
+}
+
+const char *texts_add(struct texts *t, const char *format, ...)
+{
+    va_list values;
+    char *text;
+    size_t length;
+    FILE *const out = open_memstream(&text, &length);
+
+    va_start(values, format);
+    vfprintf(out, format, values);
+    va_end(values);
+    fclose(out);
+    t->text = realloc(t->text, ((size_t)t->n + 2) * sizeof *t->text);
+    if (t->text == NULL) exit(4);
+    t->text[t->n] = text;
+    t->text[++t->n] = NULL;
+    return text;
+}
+
+void texts_free(struct texts *t)
+{
+    for (int i = 0; i < t->n; i++)
+        free(t->text[i]);
+    free(t->text);
+    *t = (struct texts){0};
 }

@@ -38,4 +38,15 @@ void text_put(FILE *out, const char *text, enum text_target target);
 void text_line(const char *name, double value, const char *unit,
                const char *remark);
 
+/* A growing list of texts. */
+struct texts {
+    int n;
+    char **text; /* ended by NULL, once there is one */
+};
+
+/* Adds a text as printf makes it, and returns it; the list owns it. */
+const char *texts_add(struct texts *t, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+void texts_free(struct texts *t);
+
 #endif

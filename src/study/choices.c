@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "study/choices.h"
+#include "study/plan.h"
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "study/study.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The value that leaves a key as the case has it, there or not. */
+static const char as_is[] = "as-is";
 
 /* The length of the text up to the separator, or to its end, outside of
  * brackets and quotes; *open is set if one of these is not closed. */
@@ -33,10 +35,8 @@ static size_t length_to(const char *text, char separator, int *open)
 /* Adds the part without blanks around it. */
 static void add_trimmed(struct texts *t, const char *text, size_t length)
 {
-    while (length > 0 && strchr(" \t\n", text[0]) != NULL) {
+    for (; length > 0 && strchr(" \t\n", text[0]) != NULL; length--)
         text++;
-        length--;
-    }
     while (length > 0 && strchr(" \t\n", text[length - 1]) != NULL)
         length--;
     texts_add(t, "%.*s", (int)length, text);
@@ -137,12 +137,7 @@ static const char *choices_check_keys(const struct choices *c,
     return NULL;
 }
 
-static void choice_free(struct choice *c)
-{
-    texts_free(&c->key);
-    texts_free(&c->value);
-}
-
+/* A choice that is wrong is there as well, to be freed. */
 int choices_add(struct choices *c, const char *text)
 {
     struct choice one = {0};
@@ -150,20 +145,18 @@ int choices_add(struct choices *c, const char *text)
 
     if (why == NULL && is_entry_twice(&one)) why = "a value is there twice";
     if (why == NULL) why = choices_check_keys(c, &one.key);
-    if (why != NULL) {
-        choice_free(&one);
-        return study_wrong("%s: %s", text, why);
-    }
     c->of = realloc(c->of, ((size_t)c->n + 1) * sizeof *c->of);
     if (c->of == NULL) exit(4);
     c->of[c->n++] = one;
-    return 0;
+    return why == NULL ? 0 : plan_wrong("%s: %s", text, why);
 }
 
 void choices_free(struct choices *c)
 {
-    for (int i = 0; i < c->n; i++)
-        choice_free(&c->of[i]);
+    for (int i = 0; i < c->n; i++) {
+        texts_free(&c->of[i].key);
+        texts_free(&c->of[i].value);
+    }
     free(c->of);
     *c = (struct choices){0};
 }
@@ -197,8 +190,7 @@ int choices_with(const struct choices *c, int variant, int i, int entry)
     return variant + (entry - choices_entry(c, variant, i)) * stride(c, i);
 }
 
-void choices_overrides(const struct choices *c, int variant, const char *but,
-                       struct texts *set)
+void choices_overrides(const struct choices *c, int variant, struct texts *set)
 {
     for (int i = 0; i < c->n; i++) {
         const struct choice *const of = &c->of[i];
@@ -206,9 +198,9 @@ void choices_overrides(const struct choices *c, int variant, const char *but,
 
         for (int k = 0; k < of->key.n && (variant >= 0 || of->n == 1); k++) {
             const char *const value = choices_in_entry(of, entry, k);
-            if (strcmp(of->key.text[k], but) == 0) continue;
-            if (strcmp(value, CHOICES_AS_IS) == 0) continue;
-            texts_add(set, "%s=%s", of->key.text[k], value);
+            if (strcmp(of->key.text[k], PLAN_THREADS) != 0 &&
+                strcmp(value, as_is) != 0)
+                texts_add(set, "%s=%s", of->key.text[k], value);
         }
     }
 }
@@ -318,13 +310,21 @@ static int ends_with(const char *text, const char *end)
     return n >= m && strcmp(text + n - m, end) == 0;
 }
 
-int choices_is_reversed(const struct choice *c)
+void choices_tell_reversed(const struct choices *c)
 {
-    const double first = choices_number(c, 0),
-                 last = choices_number(c, c->n - 1);
+    for (int i = 0; i < c->n; i++) {
+        const struct choice *const of = &c->of[i];
+        const char *const key = of->key.text[0];
+        const double first = choices_number(of, 0),
+                     last = choices_number(of, of->n - 1);
 
-    return (ends_with(c->key.text[0], ".cells") && last < first) ||
-           (ends_with(c->key.text[0], ".step") && last > first);
+        if ((ends_with(key, ".cells") && last < first) ||
+            (ends_with(key, ".step") && last > first))
+            fprintf(stderr,
+                    "%s goes from fine to coarse; its last value, %s, counts "
+                    "as the finest\n",
+                    key, choices_in_entry(of, of->n - 1, 0));
+    }
 }
 
 int choices_axis(const struct choices *c)

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "study/measure.h"
+#include "study/curve.h"
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/tables/input.h"
 #include "record/history.h"
 #include "case/nearest.h"
 #include "record/profiles.h"
 #include "record/recorder_part.h"
 #include "case/resume/read_summary.h"
-#include "study/results.h"
-#include "study/statistics.h"
-#include "study/study.h"
+#include "study/plan.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -31,7 +30,7 @@ static const char in_summary[] =
 
 static int measure_refuse(const struct measure *m, const char *why)
 {
-    return study_wrong("measure %s: %s", m->text, why);
+    return plan_wrong("measure %s: %s", m->text, why);
 }
 
 /* --- what is meant -------------------------------------------------------- */
@@ -83,28 +82,23 @@ static int numbered(const char *name, const char *word)
                : (int)number;
 }
 
-static const struct history_column *in_columns(const struct history_column *c,
-                                               const char *name)
+static int is_column(const struct history_column *c, const char *name)
 {
     const size_t n = strlen(name);
 
-    while (c->name != NULL &&
-           (strncmp(c->name, name, n) != 0 || c->name[n] != ' '))
-        c++;
-    return c->name != NULL ? c : NULL;
+    return strncmp(c->name, name, n) == 0 && c->name[n] == ' ';
 }
 
 /* Those of all runs, or of a folder. */
 static const struct history_column *in_history(const char *name)
 {
-    const struct history_column *found = NULL;
-
-    for (int i = 0; history_tables[i] != NULL && found == NULL; i++)
-        found = in_columns(history_tables[i]->columns, name);
-    for (int i = 0; recorder_parts[i] != NULL && found == NULL; i++)
-        if (recorder_parts[i]->columns != NULL)
-            found = in_columns(recorder_parts[i]->columns, name);
-    return found;
+    HISTORY_EACH(t, c)
+    if (is_column(c, name)) return c;
+    for (int i = 0; recorder_parts[i] != NULL; i++)
+        for (const struct history_column *c = recorder_parts[i]->columns;
+             c != NULL && c->name != NULL; c++)
+            if (is_column(c, name)) return c;
+    return NULL;
 }
 
 /* 1 if a case has what a column of the history needs, as far as it says. */
@@ -134,29 +128,27 @@ static int probe_of(const struct settings *s, const char *field)
     return -1;
 }
 
-/* Offers a word that ends at a blank. */
-static void measure_offer(struct nearest *n, const char *word)
-{
-    char name[MEASURE_NAME];
-
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(word, " "), word);
-    nearest_offer(n, name);
-}
-
 static int measure_unknown(const struct measure *m)
 {
     struct nearest n;
+    char name[MEASURE_NAME];
 
     nearest_init(&n, m->name);
     HISTORY_EACH(t, c)
-    measure_offer(&n, c->name);
-    for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL;)
-        measure_offer(&n, ++at);
+    {
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(c->name, " "),
+                 c->name);
+        nearest_offer(&n, name);
+    }
+    for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL; at++) {
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 1, " "), at + 1);
+        nearest_offer(&n, name);
+    }
     const char *const best = nearest_best(&n);
-    return study_wrong("measure %s: no column of history.csv or probes.csv is "
-                       "called so, and no number of summary.json%s%s%s",
-                       m->text, best != NULL ? "; did you mean " : "",
-                       best != NULL ? best : "", best != NULL ? "?" : "");
+    return plan_wrong("measure %s: no column of history.csv or probes.csv is "
+                      "called so, and no number of summary.json%s%s%s",
+                      m->text, best != NULL ? "; did you mean " : "",
+                      best != NULL ? best : "", best != NULL ? "?" : "");
 }
 
 /* Where the measure is found in the folder of a run. */
@@ -224,6 +216,113 @@ int measure_parse(struct measure *m, const char *text, const struct settings *s)
                : 0;
 }
 
+/* --- the tables of a run --------------------------------------------------*/
+
+static const char blanks[] = " \t\r";
+
+/* The names of a head line, which lasts for `length` bytes. */
+static void take_names(struct measure_table *t, const char *line, size_t length)
+{
+    const char *const end = line + length - (line[length - 1] == '\r');
+
+    t->n_columns = 1;
+    for (const char *p = line; p < end; p++)
+        t->n_columns += *p == ',';
+    t->name = alloc_zeroed((size_t)t->n_columns, sizeof *t->name);
+    for (int i = 0; i < t->n_columns; i++) {
+        const char *const comma = memchr(line, ',', (size_t)(end - line));
+        const char *const stop = comma != NULL ? comma : end;
+        t->name[i] = strndup(line, (size_t)(stop - line));
+        line = stop + 1;
+    }
+}
+
+/* One row of numbers, nan where a field is empty; 0 if the line is not one. */
+static int take_row(struct measure_table *t, const char *line)
+{
+    double *const row = t->value + t->n_columns * t->n_rows;
+
+    for (int i = 0; i < t->n_columns; i++) {
+        const char *const ends = i + 1 < t->n_columns ? "," : "\n";
+        char *end;
+
+        line += strspn(line, blanks);
+        row[i] = NAN;
+        if (*line != '\0' && strchr(",\n", *line) == NULL) {
+            row[i] = strtod(line, &end);
+            if (end == line) return 0;
+            line = end + strspn(end, blanks);
+        }
+        if (*line != *ends && !(*line == '\0' && *ends == '\n')) return 0;
+        line++;
+    }
+    t->n_rows++;
+    return 1;
+}
+
+/* Takes the head and the rows of a text; the number of the first line that is
+ * none of them, or 0. */
+static int take_lines(struct measure_table *t, const char *text)
+{
+    int lines = 1; /* the last may have no end */
+
+    for (const char *at = text; (at = strchr(at, '\n')) != NULL; at++)
+        lines++;
+    for (int line = 1; line <= lines; line++) {
+        const size_t length = strcspn(text, "\n");
+        const char c = text[strspn(text, blanks)];
+        const int counts = c != '#' && c != '\n' && c != '\0';
+
+        if (counts && t->name == NULL) {
+            take_names(t, text, length);
+            t->value = alloc_doubles(t->n_columns * lines);
+        } else if (counts && !take_row(t, text))
+            return line;
+        text += length + 1;
+    }
+    return 0;
+}
+
+struct measure_table *measure_table_read(const char *path, int *wrong)
+{
+    const char *why;
+    size_t length;
+    char *const text = input_text(path, &length, &why);
+    struct measure_table *const t = alloc_zeroed(1, sizeof *t);
+    char *const last = text != NULL ? strrchr(text, '\n') : NULL;
+
+    if (last != NULL && wrong == NULL) last[1] = '\0';
+    const int line = text != NULL ? take_lines(t, text) : 0;
+    if (wrong != NULL) *wrong = text == NULL ? -1 : line;
+    free(text);
+    if (line == 0 && t->n_rows > 0) return t;
+    measure_table_free(t);
+    return NULL;
+}
+
+void measure_table_free(struct measure_table *t)
+{
+    if (t == NULL) return;
+    for (int i = 0; i < t->n_columns; i++)
+        free(t->name[i]);
+    free(t->name);
+    free(t->value);
+    free(t);
+}
+
+/* The column of a name without its unit; of a probe, "us_y(0.1 0.2 0.3) [m/s]",
+ * the name of the field will do. -1 if there is none. */
+static int table_column(const struct measure_table *t, const char *name)
+{
+    const size_t n = strlen(name);
+
+    for (int i = 0; i < t->n_columns; i++)
+        if (strncmp(t->name[i], name, n) == 0 &&
+            strchr(" (", t->name[i][n]) != NULL)
+            return i;
+    return -1;
+}
+
 /* --- what was found ------------------------------------------------------- */
 
 static struct curve point(double x, double value, double error)
@@ -238,7 +337,7 @@ static struct curve point(double x, double value, double error)
 
 /* The column with the standard error of a mean, "u_x_error" of "u_x_mean"; -1
  * if there is none. */
-static int error_column(const struct results_table *t, int column)
+static int error_column(const struct measure_table *t, int column)
 {
     const char *const name = t->name[column];
     const char *const end = strstr(name, "_mean ");
@@ -246,12 +345,12 @@ static int error_column(const struct results_table *t, int column)
 
     if (end == NULL) return -1;
     snprintf(error, sizeof error, "%.*s_error", (int)(end - name), name);
-    return results_column(t, error);
+    return table_column(t, error);
 }
 
 /* Of a table in time the last row that was due; where the run ends it has one
  * more, sooner after that than those before are apart. */
-static double last_due(const struct results_table *t, double last)
+static double last_due(const struct measure_table *t, double last)
 {
     double at[3] = {last}; /* [s] the last three times; some have many rows */
     int n = 1;
@@ -267,7 +366,7 @@ static double last_due(const struct results_table *t, double last)
 /* The rows that count: first and last column, from .. to. In a mean each stands
  * for the time between two of them, and one that was not due for less. */
 static struct curve measure_within(const struct measure *m,
-                                   const struct results_table *t, int column)
+                                   const struct measure_table *t, int column)
 {
     const int error = error_column(t, column), mean = m->how == MEASURE_MEAN;
     const double last = t->value[(t->n_rows - 1) * t->n_columns];
@@ -298,11 +397,13 @@ static struct curve reduced(const struct measure *m, const struct curve *c)
     int at = 0;
 
     if (m->how == MEASURE_MEAN)
-        return point(NAN, statistics_mean(c->n, c->value),
-                     statistics_block_error(c->n, c->value));
-    if (m->how == MEASURE_LAST && isfinite(m->from))
-        return point(m->from, statistics_between(c->n, c->x, c->value, m->from),
-                     0.0);
+        return point(NAN, curve_average(c->n, c->value),
+                     curve_block_error(c->n, c->value));
+    if (m->how == MEASURE_LAST && isfinite(m->from)) {
+        const int beyond = /* one row, of another time */
+            c->n == 1 && fabs(m->from - c->x[0]) > 2e-9 * fabs(c->x[0]);
+        return point(m->from, beyond ? NAN : curve_at(c, m->from, NULL), 0.0);
+    }
     if (m->how == MEASURE_LAST)
         return point(c->x[c->n - 1], c->value[c->n - 1], 0.0);
     for (int i = 1; i < c->n; i++)
@@ -312,9 +413,9 @@ static struct curve reduced(const struct measure *m, const struct curve *c)
 }
 
 static struct curve from_table(const struct measure *m,
-                               const struct results_table *t)
+                               const struct measure_table *t)
 {
-    const int column = m->column >= 0 ? m->column : results_column(t, m->name);
+    const int column = m->column >= 0 ? m->column : table_column(t, m->name);
     struct measure all = *m;
 
     if (column < 0 || column >= t->n_columns) return (struct curve){0};
@@ -335,9 +436,9 @@ struct curve measure_take(const struct measure *m, const char *folder)
         return isfinite(value) ? point(NAN, value, 0.0) : found;
     }
     char *const path = file_join(folder, m->file);
-    struct results_table *const t = results_table_read(path, NULL);
+    struct measure_table *const t = measure_table_read(path, NULL);
     if (t != NULL) found = from_table(m, t);
-    results_table_free(t);
+    measure_table_free(t);
     free(path);
     return found;
 }

@@ -3,7 +3,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "study/statistics.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -42,13 +41,13 @@ static double least_cost(const struct outcomes *o, int v, int k,
 static double outcome_cost_of(const struct outcomes *o, int v,
                               const struct measure *m, double *scatter)
 {
-    const int n = o->plan->words.seeds;
+    const int n = o->plan->seeds;
     double *const least = alloc_doubles(n);
 
     for (int k = 0; k < n; k++)
         least[k] = least_cost(o, v, k, m);
-    const double mean = statistics_mean(n, least);
-    *scatter = fmax(statistics_error(n, least),
+    const double mean = curve_average(n, least);
+    *scatter = fmax(curve_scatter(n, least),
                     is_time(m) ? scatter_of_time * mean : 0.0);
     free(least);
     return mean;
@@ -57,8 +56,7 @@ static double outcome_cost_of(const struct outcomes *o, int v,
 static struct curve mean_of_seeds(const struct outcomes *o, int v,
                                   const struct measure *m)
 {
-    struct curve *const of =
-        alloc_zeroed((size_t)o->plan->words.seeds, sizeof *of);
+    struct curve *const of = alloc_zeroed((size_t)o->plan->seeds, sizeof *of);
     struct curve mean = {0};
     int n = 0;
 
@@ -122,7 +120,7 @@ static struct last_three last_of(const struct outcomes *o, int v, int m)
                       .found;
         l.h[k] = choices_size(axis, entry);
     }
-    l.p = statistics_richardson(l.h, curve_changes(l.c[0], l.c[1], l.c[2]));
+    l.p = curve_richardson(l.h, curve_changes(l.c[0], l.c[1], l.c[2]));
     return l;
 }
 
@@ -134,8 +132,7 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
 
     *uncertainty = 0.0;
     if (t->kind == TRUTH_NONE) return NAN;
-    if (t->kind == TRUTH_FUNCTION || t->kind == TRUTH_TABLE)
-        return truth_value(t, x);
+    if (t->kind <= TRUTH_TABLE) return truth_value(t, x);
     if (t->kind == TRUTH_FINEST)
         return curve_at(&o->variant[finest(o)].of[m].found, x,
                         v == finest(o) ? NULL : uncertainty);
@@ -224,9 +221,8 @@ static double order_of(const struct outcomes *o, int v, int m)
     if (!outcome_is_resolved(fine) || !outcome_is_resolved(coarse) ||
         outcome_is_chance(fine, coarse))
         return NAN;
-    return statistics_order(choices_size(&c->of[o->axis], entry - 1),
-                            coarse->error, choices_size(&c->of[o->axis], entry),
-                            fine->error);
+    return curve_order(choices_size(&c->of[o->axis], entry - 1), coarse->error,
+                       choices_size(&c->of[o->axis], entry), fine->error);
 }
 
 struct outcomes outcomes_create(const struct plan *p, int n_runs,

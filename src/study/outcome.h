@@ -1,5 +1,11 @@
-/* outcome.h -- the runs of a study as results: what each variant costs, what it
- * gives, how far that is from the truth, and how sure all this is.
+/* outcome.h -- the runs of a study, each a process of its own; what they come
+ * to; and what the study writes and says of it.
+ *
+ * A run is `winnow run CASE -s ... -o DIR/runs/NAME -j 1 --quiet`. Its folder
+ * also holds variant.txt, which says what it is a run of, and log.txt, what it
+ * said. A run whose summary tells of its end, and whose variant.txt is the same
+ * as now, is not done again. It has a checksum of all values of the case, its
+ * defaults, and the contents of the files that it names.
  *
  * The error of a measure is the root mean square of its difference from the
  * truth over that of the truth; of one number |q - q_0| / |q_0|. Its standard
@@ -9,7 +15,39 @@
 #define STUDY_OUTCOME_H
 
 #include "study/plan.h"
-#include "study/runs.h"
+
+struct run {
+    int variant, seed, time; /* [-] which of each, from 0 */
+    char *name;              /* of its folder */
+    char *folder;            /* DIR/runs/NAME */
+    char *identity;          /* what variant.txt says */
+    unsigned long contents;  /* checksum of the case, overrides and all */
+    struct texts overrides;
+    double expected; /* [s] processor time, roughly; only ratios count */
+    int code;        /* exit code; below 0 if it has not ended */
+};
+
+/* Codes of a run that has not ended; exit codes of one that was refused, or
+ * that could not write, which is no result of it. */
+enum { RUN_GOES_ON = -2, RUN_TO_DO = -1, RUN_REFUSED = 2, RUN_NOT_WRITTEN = 4 };
+
+/* The runs of a plan: for each variant its seeds, for each of them its
+ * repetitions. *n is their number. NULL with *code 2 or 4 after a message, or
+ * 130 if a signal came. */
+struct run *runs_create(const struct plan *p, int *n, int *code);
+void runs_free(int n, struct run *runs);
+
+/* The variant that the case itself is, defaults included; what is set for all
+ * runs counts as the case's. -1 if none is. */
+int runs_standing(const struct plan *p, int n, const struct run *runs);
+
+/* Finds out which have ended before; returns how many. */
+int runs_find_ended(int n, struct run *runs);
+
+/* Does those that have not ended, p->jobs at a time, with progress on stderr.
+ * 0; or after a message 4 if something could not be written, 130 if a signal
+ * came: the runs have then been told to stop. */
+int runs_perform(const struct plan *p, int n, struct run *runs);
 
 /* One measure of one variant. */
 struct finding {
@@ -51,19 +89,34 @@ void outcomes_free(struct outcomes *o);
  * last three do not approach each other, or the truth is no extrapolation. */
 double outcomes_fitted_order(const struct outcomes *o, int variant, int m);
 
-/* 1 if the error of the measure is surely within the limit: by two standard
- * errors. */
+/* By two standard errors: 1 if the error is surely within the limit; if it is
+ * larger than chance explains; if chance explains the difference of two. */
 int outcome_is_within(const struct finding *f, double limit);
-
-/* 1 if chance explains the difference of two errors, up to two standard errors
- * of it. */
+int outcome_is_resolved(const struct finding *f);
 int outcome_is_chance(const struct finding *a, const struct finding *b);
 
 /* 1 if two variants cost the same, as far as can be told: up to two standard
  * errors of the difference, and times up to a tenth. */
 int outcome_costs_the_same(const struct outcome *a, const struct outcome *b);
 
-/* 1 if the error is larger than chance explains, two standard errors. */
-int outcome_is_resolved(const struct finding *f);
+/* What a study writes and says:
+ *
+ *     study.csv    a row a run: its choices, processor seconds in all and wall
+ *                  seconds by part, steps, memory, each measure with its truth,
+ *                  its error and the standard error of that
+ *     study.md     a row a variant, orders, and the advice: which variant is
+ *                  the cheapest within 5 %, 1 %, 0.1 % of the truth, and the
+ *                  case as it stands beside it
+ *     study.svg, study.png, study.gp
+ *                  error against cost, the script with its data
+ *
+ * Non-zero after a message if a file could not be written; a picture that could
+ * not be drawn, for want of gnuplot, is told and nothing else. */
+int report_write(const struct outcomes *o);
+void report_advice(const struct outcomes *o, FILE *out);
+int outcome_draw(const struct outcomes *o);
+
+/* A file in the folder of the study, to be committed; NULL after a message. */
+struct file *report_file(const struct plan *p, const char *name);
 
 #endif

@@ -1,36 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "study/study.h"
+/* study.c -- `winnow study`: error against time, for any choice in any case. */
+#include "study/outcome.h"
 
-#include "base/alloc.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "case/command.h"
-#include "study/outcome.h"
-#include "study/plan.h"
-#include "study/runs.h"
-#include "study/study_report.h"
-#include "study/study_words.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-int study_wrong(const char *format, ...)
-{
-    va_list values;
-
-    fputs("winnow: study: ", stderr);
-    va_start(values, format);
-    vfprintf(stderr, format, values);
-    va_end(values);
-    fputc('\n', stderr);
-    return 2;
-}
 
 static void print_plan(const struct plan *p, int n, struct run *runs)
 {
@@ -44,7 +25,7 @@ static void print_plan(const struct plan *p, int n, struct run *runs)
     }
     printf("%d runs, %d of them done; the others take about %.3g s of "
            "processor time, after settling, %d at a time\n",
-           n, ended, seconds, p->words.jobs);
+           n, ended, seconds, p->jobs);
 }
 
 /* The folder, kept for this study as long as the descriptor is open; negative
@@ -52,10 +33,10 @@ static void print_plan(const struct plan *p, int n, struct run *runs)
 static int lock_folder(const struct plan *p)
 {
     struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    char *const path = file_join(p->words.dir, "study.lock");
+    char *const path = file_join(p->dir, "study.lock");
     int file = -1;
 
-    if (file_make_dirs(p->words.dir) == 0) {
+    if (file_make_dirs(p->dir) == 0) {
         file = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file < 0)
             fprintf(stderr, "winnow: cannot write %s: %s\n", path,
@@ -65,7 +46,7 @@ static int lock_folder(const struct plan *p)
         fprintf(stderr,
                 "winnow: another study works in %s; wait for its end, or "
                 "choose another folder with -o\n",
-                p->words.dir);
+                p->dir);
         close(file);
         file = -1;
     }
@@ -77,7 +58,7 @@ static int lock_folder(const struct plan *p)
  * stays below the study's own. */
 static int leads_elsewhere(const struct plan *p, int n, const struct run *runs)
 {
-    char *const above = file_join(p->words.dir, "runs");
+    char *const above = file_join(p->dir, "runs");
     const char *link = NULL;
     struct stat s;
 
@@ -94,16 +75,14 @@ static int leads_elsewhere(const struct plan *p, int n, const struct run *runs)
     return link != NULL;
 }
 
-static int study_report(const struct plan *p, int n, const struct run *runs)
+static int tell(const struct plan *p, int n, const struct run *runs)
 {
     struct outcomes o = outcomes_create(p, n, runs);
-    const int failed = study_report_runs(&o) != 0 ||
-                       study_report_variants(&o) != 0 ||
-                       study_report_picture(&o) != 0;
+    const int failed = report_write(&o) != 0 || outcome_draw(&o) != 0;
 
-    if (!failed && !p->words.quiet) {
-        study_report_advice(&o, stdout);
-        printf("see %s/study.md, study.csv and study.svg\n", p->words.dir);
+    if (!failed && !p->quiet) {
+        report_advice(&o, stdout);
+        printf("see %s/study.md, study.csv and study.svg\n", p->dir);
     }
     outcomes_free(&o);
     return failed ? RUN_NOT_WRITTEN : 0;
@@ -119,10 +98,10 @@ static int perform(const struct plan *p, int n, struct run *runs)
         return code;
     }
     const int before = runs_find_ended(n, runs);
-    if (before > 0 && !p->words.quiet)
+    if (before > 0 && !p->quiet)
         fprintf(stderr, "%d of %d runs were done before\n", before, n);
     code = runs_perform(p, n, runs);
-    if (code == 0) code = study_report(p, n, runs);
+    if (code == 0) code = tell(p, n, runs);
     close(file);
     return code;
 }
@@ -135,7 +114,7 @@ static int study(const struct command_line *l)
     int n, code = plan_create(&p, l->n_words, l->words);
     if (code != 0) return code;
     struct run *const runs = runs_create(&p, &n, &code);
-    if (runs != NULL && p.words.dry)
+    if (runs != NULL && p.dry)
         print_plan(&p, n, runs);
     else if (runs != NULL)
         code = perform(&p, n, runs);
@@ -148,7 +127,7 @@ static int study(const struct command_line *l)
 
 const struct command study_command = {
     "study",
-    STUDY_ARGUMENTS,
+    PLAN_ARGUMENTS,
     "variants of a case, or those of a study file: what accuracy costs",
     NULL,
     1,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* study_picture.c -- error against cost, drawn by gnuplot.
+/* picture.c -- error against cost, drawn by gnuplot.
  *
  * A panel a measure, two of them one above the other, so that its letters can
  * be read at half the width of a page. A line goes along the axis; lines differ
@@ -7,14 +7,14 @@
  * to tell them apart. The grey steps are the front: the least error that so
  * much buys.
  */
-#include "study/study_report.h"
+#include "study/outcome.h"
 
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "base/text.h"
 #include "output/pictures/gnuplot.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,8 +59,7 @@ static int next_line(const struct outcomes *o, int m, int first)
 
 /* cost, error [%], its lower and upper end (two standard errors), value of the
  * axis. */
-static void study_picture_put_point(const struct outcomes *o, int m, int v,
-                                    FILE *out)
+static void picture_put_point(const struct outcomes *o, int m, int v, FILE *out)
 {
     const struct finding *const f = &o->variant[v].of[m];
     const double low = fmax(f->error - 2.0 * f->uncertainty, 1e-2 * f->error);
@@ -76,8 +75,7 @@ static void study_picture_put_point(const struct outcomes *o, int m, int v,
 
 /* 1 if the variant costs more than the last of the front, and is better by more
  * than chance. */
-static int study_picture_goes_on(const struct outcomes *o, int m, int last,
-                                 int v)
+static int picture_goes_on(const struct outcomes *o, int m, int last, int v)
 {
     const struct outcome *const of = &o->variant[v];
 
@@ -93,15 +91,15 @@ static void put_front(const struct outcomes *o, int m, FILE *out)
     for (int last = -1, next; last < o->n; last = next) {
         next = o->n;
         for (int v = 0; v < o->n; v++)
-            if (study_picture_goes_on(o, m, last, v) &&
+            if (picture_goes_on(o, m, last, v) &&
                 (next == o->n || o->variant[v].cost < o->variant[next].cost))
                 next = v;
-        if (next < o->n) study_picture_put_point(o, m, next, out);
+        if (next < o->n) picture_put_point(o, m, next, out);
     }
 }
 
 /* Blocks of data: $front, and one for each line by its first variant. */
-static void study_picture_put_data(const struct outcomes *o, int m, FILE *out)
+static void picture_put_data(const struct outcomes *o, int m, FILE *out)
 {
     fputs("# cost, error [%], its ends at two standard errors, axis\n"
           "$front << END\n",
@@ -112,7 +110,7 @@ static void study_picture_put_data(const struct outcomes *o, int m, FILE *out)
         fprintf(out, "$line%d << END\n", l);
         for (int v = 0; v < o->n; v++)
             if (is_on(o, l, v) && is_shown(o, m, v))
-                study_picture_put_point(o, m, v, out);
+                picture_put_point(o, m, v, out);
         fputs("END\n", out);
     }
 }
@@ -168,8 +166,8 @@ static void put_labels(const struct plan *p, int m, FILE *out)
     fputs(" font ',15' noenhanced offset 0,-0.5\n", out);
 }
 
-/* The range of an axis and its marks: decades; 1, 2, 5 of each where there are
- * few of them; more where the range is narrow. */
+/* The range of an axis of logarithms and its marks: decades; 1, 2, 5 of each
+ * where there are few of them; more where the range is narrow. */
 static void put_range(const char *axis, double low, double high, FILE *out)
 {
     static const char *const marks[] = {"1", "2", "5",   "1.2", "1.5",
@@ -178,15 +176,13 @@ static void put_range(const char *axis, double low, double high, FILE *out)
     const int last = number_clamped(ceil(log10(high)), -300, 300);
     const int every = last - first > 8 ? 2 : 1;
     const int n = high < 6.0 * low ? 10 : last - first <= 3 ? 3 : 1;
-    const char *between = "";
 
     fprintf(out, "set %srange [%.4g:%.4g]\nset %stics (", axis, low, high,
             axis);
     for (int d = first; d <= last; d += every)
-        for (int i = 0; i < n; i++) {
-            fprintf(out, "%s%se%d", between, marks[i], d);
-            between = ", ";
-        }
+        for (int i = 0; i < n; i++)
+            fprintf(out, "%s%se%d", d > first || i > 0 ? ", " : "", marks[i],
+                    d);
     fputs(")\n", out);
 }
 
@@ -195,23 +191,15 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     double low[2] = {INFINITY, INFINITY}, high[2] = {0.0, 0.0};
 
     for (int v = 0; v < o->n; v++) {
-        const struct outcome *const of = &o->variant[v];
-        const struct finding *const f = &of->of[m];
+        const struct finding *const f = &o->variant[v].of[m];
         if (!is_shown(o, m, v)) continue;
-        low[0] = fmin(low[0], of->cost);
-        high[0] = fmax(high[0], of->cost);
+        low[0] = fmin(low[0], o->variant[v].cost);
+        high[0] = fmax(high[0], o->variant[v].cost);
         low[1] = fmin(low[1], 100.0 * f->error);
         high[1] = fmax(high[1], 100.0 * (f->error + 2.0 * f->uncertainty));
     }
     put_range("x", low[0] / 1.3, 1.6 * high[0], out);
     put_range("y", low[1] / 2.0, 1.6 * high[1], out);
-}
-
-static int study_picture_compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
 }
 
 /* The orders of a line: their median, the higher of two; nan if there are
@@ -224,35 +212,32 @@ static double median_order(const struct outcomes *o, int m, int first)
     for (int v = 0; v < o->n; v++)
         if (is_on(o, first, v) && isfinite(o->variant[v].of[m].order))
             orders[n++] = o->variant[v].of[m].order;
-    qsort(orders, (size_t)n, sizeof *orders, study_picture_compare);
+    gsl_sort(orders, 1, (size_t)n);
     const double median = n > 0 ? orders[n / 2] : NAN;
     free(orders);
     return median;
 }
 
-/* What a line is called; to be freed. */
-static char *title_of(const struct outcomes *o, int m, int first)
+/* What a line is called. */
+static void put_title(const struct outcomes *o, int m, int first, FILE *out)
 {
     char *const label = choices_label(&o->plan->choices, first, o->axis);
     const double order = median_order(o, m, first);
-    char *text;
-    size_t length;
-    FILE *const out = open_memstream(&text, &length);
+    char title[4 * MEASURE_NAME], end[32] = "";
 
-    fputs(label[0] != '\0' ? label : "error", out);
-    if (isfinite(order)) fprintf(out, ", order %.2g", order);
-    fclose(out);
+    if (isfinite(order)) snprintf(end, sizeof end, ", order %.2g", order);
+    snprintf(title, sizeof title, "%.*s%s", (int)(sizeof title - sizeof end),
+             label[0] != '\0' ? label : "error", end);
+    text_put(out, title, TEXT_GNUPLOT);
     free(label);
-    return text;
 }
 
 /* One line of the plot command: its points, with error bars where there are
  * any. */
-static void study_picture_put_line(const struct outcomes *o, int m, int first,
-                                   int number, FILE *out)
+static void picture_put_line(const struct outcomes *o, int m, int first,
+                             int number, FILE *out)
 {
     const int alone = points(o, m, first) == 1;
-    char *const title = title_of(o, m, first);
     int has_bars = 0;
 
     for (int v = 0; v < o->n; v++)
@@ -263,8 +248,7 @@ static void study_picture_put_line(const struct outcomes *o, int m, int first,
             : alone  ? "points"
                      : "linespoints",
             number);
-    text_put(out, title, TEXT_GNUPLOT);
-    free(title);
+    put_title(o, m, first, out);
     /* The values of the axis beside the points: once, where lines are many. */
     if (o->axis >= 0 && (number == 1 || points(o, m, -1) <= 12))
         fprintf(
@@ -277,51 +261,48 @@ static void put_panel(const struct outcomes *o, int m, FILE *out)
 {
     int number = 0;
 
-    study_picture_put_data(o, m, out);
+    picture_put_data(o, m, out);
     put_labels(o->plan, m, out);
     put_ranges(o, m, out);
     fputs("plot $front using 1:2 with steps linecolor rgb '#cccccc' "
           "linewidth 6 dashtype 1 title 'least error for the cost'",
           out);
     for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l))
-        study_picture_put_line(o, m, l, ++number, out);
+        picture_put_line(o, m, l, ++number, out);
     fputc('\n', out);
 }
 
-/* How much a panel has to hold. */
-struct contents {
-    int lines, longest; /* [-] most lines, letters of the longest title */
-};
-
-static struct contents study_picture_contents_of(const struct outcomes *o)
+/* How many lines a panel has to hold at most, and the letters of the longest
+ * label. */
+static void count_contents(const struct outcomes *o, int *lines, int *longest)
 {
-    struct contents c = {0, (int)strlen(o->plan->words.title)};
-
+    *lines = 0;
+    *longest = (int)strlen(o->plan->title);
     for (int m = 0; m < o->plan->n_measures; m++) {
         int n = 0;
         for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l)) {
-            char *const title = title_of(o, m, l);
-            const int length = (int)strlen(title);
-            if (length > c.longest) c.longest = length;
-            if (++n > c.lines) c.lines = n;
-            free(title);
+            char *const label = choices_label(&o->plan->choices, l, o->axis);
+            const int length = (int)strlen(label) + (int)strlen(", order 0.12");
+            if (length > *longest) *longest = length;
+            if (++n > *lines) *lines = n;
+            free(label);
         }
     }
-    return c;
 }
 
 static int write_script(const struct outcomes *o, int panels)
 {
-    struct file *const f = study_report_file(o->plan, script);
+    struct file *const f = report_file(o->plan, script);
     const int wide = panels > 2 ? 2 : 1, rows = (panels + wide - 1) / wide;
-    const struct contents c = study_picture_contents_of(o);
+    int lines, longest;
 
     if (f == NULL) return 1;
+    count_contents(o, &lines, &longest);
     FILE *const out = file_stream(f);
     fprintf(out, "wide = %d; rows = %d; lines = %d; longest = %d\n%s", wide,
-            rows, c.lines, c.longest, opening);
+            rows, lines, longest, opening);
     fprintf(out, "set multiplot layout %d,%d title ", rows, wide);
-    text_put(out, o->plan->words.title, TEXT_GNUPLOT);
+    text_put(out, o->plan->title, TEXT_GNUPLOT);
     fputs(" noenhanced\n", out);
     for (int m = 0; m < o->plan->n_measures; m++)
         if (points(o, m, -1) > 0) put_panel(o, m, out);
@@ -343,7 +324,7 @@ static int say_why_there_is_none(const struct outcomes *o)
     return 0;
 }
 
-int study_report_picture(const struct outcomes *o)
+int outcome_draw(const struct outcomes *o)
 {
     static const char *const kinds[][2] = {{"svg", "study.svg"},
                                            {"png", "study.png"}};
@@ -354,7 +335,7 @@ int study_report_picture(const struct outcomes *o)
     if (panels == 0) return say_why_there_is_none(o);
     if (write_script(o, panels) != 0) return 1;
     for (int i = 0; i < 2; i++) {
-        const struct gnuplot g = {.folder = o->plan->words.dir,
+        const struct gnuplot g = {.folder = o->plan->dir,
                                   .script = script,
                                   .above = kinds[i][0],
                                   .png = kinds[i][1],

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "study/study_report.h"
+/* report.c -- study.csv, study.md, and what a study comes to, in words. */
+#include "study/outcome.h"
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/tables/input.h"
 #include "base/number.h"
-#include "base/text.h"
+#include "base/tables/input.h"
 #include "case/resume/read_summary.h"
 
 #include <math.h>
@@ -40,7 +40,7 @@ static void put_number(FILE *out, double value)
     fprintf(out, ",%s", isfinite(value) ? number_text(value, text) : "");
 }
 
-static void study_report_put_head(const struct plan *p, FILE *out)
+static void put_head(const struct plan *p, FILE *out)
 {
     fputs("run", out);
     for (int i = 0; i < p->choices.n; i++)
@@ -102,21 +102,21 @@ static void put_run(const struct outcomes *o, const struct run *r, FILE *out)
     fputc('\n', out);
 }
 
-struct file *study_report_file(const struct plan *p, const char *name)
+struct file *report_file(const struct plan *p, const char *name)
 {
-    char *const path = file_join(p->words.dir, name);
+    char *const path = file_join(p->dir, name);
     struct file *const f = file_create(path);
 
     free(path);
     return f;
 }
 
-int study_report_runs(const struct outcomes *o)
+static int write_runs(const struct outcomes *o)
 {
-    struct file *const f = study_report_file(o->plan, "study.csv");
+    struct file *const f = report_file(o->plan, "study.csv");
 
     if (f == NULL) return 1;
-    study_report_put_head(o->plan, file_stream(f));
+    put_head(o->plan, file_stream(f));
     for (int i = 0; i < o->n_runs; i++)
         put_run(o, &o->run[i], file_stream(f));
     return file_commit(f);
@@ -159,7 +159,7 @@ static void put_finding(const struct finding *f, FILE *out)
 
 /* Why a run did not come to its end: its summary says so, or the first line of
  * what it said. To be freed. */
-static char *study_report_reason_of(const struct run *r)
+static char *reason_of(const struct run *r)
 {
     char *const log = file_join(r->folder, "log.txt");
     char *reason = read_summary_text(r->folder, "exit_reason");
@@ -182,8 +182,8 @@ static char *study_report_reason_of(const struct run *r)
     return reason;
 }
 
-static void study_report_put_variant(const struct outcomes *o,
-                                     const struct outcome *v, FILE *out)
+static void put_outcome(const struct outcomes *o, const struct outcome *v,
+                        FILE *out)
 {
     fputs("| ", out);
     text_put(out, v->label, TEXT_PAGE);
@@ -194,7 +194,7 @@ static void study_report_put_variant(const struct outcomes *o,
         put_rounded(out, v->cost, 4, "");
     }
     if (v->broken != NULL) {
-        char *const reason = study_report_reason_of(v->broken);
+        char *const reason = reason_of(v->broken);
         fprintf(out, " | exit code %d: ", v->broken->code);
         text_put(out, reason, TEXT_PAGE);
         free(reason);
@@ -218,7 +218,7 @@ static void put_table(const struct outcomes *o, FILE *out)
         fputs(" | ---:", out);
     fputs(" |\n", out);
     for (int v = 0; v < o->n; v++)
-        study_report_put_variant(o, &o->variant[v], out);
+        put_outcome(o, &o->variant[v], out);
 }
 
 /* The order of each line that was extrapolated. */
@@ -245,30 +245,206 @@ static void put_fitted(const struct outcomes *o, FILE *out)
     }
 }
 
+static const double limits[] = {0.05, 0.01, 0.001};
+enum { LIMITS = 3 };
+
+/* --- the advice: which variant ---------------------------------------------
+ */
+
+enum { COST = -1 };
+
+/* Of those that are in, the variant with the least error of a measure, or with
+ * the least COST; -1 if none is in. */
+static int least(const struct outcomes *o, int m, const char *in)
+{
+    double smallest = INFINITY;
+    int best = -1;
+
+    for (int v = 0; v < o->n; v++) {
+        const struct outcome *const out = &o->variant[v];
+        const double value = m == COST ? out->cost : out->of[m].error;
+        if (!in[v] || (best >= 0 && value >= smallest)) continue;
+        smallest = value;
+        best = v;
+    }
+    return best;
+}
+
+/* The cheapest of those that are in; of those that cost the same, as far as can
+ * be told, the case as it stands or else the one with the least error. */
+static int cheapest(const struct outcomes *o, int m, char *in)
+{
+    const int first = least(o, COST, in);
+
+    for (int v = 0; v < o->n; v++)
+        in[v] =
+            in[v] && outcome_costs_the_same(&o->variant[v], &o->variant[first]);
+    return o->standing >= 0 && in[o->standing] ? o->standing : least(o, m, in);
+}
+
+/* 1 if the others are compared with the case as it stands, and it costs no more
+ * than a variant, as far as can be told. */
+static int is_reference_as_cheap(const struct outcomes *o, int m, int v)
+{
+    if (o->standing < 0 || o->plan->truth[m].kind != TRUTH_FINEST) return 0;
+    const struct outcome *const stands = &o->variant[o->standing];
+
+    return !isfinite(stands->of[m].error) &&
+           (stands->cost <= o->variant[v].cost ||
+            outcome_costs_the_same(stands, &o->variant[v]));
+}
+
+/* The cheapest variant whose error is surely within the limit; -1 if none. */
+static int cheapest_within(const struct outcomes *o, int m, double limit)
+{
+    char *const in = alloc_zeroed((size_t)o->n, 1);
+
+    for (int v = 0; v < o->n; v++)
+        in[v] = o->variant[v].ended && isfinite(o->variant[v].cost) &&
+                outcome_is_within(&o->variant[v].of[m], limit);
+    const int best = cheapest(o, m, in);
+    free(in);
+    return best >= 0 && is_reference_as_cheap(o, m, best) ? o->standing : best;
+}
+
+/* --- in words ------------------------------------------------------------- */
+
+/* "0.42 s, error 0.8 %, fluid.step=1e-3". */
+static void put_advised(const struct outcomes *o, int v, int m, FILE *out)
+{
+    const struct finding *const f = &o->variant[v].of[m];
+    char text[NUMBER_LENGTH];
+
+    fprintf(out, "%s%s, ", number_rounded(o->variant[v].cost, 3, text),
+            plan_cost_is_processor(o->plan) ? " s" : "");
+    if (!isfinite(f->error)) { /* the finest has no other to be compared with */
+        fprintf(out, "which the others are compared with: %s",
+                o->variant[v].label);
+        return;
+    }
+    fprintf(out, "error %s %%", number_rounded(100.0 * f->error, 3, text));
+    if (f->uncertainty > 0.0)
+        fprintf(out, " +- %s %%",
+                number_rounded(100.0 * f->uncertainty, 2, text));
+    fputs(": ", out);
+    text_put(out, o->variant[v].label, TEXT_PAGE);
+}
+
+/* Why there is no error of any variant; NULL if there is one. */
+static const char *nothing_known(const struct outcomes *o, int m)
+{
+    const enum truth_kind kind = o->plan->truth[m].kind;
+    int ended = 0, found = 0;
+
+    for (int v = 0; v < o->n; v++) {
+        const struct finding *const f = &o->variant[v].of[m];
+        if (isfinite(f->error)) return NULL;
+        ended += o->variant[v].ended;
+        found += f->found.n > 0;
+    }
+    return ended == 0   ? "no variant has come to its end"
+           : found == 0 ? "the runs have no such measure"
+           : kind == TRUTH_FINEST && !o->variant[o->n - 1].ended
+               ? "the finest has not come to its end"
+           : kind == TRUTH_EXTRAPOLATED
+               ? "nothing could be extrapolated"
+               : "where it was measured the truth is unknown, or 0";
+}
+
+/* A line for each limit, and one for the variant that the case itself is. */
+static void put_lines(const struct outcomes *o, int m, FILE *out)
+{
+    const int standing = o->standing;
+
+    for (int i = 0; i < LIMITS; i++) {
+        const int v = cheapest_within(o, m, limits[i]);
+
+        fprintf(out, "- for %g %%: ", 100.0 * limits[i]);
+        if (v >= 0)
+            put_advised(o, v, m, out);
+        else
+            fputs("none of these is surely within it", out);
+        fputc('\n', out);
+    }
+    if (standing < 0 || !isfinite(o->variant[standing].cost)) return;
+    fputs("- the case as it stands: ", out);
+    put_advised(o, standing, m, out);
+    fputc('\n', out);
+}
+
+/* The last row of a run is that of its last step at which one was due. Without
+ * an equation in time to compare with, the others need values of one time. */
+static void put_times(const struct outcomes *o, int m, FILE *out)
+{
+    const struct measure *const of = &o->plan->measure[m];
+    const enum truth_kind kind = o->plan->truth[m].kind;
+    double first = INFINITY, last = -INFINITY;
+    char from[NUMBER_LENGTH], to[NUMBER_LENGTH];
+
+    if (of->how != MEASURE_LAST || isfinite(of->from)) return;
+    if (kind != TRUTH_FINEST && kind != TRUTH_EXTRAPOLATED) return;
+    for (int v = 0; v < o->n; v++) {
+        const struct curve *const c = &o->variant[v].of[m].found;
+        if (c->n == 0 || !isfinite(c->x[0])) continue;
+        first = fmin(first, c->x[0]);
+        last = fmax(last, c->x[0]);
+    }
+    if (!(last - first > 1e-6 * last)) return;
+    fprintf(out,
+            "- the last values are those of %s to %s s, and a part of the "
+            "differences is that of the times: give %s@TIME, or an output.end "
+            "and output.history that all steps divide\n",
+            number_rounded(first, 4, from), number_rounded(last, 4, to),
+            of->text);
+}
+
+void report_advice(const struct outcomes *o, FILE *out)
+{
+    for (int m = 0; m < o->plan->n_measures; m++) {
+        if (o->plan->truth[m].kind == TRUTH_NONE) continue;
+        put_page("", o->plan->measure[m].text, ", against ", out);
+        put_page("", o->plan->truth[m].text, ":\n", out);
+        put_times(o, m, out);
+        const char *const why = nothing_known(o, m);
+        if (why != NULL) {
+            fprintf(out, "- no error is known: %s\n", why);
+            continue;
+        }
+        put_lines(o, m, out);
+    }
+}
+
+/* --- the page ------------------------------------------------------------- */
+
 /* Which costs the advice takes for the same. */
 static const char same_costs[] =
     "Costs that two standard errors over the seeds explain count as the same, "
     "and so do times that differ by less than a tenth.";
 
-int study_report_variants(const struct outcomes *o)
+static int write_page(const struct outcomes *o)
 {
     const struct plan *const p = o->plan;
-    struct file *const f = study_report_file(p, "study.md");
+    struct file *const f = report_file(p, "study.md");
 
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
-    put_page("# ", p->words.title, "\n\n", out);
-    put_page("Case ", p->words.case_file, "; ", out);
+    put_page("# ", p->title, "\n\n", out);
+    put_page("Case ", p->case_file, "; ", out);
     for (int m = 0; m < p->n_measures; m++) {
         put_page(m > 0 ? ", " : "", p->measure[m].text, " against ", out);
         put_page("", p->truth[m].text, "", out);
     }
     fprintf(out, ".\nSeeds: %d; repetitions: %d, the least counts. %s\n\n",
-            p->words.seeds, p->words.times, same_costs);
+            p->seeds, p->times, same_costs);
     put_table(o, out);
     fputc('\n', out);
     put_fitted(o, out);
     fputc('\n', out);
-    study_report_advice(o, out);
+    report_advice(o, out);
     return file_commit(f);
+}
+
+int report_write(const struct outcomes *o)
+{
+    return write_runs(o) != 0 || write_page(o) != 0;
 }
