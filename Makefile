@@ -102,7 +102,7 @@ pairs-slow: $B/winnow
 vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
-	@sh tests/book.sh
+	@mkdir -p $B && sh tests/table.sh $B tests/tables/book.txt
 	@sh tests/tally.sh
 steps-check: $B/winnow $(STEPS) $(STEPS:$B/%=$B/san/%)
 	@sh tests/steps.sh $B

@@ -12,6 +12,7 @@
 #   < FILE                         the lines that follow are written to the file
 #   << FILE                        as well, with $variables in them replaced
 #   == TITLE
+#   ? COMMAND                      if it fails, the rows down to the next title are left out
 #
 # Commands are those of sh, in a new folder. build/winnow is `winnow`; $top is the project,
 # $build its build, $1 the first WORD.
@@ -27,6 +28,7 @@ trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 mkdir "$work/here" && cd "$work/here" || exit 1
 failed=0
 facts=0
+left_out=
 break='
 '
 exec 3>&1
@@ -56,9 +58,13 @@ take() { # ROW
     first=${1%%"$break"*}
     rest=${1#"$first"}
     rest=${rest#"$break"}
-    case $1 in
-    '' | '#'*) ;;
-    '== '*) echo "${1#== }:" ;;
+    case $left_out$1 in
+    '' | '#'* | yes[!=]*) ;;
+    *'== '*) echo "${1#== }:" && left_out= ;;
+    '? '*)
+        eval "${1#? }" >/dev/null 2>&1 || left_out=yes
+        [ -z "$left_out" ] || echo "    left out, since this fails: ${1#? }"
+        ;;
     '<< '*) eval "cat >${first#<< } <<END_OF_FILE$break$rest${break}END_OF_FILE" ;;
     '< '*) printf '%s\n' "$rest" | sed 's/^    //' >"${first#< }" ;;
     '$ '*)
@@ -87,4 +93,4 @@ while IFS= read -r line <&4; do
 done 4<"$table"
 take "$row" "$@"
 echo "$title: $facts passed, $failed failed"
-[ $failed -eq 0 ]
+[ $failed -eq 0 ] && [ $facts -gt 0 ]
