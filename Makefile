@@ -60,7 +60,7 @@ bare-slow: $B/winnow
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
-	@sh tests/faults.sh $B/winnow long
+	@sh tests/table.sh $B tests/tables/faults.txt long
 commands-slow: $B/winnow $B/tests/test_impacts $(STEPS)
 	@sh tests/commands.sh $B whole
 
@@ -92,7 +92,7 @@ kills-slow: $B/winnow
 free: $B/winnow
 	@LIBS="$(LIBS)" sh tests/free.sh $B
 faults: $B/winnow
-	@sh tests/faults.sh $B/winnow
+	@sh tests/table.sh $B tests/tables/faults.txt
 study: $B/winnow
 	@sh tests/table.sh $B tests/tables/study.txt
 pairs: $B/winnow

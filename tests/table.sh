@@ -17,6 +17,10 @@
 # Commands are those of sh, in a new folder. build/winnow is `winnow`; $top is the project,
 # $build its build, $1 the first WORD.
 set -u
+# A process that was started by nohup never hears of a hangup, nor do its children.
+if [ -z "${HEARS:-}" ] && env --default-signal=HUP true 2>/dev/null; then
+    HEARS=hangups exec env --default-signal=HUP,INT,TERM sh "$0" "$@"
+fi
 build=$(cd "$1" && pwd)
 table=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
 title=$(basename "$2" .txt)
@@ -54,25 +58,27 @@ fact() { # NAME CODE TEXT COMMAND...
     fi
 }
 
-take() { # ROW
-    first=${1%%"$break"*}
-    rest=${1#"$first"}
+take() { # ROW WORDS...
+    all=$1
+    shift
+    first=${all%%"$break"*}
+    rest=${all#"$first"}
     rest=${rest#"$break"}
-    case $left_out$1 in
+    case $left_out$all in
     '' | '#'* | yes[!=]*) ;;
-    *'== '*) echo "${1#== }:" && left_out= ;;
+    *'== '*) echo "${all#*== }:" && left_out= ;;
     '? '*)
-        eval "${1#? }" >/dev/null 2>&1 || left_out=yes
-        [ -z "$left_out" ] || echo "    left out, since this fails: ${1#? }"
+        eval "${all#? }" >/dev/null 2>&1 || left_out=yes
+        [ -z "$left_out" ] || echo "    left out, since this fails: ${all#? }"
         ;;
     '<< '*) eval "cat >${first#<< } <<END_OF_FILE$break$rest${break}END_OF_FILE" ;;
     '< '*) printf '%s\n' "$rest" | sed 's/^    //' >"${first#< }" ;;
     '$ '*)
-        { eval "${1#\$ }" && true; } >"$work/said" 2>&1 </dev/null || wrong "what is needed, ${first#\$ }"
+        { eval "${all#\$ }" && true; } >"$work/said" 2>&1 </dev/null || wrong "what is needed, ${first#\$ }"
         ;;
     *)
         if echo "$first" | grep -q '^[A-Za-z0-9_]*:'; then
-            fact "${first%%:*}" 0 - eval "${1#*:}"
+            fact "${first%%:*}" 0 - eval "${all#*:}"
         else
             name=${first%% | *} first=${first#* | }
             code=${first%% | *} first=${first#* | }
