@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/text/digits.h"
+#include "case/scan.h"
 #include "case/schema.h"
 #include "case/case_file.h"
 #include "facts.h"
@@ -130,14 +130,14 @@ START_TEST(numbers_too_large_for_an_int_are_found_outside_strings_only)
                              "b = 99999999999.0; c = 9e99; x99999999999 = 1;\n"
                              "d = 2147483647;\ne = -2147483648;";
     int line;
-    const char *const found = digits_find(text, &line);
+    const char *const found = scan_digits(text, &line);
 
     ck_assert_ptr_nonnull(found);
     ck_assert_int_eq(strncmp(found, "2147483648", 10), 0);
     ck_assert_int_eq(line, 6);
-    ck_assert_ptr_null(digits_find("\"unfinished", &line));
-    ck_assert_ptr_null(digits_find("/* unfinished", &line));
-    ck_assert_ptr_null(digits_find("\"ends in \\", &line));
+    ck_assert_ptr_null(scan_digits("\"unfinished", &line));
+    ck_assert_ptr_null(scan_digits("/* unfinished", &line));
+    ck_assert_ptr_null(scan_digits("\"ends in \\", &line));
 }
 END_TEST
 

@@ -2,9 +2,16 @@
 #include "case/scan.h"
 
 #include <ctype.h>
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-int scan_is_word(char c)
+#include "base/tables/input.h"
+
+/* Of a word or a number. */
+static int is_of_word(char c)
 {
     return isalnum((unsigned char)c) || c == '_' || c == '.';
 }
@@ -30,13 +37,15 @@ static const char *skip(const char *t)
     return t;
 }
 
-const char *scan_next(const char *t)
+/* Past whatever begins here: a string, a comment, a word or number, or one
+ * other sign. At the end of the text the same place. */
+static const char *next_piece(const char *t)
 {
     const char *const next = skip(t);
 
     if (next != t || *t == '\0') return next;
-    if (!scan_is_word(*t)) return t + 1;
-    while (scan_is_word(*t))
+    if (!is_of_word(*t)) return t + 1;
+    while (is_of_word(*t))
         t++;
     return t;
 }
@@ -46,8 +55,8 @@ void scan_mixed(char *text)
     char *open = NULL;
     int whole = 0, real = 0;
 
-    for (; *text != '\0'; text += scan_next(text) - text) {
-        const int n = (int)(scan_next(text) - text);
+    for (; *text != '\0'; text += next_piece(text) - text) {
+        const int n = (int)(next_piece(text) - text);
         if (*text == '[') {
             open = text;
             whole = real = 0;
@@ -60,4 +69,152 @@ void scan_mixed(char *text)
             *text = ')';
         }
     }
+}
+
+/* --- whole numbers -------------------------------------------------------- */
+
+/* A name, or a number with a point, an exponent or an L, is not whole. */
+static int is_too_large(const char *word)
+{
+    const size_t n = strspn(word, "0123456789");
+    char *end;
+    long long value;
+
+    if (n == 0 || is_of_word(word[n])) return 0;
+    errno = 0;
+    value = strtoll(word, &end, 10);
+    return errno == ERANGE || value > INT_MAX;
+}
+
+const char *scan_digits(const char *text, int *line)
+{
+    *line = 1;
+    while (*text != '\0') {
+        const char *const next = next_piece(text);
+
+        if (is_too_large(text)) return text;
+        for (; text < next; text++)
+            *line += *text == '\n';
+    }
+    return NULL;
+}
+
+static int digits_check(const char *file, const char *text)
+{
+    int line;
+    const char *const found = scan_digits(text, &line);
+
+    if (found == NULL) return 0;
+    fprintf(stderr,
+            "winnow: %s:%d: %.*s is too large for a whole number, at most "
+            "%d; a real one has a point or an exponent\n",
+            file, line, (int)strspn(found, "0123456789"), found, INT_MAX);
+    return 2;
+}
+
+/* --- files ---------------------------------------------------------------- */
+
+/* libconfig says itself what is wrong with deeper ones. */
+enum { DEEPEST = 10, PATH = 4096 };
+
+/* Where a file was named, for messages. */
+struct place {
+    const char *file; /* NULL for the case itself */
+    int line;
+};
+
+static int unreadable(const struct place *at, const char *file, const char *why)
+{
+    if (at->file == NULL)
+        fprintf(stderr, "winnow: %s: cannot read the case: %s\n", file, why);
+    else
+        fprintf(stderr, "winnow: %s:%d: cannot read what is included, %s: %s\n",
+                at->file, at->line, file, why);
+    return 4;
+}
+
+/* A byte order mark or a zero byte, which libconfig reports as a syntax error.
+ */
+static int is_no_text(const char *file, const char *text, size_t length)
+{
+    const char *const zero = memchr(text, '\0', length);
+
+    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
+        fprintf(stderr,
+                "winnow: %s:1: the file begins with a byte order mark, three "
+                "bytes that no case has; save it as UTF-8 without one\n",
+                file);
+    else if (zero != NULL)
+        fprintf(stderr,
+                "winnow: %s: byte %zu is 0, so it is no text; expected a case "
+                "in ASCII or UTF-8\n",
+                file, (size_t)(zero - text));
+    else
+        return 0;
+    return 2;
+}
+
+/* The name after @include on a line, between quotes; 0 if there is none. */
+static int included(const char *line, char name[PATH])
+{
+    char closing;
+
+    return sscanf(line, " @include \"%4095[^\"\n]%c", name, &closing) == 2 &&
+           closing == '"';
+}
+
+static int include_check(const char *file, const char *folder, struct place at,
+                         int depth);
+
+/* Looks at the files that a text includes. */
+static int check_text(const char *text, const char *file, const char *folder,
+                      int depth)
+{
+    struct place at = {file, 1};
+    int begins = 1, code = 0; /* a line, but for blanks */
+
+    while (*text != '\0' && code == 0) {
+        const char *const next = next_piece(text);
+        char name[PATH], path[2 * PATH];
+
+        if (begins && *text == '@' && included(text, name)) {
+            snprintf(path, sizeof path, "%s%s%s", folder != NULL ? folder : "",
+                     folder != NULL ? "/" : "", name);
+            code = include_check(path, folder, at, depth + 1);
+        }
+        if (*text != ' ' && *text != '\t') begins = *text == '\n';
+        for (; text < next; text++)
+            at.line += *text == '\n';
+    }
+    return code;
+}
+
+static int include_check(const char *file, const char *folder, struct place at,
+                         int depth)
+{
+    const char *why;
+    size_t length;
+
+    if (depth > DEEPEST) return 0;
+    char *const text = input_text(file, &length, &why);
+    if (text == NULL) return unreadable(&at, file, why);
+    int code = is_no_text(file, text, length);
+    if (code == 0) code = digits_check(file, text);
+    if (code == 0) code = check_text(text, file, folder, depth);
+    free(text);
+    return code;
+}
+
+int scan_file(const char *file, const char *folder)
+{
+    return include_check(file, folder, (struct place){NULL, 0}, 0);
+}
+
+const char *scan_value(const char *value)
+{
+    int line;
+
+    if (scan_digits(value, &line) == NULL) return NULL;
+    return "too large for a whole number, at most 2147483647; a real one has a "
+           "point or an exponent";
 }

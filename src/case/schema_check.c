@@ -4,7 +4,6 @@
 #include "case/models.h"
 #include "base/text.h"
 #include "case/checks/unit_range.h"
-#include "case/override.h"
 #include "case/schema.h"
 #include "case/source.h"
 
@@ -321,7 +320,7 @@ static void fill_group(const struct key *const *tables, const char *path,
             config_setting_get_member(group, name) != NULL)
             continue;
         schema_default(k, value);
-        override_default(group, name, value);
+        source_add_default(group, name, value);
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include "base/alloc.h"
 #include "case/fill.h"
-#include "case/override.h"
 #include "case/population/case_population.h"
 #include "case/meshes/read_mesh.h"
 #include "case/schema.h"
@@ -90,7 +89,7 @@ struct settings *settings_create(const char *file, int n_overrides,
     s->text->file = strdup(file);
     *code = source_read(&s->text->tree, s->text->file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
-        *code = override_apply(&s->text->tree, overrides[i]);
+        *code = source_override(&s->text->tree, overrides[i]);
     if (*code == 0) *code = schema_check_texts(&s->text->tree);
     if (*code == 0)
         *code = read_mesh_patches(s, &s->text->tree, s->text->tables,

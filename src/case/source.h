@@ -12,9 +12,6 @@
 
 enum { SOURCE_TEXT = 512 }; /* bytes of a place or a value, at most */
 
-/* The hook of a default. */
-extern const char source_default[];
-
 /* Reads the file and what it includes, looked for beside it. 0; or after one
  * message 2 for wrong syntax, 4 for a file that cannot be read. tree is
  * initialised in any case, and borrows `file`. */
@@ -35,5 +32,15 @@ int source_wrong(const config_setting_t *at, const char *format, ...)
 
 /* The value in words, for "found ...". */
 void source_value(const config_setting_t *setting, char text[SOURCE_TEXT]);
+
+/* Applies an override "path.to.key=value", whose text is borrowed for as long
+ * as the tree exists; its value is written as a case would, and a bare word is
+ * a text. Missing groups of the path are created; a group of a list is named by
+ * its number, counted from 0. 0, or 2 after a message. */
+int source_override(config_t *tree, const char *text);
+
+/* Adds a key that the group leaves out. */
+void source_add_default(config_setting_t *group, const char *name,
+                        const char *value);
 
 #endif
