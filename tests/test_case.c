@@ -16,7 +16,7 @@
 #include "case/models.h"
 #include "case/schema.h"
 #include "case/case_file.h"
-#include "case/table_numbers.h"
+#include "case/fill.h"
 
 #include "facts.h"
 #include "capture.h"
@@ -514,7 +514,7 @@ START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
     struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
 
     ck_assert_msg(s != NULL, "%s", said);
-    ck_assert_int_eq(table_numbers(s, keys, x, 5), 5);
+    ck_assert_int_eq(fill_numbers(s, keys, x, 5), 5);
     ck_assert_double_eq(x[1], -9.81);
     ck_assert_double_eq(x[3], 1.2);
     ck_assert_double_eq(x[4], 2.0);

@@ -10,7 +10,7 @@
 #include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/case_steps.h"
-#include "case/table_numbers.h"
+#include "case/fill.h"
 
 /* --- coupling ----------------------------------------------------------- */
 
@@ -21,7 +21,7 @@ struct averaging_options build_averaging_options(const struct settings *s)
     if (o.delta_05 > 0.0) o.bandwidth = averaging_bandwidth(o.delta_05);
     o.fields = 4;
     if (o.method->own_keys != NULL)
-        table_numbers(s, o.method->own_keys, o.own, MODEL_NUMBERS);
+        fill_numbers(s, o.method->own_keys, o.own, MODEL_NUMBERS);
     return o;
 }
 
@@ -38,7 +38,7 @@ struct drag_law build_drag_law(const struct settings *s)
     struct drag_law law = *s->exchange.law;
 
     if (law.own_keys != NULL)
-        table_numbers(s, law.own_keys, law.own, MODEL_NUMBERS);
+        fill_numbers(s, law.own_keys, law.own, MODEL_NUMBERS);
     return law;
 }
 
@@ -59,7 +59,7 @@ void build_effects(const struct settings *s, struct simulation *sim)
     double numbers[EFFECT_NUMBERS];
 
     for (int i = 0; effects[i] != NULL; i++)
-        if (table_numbers_of_effect(s, effects[i], numbers))
+        if (fill_effect_numbers(s, effects[i], numbers))
             effects_add(sim, effects[i], effects[i]->create(sim, numbers));
 }
 

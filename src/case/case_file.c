@@ -11,18 +11,26 @@
 #include "case/resolved/case_bodies.h"
 #include "record/case_statistics.h"
 #include "case/surfaces/case_surfaces.h"
-#include "case/keys.h"
 #include "case/models.h"
 #include "record/recorder_part.h"
 
 #include <assert.h>
 #include <stddef.h>
 
+/* A row: path, type, unit, allowed, default, meaning, source, needs. NULL as
+ * the default means that the key must be given. */
+const struct key case_file_keys[] = {
+    {"title", KEY_TEXT, "", "", "", "what the case shows, in one line", "", "",
+     .at = KEY_AT(settings, title), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED},
+    {"cites", KEY_TEXT, "", "", "", "the paper, table or figure it follows", "",
+     "", .at = KEY_AT(settings, cites), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED},
+    KEY_END};
+
 void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 {
     int n = 0;
 
-    tables[n++] = keys_case;
+    tables[n++] = case_file_keys;
     tables[n++] = mesh_keys;
     tables[n++] = fluid_keys;
     tables[n++] = particles_keys;

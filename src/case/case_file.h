@@ -5,6 +5,10 @@
 #include "base/key.h"
 #include "case/settings.h"
 
+/* The keys of no group. How a table is searched and how a row is put into words
+ * is in schema.h. */
+extern const struct key case_file_keys[];
+
 enum { CASE_FILE_TABLES = 128 }; /* at most, of the core and all models */
 
 /* All tables of keys: the core and those of the models, ended by NULL. */

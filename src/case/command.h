@@ -35,8 +35,4 @@ extern const struct command command_run, study_command, export_command,
     eval_command, command_status;
 extern const struct command *const commands[];
 
-/* The settings of the case that the first word names, with the overrides; NULL
- * after one message, and *code is then the exit code. */
-struct settings *command_settings(const struct command_line *l, int *code);
-
 #endif

@@ -18,6 +18,7 @@
 #include "case/engine/case_engine.h"
 #include "case/checks/case_scales.h"
 #include "case/case_steps.h"
+#include "case/case_file.h"
 #include "case/command.h"
 #include "record/recorder.h"
 #include "coupling/breakdown.h"
@@ -283,7 +284,8 @@ static int run_act(const struct command_line *l)
 
     interrupt_hold();
     interrupt_watch_begin(&watch, NULL, NULL);
-    struct settings *const s = command_settings(l, &code);
+    struct settings *const s =
+        case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
     interrupt_watch_end(&watch);
     if (l->threads > 0) omp_set_num_threads(l->threads);
     if (s != NULL && l->quiet) settings_set_quiet(s);

@@ -5,6 +5,7 @@
  *     winnow export CASE --to lammps -o DIR
  *
  * DIR/in.lammps and DIR/data.lammps; fluid and drag are left out. */
+#include "case/case_file.h"
 #include "case/command.h"
 
 #include <math.h>
@@ -133,7 +134,8 @@ static int export_act(const struct command_line *l)
         fprintf(stderr, "winnow: export knows one program: --to lammps\n");
         return 2;
     }
-    struct settings *const s = command_settings(l, &code);
+    struct settings *const s =
+        case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
     if (s != NULL) code = case_engine_check_export(s);
     if (s != NULL && code == 0)
         code = export_case(s, l->dir != NULL ? l->dir : "out/export");

@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
+#include "case/case_file.h"
 #include "case/command.h"
 #include "case/particle_options.h"
 
@@ -223,7 +224,8 @@ int check_case(const struct settings *s)
 static int check_act(const struct command_line *l)
 {
     int code;
-    struct settings *const s = command_settings(l, &code);
+    struct settings *const s =
+        case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
 
     if (s != NULL) code = check_case(s);
     settings_free(s);

@@ -14,7 +14,7 @@
 #include "base/text.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/particle_options.h"
-#include "case/table_numbers.h"
+#include "case/fill.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
 #include "coupling/drag_laws/coefficient.h"
@@ -102,7 +102,7 @@ static struct added_mass case_drag_added_mass(const struct settings *s,
     for (int i = 0; effects[i] != NULL; i++) {
         double numbers[EFFECT_NUMBERS];
         if (effects[i]->added_mass == NULL ||
-            !table_numbers_of_effect(s, effects[i], numbers))
+            !fill_effect_numbers(s, effects[i], numbers))
             continue;
         k.numbers = numbers;
         effects[i]->added_mass(&k, &sum);

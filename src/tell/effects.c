@@ -15,7 +15,7 @@
 #include "case/checks/case_scales.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/extent/case_extent.h"
-#include "case/table_numbers.h"
+#include "case/fill.h"
 #include "coupling/drag.h"
 #include "coupling/effects.h"
 #include "coupling/stability/stability.h"
@@ -300,7 +300,7 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
     for (int i = 0; effects[i] != NULL; i++) {
         const struct effect *const e = effects[i];
         double numbers[EFFECT_NUMBERS];
-        const int named = table_numbers_of_effect(s, e, numbers);
+        const int named = fill_effect_numbers(s, e, numbers);
 
         if (!case_effects_applies(s, e) || (e->estimate == NULL && !named))
             continue;

@@ -445,7 +445,8 @@ static int explain_act(const struct command_line *l)
     if (equation_index_is_key(word)) return equation_index_explain(word);
     if (!explain_is_file_name(word)) return explain_word(word);
 
-    struct settings *const s = command_settings(l, &code);
+    struct settings *const s =
+        case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
 
     if (s != NULL) code = explain_case(s);
     settings_free(s);

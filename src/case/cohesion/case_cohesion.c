@@ -11,7 +11,7 @@
 #include "case/case_materials.h"
 #include "case/checks/case_scales.h"
 #include "case/checks/case_memory.h"
-#include "case/table_numbers.h"
+#include "case/fill.h"
 
 /* charge: room for one of each material. */
 static struct attraction_scene scene_of(const struct settings *s,
@@ -47,7 +47,7 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     const struct attraction_scene scene = scene_of(s, (double *)(all + *n));
     for (int k = 0, i = 0; effects[k] != NULL; k++) {
         if (!is_attraction(s, effects[k])) continue;
-        table_numbers_of_effect(s, effects[k], numbers);
+        fill_effect_numbers(s, effects[k], numbers);
         all[i++] = effects[k]->attraction(numbers, &scene);
     }
     return all;
@@ -62,8 +62,7 @@ int case_cohesion_check(const struct settings *s)
 
     for (int k = 0; effects[k] != NULL && code == 0; k++) {
         const struct effect *const e = effects[k];
-        if (e->wrong == NULL || !table_numbers_of_effect(s, e, numbers))
-            continue;
+        if (e->wrong == NULL || !fill_effect_numbers(s, e, numbers)) continue;
         const char *const why = e->wrong(numbers, &scene);
         if (why != NULL) code = settings_wrong(s, e->keys[0]->path, "%s", why);
     }
