@@ -5,7 +5,7 @@
 #include "dem/cohesion/electrostatic.h"
 #include "dem/contact.h"
 #include "dem/surfaces/surface.h"
-#include "case/build_particles.h"
+#include "case/build.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"

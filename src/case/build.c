@@ -1,18 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build.h"
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
 #include "base/alloc.h"
-#include "coupling/effects.h"
-#include "coupling/coupling.h"
-#include "case/build_fluid.h"
-#include "case/build_particles.h"
+#include "base/vector.h"
 #include "case/case_mesh.h"
+#include "case/case_steps.h"
+#include "case/cohesion/case_cohesion.h"
+#include "case/fill.h"
 #include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
-#include "case/case_steps.h"
-#include "case/fill.h"
+#include "case/schema.h"
+#include "case/surfaces/surfaces_part.h"
+#include "coupling/coupling.h"
+#include "coupling/effects.h"
+#include "coupling/processes.h"
+#include "fluid/inlet_profile.h"
 
-/* --- coupling ----------------------------------------------------------- */
+/* --- coupling ------------------------------------------------------------- */
 
 struct averaging_options build_averaging_options(const struct settings *s)
 {
@@ -52,7 +60,7 @@ void build_coupling(const struct settings *s, struct simulation *sim)
     sim->coupling = coupling_create(sim, &o);
 }
 
-/* --- effects ------------------------------------------------------------ */
+/* --- effects -------------------------------------------------------------- */
 
 void build_effects(const struct settings *s, struct simulation *sim)
 {
@@ -62,6 +70,173 @@ void build_effects(const struct settings *s, struct simulation *sim)
         if (fill_effect_numbers(s, effects[i], numbers))
             effects_add(sim, effects[i], effects[i]->create(sim, numbers));
 }
+
+/* --- the boundaries ------------------------------------------------------- */
+
+/* 1 if both ends of direction k are walls that hold the fluid. */
+static int between_walls(const struct settings *s, int k)
+{
+    for (int i = 0; i < 2; i++) {
+        const struct boundary_options *const o =
+            settings_side(s, mesh_sides[2 * k + i]);
+        if (o == NULL || o->condition->kind != BOUNDARY_NO_SLIP) return 0;
+    }
+    return 1;
+}
+
+/* A message about a key of a side; 0 if there is none. */
+static int build_boundaries_wrong(const struct settings *s,
+                                  const struct boundary_options *o,
+                                  const char *key, const char *why)
+{
+    char path[SCHEMA_TEXT];
+
+    if (key == NULL) return 0;
+    snprintf(path, sizeof path, "%s%s%s", o->key, key[0] != '\0' ? "." : "",
+             key);
+    return settings_wrong(s, path, "%s", why);
+}
+
+/* A case may leave out a symmetry plane of the mesh. */
+static int one_boundary(const struct settings *s, const struct mesh *m,
+                        const struct patch *p, struct boundary *b)
+{
+    struct boundary_request r = {.says = settings_side(s, p->name),
+                                 .mesh = m,
+                                 .patch = p,
+                                 .end = s->output.end};
+    char file[SETTINGS_PATH], wrong[BOUNDARY_TEXT];
+
+    b->kind = r.says != NULL ? r.says->condition->kind : BOUNDARY_SLIP;
+    if (r.says == NULL || r.says->condition->build == NULL) return 0;
+    for (int k = 0; k < 3; k++)
+        r.between_walls[k] = settings_mesh(s) == NULL && between_walls(s, k);
+    if (r.says->file != NULL) {
+        settings_beside(s, r.says->file, file, sizeof file);
+        r.file = file;
+    }
+    return build_boundaries_wrong(
+        s, r.says, r.says->condition->build(&r, b, wrong), wrong);
+}
+
+struct boundary *build_boundaries(const struct settings *s,
+                                  const struct mesh *m)
+{
+    struct boundary *const all =
+        alloc_zeroed((size_t)m->n_patches, sizeof *all);
+    int failed = 0;
+
+    for (int i = 0; i < m->n_patches && !failed; i++)
+        failed = one_boundary(s, m, &m->patches[i], &all[i]);
+    if (!failed) return all;
+    build_boundaries_free(all, m->n_patches);
+    return NULL;
+}
+
+void build_boundaries_free(struct boundary *all, int n)
+{
+    for (int i = 0; i < n && all != NULL; i++)
+        boundary_release(&all[i]);
+    free(all);
+}
+
+/* --- before there is a fluid ---------------------------------------------- */
+
+static int check_condition(const struct settings *s, const struct mesh *m,
+                           const struct patch *p, int *doubtful)
+{
+    const struct boundary_options *const o = settings_side(s, p->name);
+    const struct boundary_condition *const c = o != NULL ? o->condition : NULL;
+    char wrong[BOUNDARY_TEXT];
+
+    if (o == NULL) return 0;
+    if (c->is_doubtful != NULL) *doubtful |= c->is_doubtful(o);
+    return c->check == NULL
+               ? 0
+               : build_boundaries_wrong(s, o, c->check(o, m, p, wrong), wrong);
+}
+
+int build_boundaries_check(const struct settings *s)
+{
+    struct mesh *m = case_mesh_outline(s);
+    int code = 0, doubtful = 0;
+
+    for (int i = 0; i < m->n_patches && code == 0; i++)
+        code = check_condition(s, m, &m->patches[i], &doubtful);
+    mesh_free(m);
+    if (code != 0 || !doubtful) return code;
+    m = case_mesh_create(s);
+    struct boundary *const all = build_boundaries(s, m);
+    code = all == NULL ? 2 : 0;
+    build_boundaries_free(all, m->n_patches);
+    mesh_free(m);
+    return code;
+}
+
+/* --- the velocity over the patch ------------------------------------------ */
+
+/* Of one boundary at one time. */
+static void add_shares(const struct mesh *m, const struct patch *p,
+                       const struct boundary *b, double t, double *mean,
+                       double *peak)
+{
+    double sum = 0.0, surface = 0.0;
+
+    for (int j = 0; j < p->n; j++) {
+        const double area = vector_length(&m->S[3 * (p->first + j)]);
+        const double share = boundary_inlet_profile(b, j, t);
+        sum += share * area;
+        surface += area;
+        *peak = fmax(*peak, share);
+    }
+    *mean = fmax(*mean, sum / surface);
+}
+
+void build_boundaries_shares(const struct settings *s, const char *patch,
+                             double *mean, double *peak)
+{
+    const int is_uniform =
+        settings_side(s, patch)->profile == &inlet_profile_uniform;
+    const double end = s->output.end;
+
+    *mean = *peak = is_uniform ? 1.0 : 0.0;
+    if (is_uniform) return;
+    struct mesh *const m = case_mesh_create(s);
+    struct boundary *const all = build_boundaries(s, m);
+    const struct patch *const p = mesh_patch(m, patch);
+    for (int i = 0; i <= BOUNDARY_TIMES && all != NULL; i++)
+        add_shares(m, p, &all[p - m->patches], end * i / BOUNDARY_TIMES, mean,
+                   peak);
+    build_boundaries_free(all, m->n_patches);
+    mesh_free(m);
+}
+
+/* --- the fluid ------------------------------------------------------------ */
+
+struct fluid_options build_fluid_options(const struct settings *s,
+                                         const struct simulation *sim)
+{
+    struct fluid_options o = s->fluid;
+
+    o.dt = sim->dt;
+    o.coupled = s->exchange.two_way;
+    o.pressure_shared =
+        o.coupled && s->effects.pressure_gradient && s->exchange.form_a;
+    o.boundaries = sim->boundaries;
+    if (o.has_mean_flow) case_mesh_periodic(s, o.keeps_flow);
+    return o;
+}
+
+static int build_fluid(const struct settings *s, struct simulation *sim)
+{
+    sim->boundaries = build_boundaries(s, sim->mesh);
+    if (sim->boundaries == NULL) return 2;
+    const struct fluid_options o = build_fluid_options(s, sim);
+    sim->fluid = fluid_create(sim->mesh, &o);
+    return 0;
+}
+
+/* --- the whole ------------------------------------------------------------ */
 
 struct simulation *build_for_run(const struct settings *s, int with_bed,
                                  const struct bed_saver *saver, int *code)
@@ -91,4 +266,30 @@ struct simulation *build_for_run(const struct settings *s, int with_bed,
 struct simulation *build_simulation(const struct settings *s, int *code)
 {
     return build_for_run(s, 1, NULL, code);
+}
+
+/* --- its end -------------------------------------------------------------- */
+
+void build_free(struct simulation *sim)
+{
+    if (sim == NULL) return;
+    if (sim->processes != NULL) sim->processes->free(sim->processes);
+    for (int i = 0; i < sim->n_effects; i++)
+        if (sim->effects[i].effect->free != NULL)
+            sim->effects[i].effect->free(sim->effects[i].memory);
+    free(sim->effects);
+    coupling_free(sim->coupling);
+    averaging_free(sim->averaging);
+    dem_free(sim->dem);
+    surfaces_part_free(sim);
+    case_cohesion_free(sim);
+    if (sim->population != NULL) sim->insert_remove->free(sim->population);
+    free(sim->materials);
+    particles_free(sim->particles);
+    fluid_free(sim->fluid);
+    build_boundaries_free(sim->boundaries,
+                          sim->mesh != NULL ? sim->mesh->n_patches : 0);
+    free(sim->held_force);
+    mesh_free(sim->mesh);
+    free(sim);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/build_particles.h"
+/* build_particles.c -- the particles of a case, at rest or placed. */
+#include "case/build.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,17 +8,16 @@
 #include <unistd.h>
 
 #include "base/alloc.h"
-#include "case/build_free.h"
-#include "dem/box_domain.h"
+#include "case/case_materials.h"
+#include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/resume/bed_cache.h"
 #include "case/surfaces/surfaces_part.h"
-#include "case/case_materials.h"
-#include "case/case_mesh.h"
-#include "case/particle_options.h"
+#include "dem/box_domain.h"
+#include "dem/dem_method.h"
 
 static int bed_lost(const struct bed_report *r)
 {
@@ -66,7 +66,7 @@ static int make_bed(const struct settings *s, struct simulation *sim,
                     const struct dem_options *o, const struct bed_saver *saver,
                     const char *path, struct bed_report *r)
 {
-    struct bed_options b = particle_options_bed(s);
+    struct bed_options b = build_particles_bed(s);
 
     b.region = sim->region;
     b.saver = saver;
@@ -75,7 +75,7 @@ static int make_bed(const struct settings *s, struct simulation *sim,
     const int found = sim->dem == NULL ? BED_REFUSED
                                        : bed_cache_create(path, sim->particles,
                                                           sim->dem, &b, o, r);
-    particle_options_release(&b);
+    build_particles_free_bed(&b);
     return found;
 }
 
@@ -167,12 +167,12 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
 static int place_bed(const struct settings *s, struct simulation *sim,
                      const struct dem_options *o)
 {
-    struct bed_options b = particle_options_bed(s);
+    struct bed_options b = build_particles_bed(s);
 
     b.region = sim->region;
     sim->particles = particles_create(b.count + case_population_count(s));
     const int wrong = bed_fill(sim->particles, &b, o) != 0;
-    particle_options_release(&b);
+    build_particles_free_bed(&b);
     if (wrong) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
@@ -183,7 +183,7 @@ static int build_particles_complete(const struct settings *s,
                                     struct simulation *sim,
                                     struct dem_options *o)
 {
-    *o = particle_options_dem(s, sim->dt / sim->dem_steps);
+    *o = build_particles_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
     surfaces_part_complete(s, sim, o);
     const int code = case_cohesion_complete(s, sim, o);
@@ -233,4 +233,45 @@ int build_particles(const struct settings *s, struct simulation *sim,
     case_population_add(s, sim);
     sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;
+}
+
+/* --- options of dem and its bed ------------------------------------------- */
+
+struct dem_options build_particles_dem(const struct settings *s, double step)
+{
+    struct dem_options o = {.law = s->particles.contact,
+                            .material = case_materials_one(s, 0),
+                            .integrator = s->particles.integrator,
+                            .method = s->particles.list,
+                            .step = step,
+                            .skin = s->particles.skin};
+
+    settings_where(s, "mesh.periodic", o.where, sizeof o.where);
+    case_mesh_ends(s, o.lo, o.hi);
+    case_mesh_periodic(s, o.periodic);
+    surfaces_part_dem_options(s, &o);
+    return o;
+}
+
+struct bed_options build_particles_bed(const struct settings *s)
+{
+    struct bed_options b = s->particles.bed;
+
+    b.density = s->particles.grains.density;
+    settings_where(s, "particles.bed.count", b.where, sizeof b.where);
+
+    case_population_bed_sizes(s, &b);
+    memcpy(b.gravity, s->effects.gravity, sizeof b.gravity);
+    return b;
+}
+
+void build_particles_free_bed(struct bed_options *b)
+{
+    if (b->sizes != NULL) b->free_sizes(b->sizes);
+    b->sizes = NULL;
+}
+
+double build_particles_wall_overlap(const struct settings *s)
+{
+    return strcmp(s->particles.overlaps, "allow") == 0 ? 0.5 : 0.01;
 }

@@ -16,7 +16,6 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "case/build.h"
-#include "case/particle_options.h"
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/simulation.h"

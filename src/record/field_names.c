@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "case/build_fluid.h"
+#include "case/build.h"
 
 struct profile_field field_names_find(const struct snapshot *s,
                                       const char *name)

@@ -5,7 +5,7 @@
 #include "base/vector.h"
 #include "mesh/measures.h"
 #include "dem/contact.h"
-#include "case/build_particles.h"
+#include "case/build.h"
 #include "case/checks/case_scales.h"
 #include "case/case_materials.h"
 #include "case/checks/case_memory.h"
@@ -18,7 +18,6 @@
 #include "case/case_steps.h"
 #include "case/case_file.h"
 #include "case/command.h"
-#include "case/particle_options.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -13,7 +13,6 @@
 #include "case/build.h"
 #include "base/text.h"
 #include "case/cohesion/case_cohesion.h"
-#include "case/particle_options.h"
 #include "case/fill.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
@@ -42,10 +41,10 @@ static double case_drag_relaxation_time(const struct settings *s,
  * mixture have the same backflow. */
 static double case_drag_mean_diameter(const struct settings *s)
 {
-    struct bed_options b = particle_options_bed(s);
+    struct bed_options b = build_particles_bed(s);
     const double volume = bed_range(&b).volume;
 
-    particle_options_release(&b);
+    build_particles_free_bed(&b);
     return cbrt(6.0 / M_PI * volume / b.count);
 }
 

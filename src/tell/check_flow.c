@@ -17,7 +17,6 @@
 #include "base/text.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/build_boundaries.h"
 #include "case/case_mesh.h"
 #include "mesh/measures.h"
 #include "mesh/mesh.h"

@@ -10,13 +10,11 @@
 #include "averaging/kernel/weights.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/build_boundaries.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/checks/case_memory.h"
 #include "case/extent/case_extent.h"
-#include "case/particle_options.h"
 #include "case/population/case_population.h"
 #include "dem/dem_method.h"
 #include "dem/limits.h"
@@ -36,13 +34,13 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
 {
     k->density = s->particles.grains.density;
     if (s->particles.has_bed) {
-        struct bed_options b = particle_options_bed(s);
+        struct bed_options b = build_particles_bed(s);
         const struct bed_range range = bed_range(&b);
         k->particles = b.count;
         k->d = range.min;
         k->d_most = range.max;
         k->volume = range.volume;
-        particle_options_release(&b);
+        build_particles_free_bed(&b);
         return;
     }
     k->particles = s->particles.place.n;
@@ -284,9 +282,9 @@ static double smallest_placed(const struct settings *s, int m)
 static double smallest_of_bed(const struct settings *s, int m)
 {
     if (m != 0 || !s->particles.has_bed) return 0.0;
-    struct bed_options b = particle_options_bed(s);
+    struct bed_options b = build_particles_bed(s);
     const struct bed_range range = bed_range(&b);
-    particle_options_release(&b);
+    build_particles_free_bed(&b);
     return b.count > 0 ? range.min : 0.0;
 }
 

@@ -7,8 +7,6 @@
 
 #include "averaging/averaging.h"
 #include "case/build.h"
-#include "case/build_boundaries.h"
-#include "case/build_fluid.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/checks/case_scales.h"
@@ -18,7 +16,6 @@
 #include "case/cohesion/case_cohesion.h"
 #include "case/engine/case_engine.h"
 #include "case/extent/case_extent.h"
-#include "case/particle_options.h"
 #include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/schema.h"
@@ -155,13 +152,13 @@ static int check_bed_sizes(const struct settings *s)
  * they cannot settle. */
 static int check_bed_fits(const struct settings *s)
 {
-    struct bed_options b = particle_options_bed(s);
+    struct bed_options b = build_particles_bed(s);
     const struct bed_range range = bed_range(&b);
     const char *const key =
         b.sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
     double lo[3], size[3];
 
-    particle_options_release(&b);
+    build_particles_free_bed(&b);
     case_mesh_ends(s, lo, size);
     for (int k = 0; k < 3; k++)
         size[k] -= lo[k];
@@ -199,7 +196,7 @@ static int validate_check_place(const struct settings *s)
             if (periodic[k] && settings_mesh(s) != NULL) continue;
             const double margin =
                 periodic[k] ? 0.0
-                            : (0.5 - particle_options_wall_overlap(s)) * d;
+                            : (0.5 - build_particles_wall_overlap(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
                 return settings_wrong(
                     s, "particles.place",
@@ -230,7 +227,7 @@ static int check_integrator(const struct settings *s)
 /* A method that finds the pairs may not know all that a case asks for. */
 static int validate_check_list(const struct settings *s)
 {
-    const struct dem_options o = particle_options_dem(s, 1.0);
+    const struct dem_options o = build_particles_dem(s, 1.0);
     const char *const unknown = o.method->unsupported(&o);
     if (unknown == NULL) return 0;
     return settings_wrong(s, "particles.list",

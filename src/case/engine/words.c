@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case/build_particles.h"
-#include "case/particle_options.h"
+#include "case/build.h"
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "dem/contact_hertz.h"
@@ -23,7 +22,7 @@ int words_has_law(const struct settings *s)
 struct words words_of(const struct settings *s, double d)
 {
     const double step = case_steps_length(s) / case_steps_within(s);
-    const struct dem_options o = particle_options_dem(s, step);
+    const struct dem_options o = build_particles_dem(s, step);
     struct materials *const all = case_materials_create(s);
     struct words w = {.step = step,
                       .skin = o.skin > 0.0 ? o.skin : d / 6.0,

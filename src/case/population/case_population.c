@@ -17,7 +17,7 @@
 #include "case/checks/materials_check.h"
 #include "case/case_mesh.h"
 #include "case/population/case_sizes.h"
-#include "case/particle_options.h"
+#include "case/build.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks";
 
@@ -56,7 +56,7 @@ static int read_list(const struct settings *s, struct insert_setup *in)
     in->list = grain_table_parse(settings_input(s, path), &in->of.count);
     if (in->list == NULL) return 1;
     in->of.list = in->list;
-    if (in->of.rate == 0.0) in->of.overlap = particle_options_wall_overlap(s);
+    if (in->of.rate == 0.0) in->of.overlap = build_particles_wall_overlap(s);
     insertion_move(in->list, in->of.count, in->offset, &box);
     return 0;
 }
@@ -240,7 +240,7 @@ struct case_diameters case_population_diameters(const struct settings *s,
 /* The length of a period, which dem_create checks for those there at first. */
 static int check_period(const struct settings *s)
 {
-    struct dem_options o = particle_options_dem(s, 1.0);
+    struct dem_options o = build_particles_dem(s, 1.0);
     const double most = case_population_diameters(s, -1).max;
     struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
 

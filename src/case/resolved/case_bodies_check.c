@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "case/build_boundaries.h"
+#include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/cohesion/case_cohesion.h"
 #include "resolved/blocks/body_gaps.h"

@@ -10,10 +10,6 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/build_boundaries.h"
-#include "case/build_fluid.h"
-#include "case/build_particles.h"
-#include "case/particle_options.h"
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/coupling.h"
@@ -168,12 +164,12 @@ static void part_print_settled(const struct part *part,
 static int part_place(struct part *part, const struct settings *s)
 {
     const int has_bed = s->particles.has_bed;
-    const struct dem_options dem = particle_options_dem(s, part->sim->dt);
+    const struct dem_options dem = build_particles_dem(s, part->sim->dt);
     struct bed_options bed = {.settle = 0.0};
     struct bed_report r;
     double d;
 
-    if (has_bed) bed = particle_options_bed(s);
+    if (has_bed) bed = build_particles_bed(s);
     int code = part_add_all(part, s, has_bed ? &bed : NULL, &dem) ? 2 : 0;
     const long n = spheres_all(part->spheres, &d);
     if (code == 0 && n > 0 && bed.settle > 0.0 &&
@@ -184,7 +180,7 @@ static int part_place(struct part *part, const struct settings *s)
         spheres_settle(part->spheres, &w, step, &bed, &r);
         part_print_settled(part, s, &r);
     }
-    particle_options_release(&bed);
+    build_particles_free_bed(&bed);
     return code;
 }
 
@@ -226,7 +222,7 @@ static int part_add_particles(struct part *part, const struct settings *s,
                               long all)
 {
     struct simulation *const sim = part->sim;
-    struct dem_options o = particle_options_dem(s, sim->dt / sim->dem_steps);
+    struct dem_options o = build_particles_dem(s, sim->dt / sim->dem_steps);
 
     o.materials = sim->materials = case_materials_create(s);
     o.method = &spheres_method;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "case/build_free.h"
+#include "case/build.h"
 #include "case/case_file.h"
 #include "record/history.h"
 #include "record/second_half.h"
