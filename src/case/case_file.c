@@ -2,7 +2,7 @@
 #include "case/checks/case_scales.h"
 #include "case/case_file.h"
 
-#include "case/meshes/read_mesh.h"
+#include "case/case_mesh.h"
 #include "case/checks/case_memory.h"
 #include "case/checks/mesh_check.h"
 #include "case/checks/validate.h"
@@ -60,7 +60,7 @@ struct settings *case_file_read(const char *file, int n_overrides,
     if (s == NULL) return NULL;
     *code = mesh_check_keys(s);
     if (*code == 0) *code = case_memory_check(s, 0.0);
-    if (*code == 0) *code = read_mesh(s);
+    if (*code == 0) *code = case_mesh_read(s);
     if (*code == 0) *code = mesh_check_cells(s);
     if (*code == 0) case_bodies_keep(s);
     if (*code == 0) *code = validate_case(s);

@@ -7,8 +7,22 @@
 #ifndef CASE_CASE_MESH_H
 #define CASE_CASE_MESH_H
 
-#include "mesh/mesh.h"
+#include <libconfig.h>
+
 #include "case/settings.h"
+#include "mesh/mesh.h"
+
+/* Is called before a case is checked. Where the mesh comes from files, the
+ * tables that have keys of the sides of the box are replaced by tables with the
+ * patches of the mesh. *made has the new tables at their places in the list;
+ * each is released with free(), and so is the list; NULL: none. 0, or 2 after a
+ * message. */
+int case_mesh_patches(const struct settings *s, const config_t *tree,
+                      const struct key **tables, struct key ***made);
+
+/* Reads or makes the mesh, which is kept in the settings; nothing for a plain
+ * box. 0, or 2 after a message. */
+int case_mesh_read(struct settings *s);
 
 /* The mesh, which the caller releases by mesh_free. */
 struct mesh *case_mesh_create(const struct settings *s);
@@ -20,5 +34,12 @@ struct mesh *case_mesh_outline(const struct settings *s);
  * in periodic directions one period; and the directions that are periodic. */
 void case_mesh_ends(const struct settings *s, double lo[3], double hi[3]);
 void case_mesh_periodic(const struct settings *s, int periodic[3]);
+
+/* The cells that the case asks for, before there is a mesh; 0 for one from
+ * files. They may be more than an int holds. [m^3] of all cells; 1 if the point
+ * is inside [m]. */
+double case_mesh_cells(const struct settings *s);
+double case_mesh_volume(const struct settings *s);
+int case_mesh_holds(const struct settings *s, const double x[3]);
 
 #endif

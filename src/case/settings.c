@@ -4,7 +4,7 @@
 #include "base/alloc.h"
 #include "case/fill.h"
 #include "case/population/case_population.h"
-#include "case/meshes/read_mesh.h"
+#include "case/case_mesh.h"
 #include "case/schema.h"
 #include "case/source.h"
 #include "case/resolved/case_bodies.h"
@@ -92,7 +92,7 @@ struct settings *settings_create(const char *file, int n_overrides,
         *code = source_override(&s->text->tree, overrides[i]);
     if (*code == 0) *code = schema_check_texts(&s->text->tree);
     if (*code == 0)
-        *code = read_mesh_patches(s, &s->text->tree, s->text->tables,
+        *code = case_mesh_patches(s, &s->text->tree, s->text->tables,
                                   &s->text->patches);
     if (*code == 0) *code = schema_check_check(&s->text->tree, s->text->tables);
     if (*code == 0) {

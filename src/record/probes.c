@@ -10,7 +10,6 @@
 #include "output/means/probe.h"
 #include "output/table.h"
 #include "case/case_mesh.h"
-#include "case/extent/case_extent.h"
 #include "record/field_names.h"
 
 enum { NAME = 96 };
@@ -40,7 +39,7 @@ static int probes_check(const struct settings *s)
         code = field_names_check(s, list, p[i].field);
     for (int i = 0; i < n && code == 0; i++) {
         const double *const x = p[i].position;
-        if (!case_extent_holds(s, x))
+        if (!case_mesh_holds(s, x))
             code = settings_wrong(
                 s, list, "the point [%g, %g, %g] m is outside the %s", x[0],
                 x[1], x[2], settings_mesh(s) == NULL ? "box" : "mesh");

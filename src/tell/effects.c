@@ -14,7 +14,6 @@
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
 #include "case/cohesion/case_cohesion.h"
-#include "case/extent/case_extent.h"
 #include "case/fill.h"
 #include "coupling/drag.h"
 #include "coupling/effects.h"
@@ -144,7 +143,7 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     double lo[3], size[3];
 
     case_mesh_ends(s, lo, size);
-    k->eps_s = in->particles * effect_scales_volume(k) / case_extent_volume(s);
+    k->eps_s = in->particles * effect_scales_volume(k) / case_mesh_volume(s);
     k->slip = fmax(in->inlet, p->speed);
     if (k->gravity > 0.0)
         k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
@@ -182,7 +181,7 @@ static int is_crowd(const struct settings *s, const struct effect_scales *k,
 
     return in->inlet > 0.0 && k->gravity > 0.0 &&
            in->particles * effect_scales_volume(k) >
-               crowd * case_extent_volume(s);
+               crowd * case_mesh_volume(s);
 }
 
 static struct effect_scales effects_scales_of(const struct settings *s,

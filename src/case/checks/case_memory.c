@@ -8,7 +8,6 @@
 
 #include "base/alloc.h"
 #include "case/case_mesh.h"
-#include "case/extent/case_extent.h"
 #include "coupling/processes.h"
 
 static const char insert[] = "particles.insert";
@@ -45,7 +44,7 @@ static double of_cells(const struct settings *s)
 {
     const int corners = s->mesh.polymesh != NULL || s->mesh.has_shear;
 
-    return case_extent_cells(s) * per_cell[corners][s->has.fluid];
+    return case_mesh_cells(s) * per_cell[corners][s->has.fluid];
 }
 
 /* At most a thousand along each side, of two numbers each. */
@@ -54,7 +53,7 @@ static double of_samples(const struct settings *s)
     const double width = s->effects.mixing_sample;
 
     if (width == 0.0) return 0.0;
-    const double n = case_extent_volume(s) / pow(width, 3.0);
+    const double n = case_mesh_volume(s) / pow(width, 3.0);
     return 2.0 * sizeof(double) * fmin(n, 1e9);
 }
 
@@ -104,7 +103,7 @@ int case_memory_check(const struct settings *s, double more)
     return settings_wrong(s, largest_key(s, more),
                           "%.4g cells and %.4g particles need about %.3g GB, "
                           "and this machine has %.3g GB for them",
-                          case_extent_cells(s), n, 1e-9 * need, 1e-9 * have);
+                          case_mesh_cells(s), n, 1e-9 * need, 1e-9 * have);
 }
 
 /* A pair has an index and xi, in lists that grow by half; they are counted by

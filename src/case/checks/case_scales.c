@@ -14,7 +14,6 @@
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/checks/case_memory.h"
-#include "case/extent/case_extent.h"
 #include "case/population/case_population.h"
 #include "dem/dem_method.h"
 #include "dem/limits.h"
@@ -151,7 +150,7 @@ struct case_scales case_scales_of(const struct settings *s)
     struct mesh *const m = case_mesh_outline(s);
     struct case_scales k = {.cells = m->n_cells};
 
-    k.S_c = cbrt(case_extent_volume(s) / k.cells); /* [SX15 10] */
+    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
     k.end = s->output.end;
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);

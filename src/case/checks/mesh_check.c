@@ -8,7 +8,6 @@
 #include "base/vector.h"
 #include "case/case_mesh.h"
 #include "fluid/inlet_profile.h"
-#include "case/extent/case_extent.h"
 #include "mesh/measures.h"
 
 /* --- its keys ------------------------------------------------------------- */
@@ -53,7 +52,7 @@ static int check_numbers(const struct settings *s)
     return settings_wrong(s, "mesh.cells",
                           "%.4g cells with %.3g faces; no more than %d faces "
                           "can be numbered",
-                          case_extent_cells(s), faces, MESH_MOST_FACES);
+                          case_mesh_cells(s), faces, MESH_MOST_FACES);
 }
 
 int mesh_check_keys(const struct settings *s)

@@ -15,7 +15,6 @@
 #include "case/checks/model_choice.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/engine/case_engine.h"
-#include "case/extent/case_extent.h"
 #include "case/population/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/schema.h"
@@ -166,7 +165,7 @@ static int check_bed_fits(const struct settings *s)
         if (range.max > size[k] && b.count > 0)
             return settings_wrong(s, key, "%g m is larger than the box, %g m",
                                   range.max, size[k]);
-    const double share = range.volume / case_extent_volume(s);
+    const double share = range.volume / case_mesh_volume(s);
     if (share > 0.6)
         return settings_wrong(s, "particles.bed.count",
                               "%d spheres of %g m would fill %.0f %% of the "
@@ -205,7 +204,7 @@ static int validate_check_place(const struct settings *s)
                     "as it is if its centre is",
                     i, x[0], x[1], x[2], d);
         }
-        if (!case_extent_holds(s, x))
+        if (!case_mesh_holds(s, x))
             return settings_wrong(s, "particles.place",
                                   "sphere %d at [%g, %g, %g] m is not inside "
                                   "the mesh",
