@@ -9,12 +9,12 @@
 #include "base/vector.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
-#include "case/cohesion/case_cohesion.h"
+#include "case/particles/case_cohesion.h"
 #include "case/fill.h"
-#include "case/population/case_population.h"
+#include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/schema.h"
-#include "case/surfaces/surfaces_part.h"
+#include "case/particles/case_surfaces.h"
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "coupling/processes.h"
@@ -281,7 +281,7 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    surfaces_part_free(sim);
+    case_surfaces_free(sim);
     case_cohesion_free(sim);
     if (sim->population != NULL) sim->insert_remove->free(sim->population);
     free(sim->materials);

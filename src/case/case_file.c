@@ -7,10 +7,10 @@
 #include "case/checks/mesh_check.h"
 #include "case/checks/validate.h"
 #include "case/engine/case_engine.h"
-#include "case/population/case_population.h"
+#include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "record/case_statistics.h"
-#include "case/surfaces/case_surfaces.h"
+#include "case/particles/case_surfaces.h"
 #include "case/models.h"
 #include "record/recorder_part.h"
 

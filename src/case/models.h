@@ -23,7 +23,7 @@ struct kind {
 
 /* All kinds, ended by NULL. */
 extern const struct kind models_contact, models_integrator, models_list,
-    case_sizes_kind, surfaces_part_kind, models_averaging, models_scheme,
+    case_population_sizes, case_surfaces_kind, models_averaging, models_scheme,
     models_variation, models_interpolation, models_drag, models_treatment,
     models_slip_integration, models_form, models_direction, models_time_scheme,
     models_convection, models_gradient, models_continuity, models_patch,

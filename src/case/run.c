@@ -22,7 +22,7 @@
 #include "case/command.h"
 #include "record/recorder.h"
 #include "coupling/breakdown.h"
-#include "case/population/case_population_run.h"
+#include "case/particles/case_population.h"
 #include "record/progress.h"
 #include "case/resume/resume.h"
 
@@ -91,7 +91,7 @@ static int advance_one(struct run *run, struct thread_tuner *threads,
     const int failed = run_step(sim, threads);
 
     run->cut = failed && interrupt_arrived();
-    if (run->cut || case_population_run_is_cut_short(sim)) return INTERRUPTED;
+    if (run->cut || case_population_is_cut_short(sim)) return INTERRUPTED;
     if (failed) return broke_down(run);
     progress_show(progress, sim->t);
     breakdown_warn(&run->told, sim);
@@ -117,7 +117,7 @@ static int run_advance(struct run *run)
     thread_tuner_free(threads);
     if (code == INTERRUPTED) interrupt_discard();
     progress_end(&progress);
-    case_population_run_report(sim);
+    case_population_report_waiting(sim);
     return code;
 }
 

@@ -3,12 +3,12 @@
 
 #include "base/alloc.h"
 #include "case/fill.h"
-#include "case/population/case_population.h"
+#include "case/particles/case_population.h"
 #include "case/case_mesh.h"
 #include "case/schema.h"
 #include "case/source.h"
 #include "case/resolved/case_bodies.h"
-#include "case/surfaces/case_surfaces.h"
+#include "case/particles/case_surfaces.h"
 #include "case/schema_check.h"
 
 #include <assert.h>

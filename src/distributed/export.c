@@ -16,7 +16,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "case/build.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/simulation.h"
 #include "case/engine/case_engine.h"

@@ -7,12 +7,12 @@
 #include "dem/contact.h"
 #include "case/build.h"
 #include "case/checks/case_scales.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/checks/case_memory.h"
 #include "case/engine/case_engine.h"
 #include "case/resolved/case_bodies.h"
 #include "record/case_statistics.h"
-#include "case/surfaces/surfaces_part.h"
+#include "case/particles/case_surfaces.h"
 #include "base/text.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
@@ -204,7 +204,7 @@ int check_case(const struct settings *s)
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0) check_cohesion(s, &k);
-    surfaces_part_print(s, &k);
+    case_surfaces_print(s, &k);
     case_engine_print(s, &k);
     case_bodies_report(s);
     case_statistics_print(s);

@@ -12,7 +12,7 @@
 #include "base/vector.h"
 #include "case/build.h"
 #include "base/text.h"
-#include "case/cohesion/case_cohesion.h"
+#include "case/particles/case_cohesion.h"
 #include "case/fill.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"

@@ -13,7 +13,7 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
-#include "case/cohesion/case_cohesion.h"
+#include "case/particles/case_cohesion.h"
 #include "case/fill.h"
 #include "coupling/drag.h"
 #include "coupling/effects.h"

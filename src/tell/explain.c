@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 
 #include "case/case_file.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/checks/materials_check.h"
 #include "case/checks/model_choice.h"
 #include "case/command.h"

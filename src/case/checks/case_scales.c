@@ -10,11 +10,11 @@
 #include "averaging/kernel/weights.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/checks/case_memory.h"
-#include "case/population/case_population.h"
+#include "case/particles/case_population.h"
 #include "dem/dem_method.h"
 #include "dem/limits.h"
 

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/nearest.h"
 
 static const char list[] = "particles.materials", pairs[] = "particles.pairs";

@@ -13,12 +13,12 @@
 #include "case/checks/materials_check.h"
 #include "case/checks/mesh_check.h"
 #include "case/checks/model_choice.h"
-#include "case/cohesion/case_cohesion.h"
+#include "case/particles/case_cohesion.h"
 #include "case/engine/case_engine.h"
-#include "case/population/case_population.h"
+#include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/schema.h"
-#include "case/surfaces/surfaces_part.h"
+#include "case/particles/case_surfaces.h"
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
 #include "dem/integrator.h"
@@ -240,7 +240,7 @@ static int validate_check_particles(struct settings *s)
     int code = check_integrator(s);
 
     if (code == 0) code = materials_check(s);
-    if (code == 0) code = surfaces_part_check(s);
+    if (code == 0) code = case_surfaces_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = case_population_check(s);
     if (code == 0) code = validate_check_list(s);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "case/case_file.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
 #include "base/text.h"

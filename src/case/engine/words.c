@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "case/build.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/case_steps.h"
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"

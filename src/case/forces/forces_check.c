@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "case/surfaces/case_walls.h"
+#include "case/particles/case_surfaces.h"
 
 static const char list[] = "output.forces";
 

@@ -10,7 +10,7 @@
 #include "base/vector.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
-#include "case/cohesion/case_cohesion.h"
+#include "case/particles/case_cohesion.h"
 #include "resolved/blocks/body_gaps.h"
 
 /* Less than 3 cells across by rounding is 3. A sphere of fewer is a few cells

@@ -10,7 +10,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/coupling.h"
 #include "dem/dem_internal.h"

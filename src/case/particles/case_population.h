@@ -2,12 +2,13 @@
  * spheres that overlap: what a case says about them.
  * Chapter "Insertion, removal and energy".
  */
-#ifndef CASE_POPULATION_CASE_POPULATION_H
-#define CASE_POPULATION_CASE_POPULATION_H
+#ifndef CASE_PARTICLES_CASE_POPULATION_H
+#define CASE_PARTICLES_CASE_POPULATION_H
 
 #include "case/settings.h"
 #include "coupling/simulation.h"
 #include "dem/bed.h"
+#include "dem/population/sizes.h"
 
 /* Reads the files of the sources, and completes their options. 0, or 2 after a
  * message. */
@@ -39,5 +40,12 @@ void case_population_add(const struct settings *s, struct simulation *sim);
 
 /* Inserts what is due before the first step, so that the start has it. */
 void case_population_start(struct simulation *sim);
+
+/* Says which sources have spheres that are due and found no room. */
+void case_population_report_waiting(const struct simulation *sim);
+
+/* 1 if a signal ended the insertion of the last step early: it then differs
+ * from that of a run without the signal. */
+int case_population_is_cut_short(const struct simulation *sim);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/cohesion/case_cohesion.h"
-#include "case/surfaces/case_walls.h"
+/* case_walls.c -- the walls for particles in a mesh that is not a box. */
+#include "case/particles/case_surfaces.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +9,9 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/surface_start.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
+#include "case/particles/case_cohesion.h"
 
 const char case_walls_name[] = "mesh";
 

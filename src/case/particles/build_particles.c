@@ -8,14 +8,14 @@
 #include <unistd.h>
 
 #include "base/alloc.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
-#include "case/cohesion/case_cohesion.h"
-#include "case/population/case_population.h"
+#include "case/particles/case_cohesion.h"
+#include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/resume/bed_cache.h"
-#include "case/surfaces/surfaces_part.h"
+#include "case/particles/case_surfaces.h"
 #include "dem/box_domain.h"
 #include "dem/dem_method.h"
 
@@ -151,7 +151,7 @@ static int build_particles_put_spheres(const struct settings *s,
         sim->particles->wy[i] = p->spin[1];
         sim->particles->wz[i] = p->spin[2];
     }
-    const int code = surfaces_part_place(s, sim->particles, o);
+    const int code = case_surfaces_place(s, sim->particles, o);
     return code != 0 ? code : case_population_place(s, sim->particles, o);
 }
 
@@ -185,7 +185,7 @@ static int build_particles_complete(const struct settings *s,
 {
     *o = build_particles_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
-    surfaces_part_complete(s, sim, o);
+    case_surfaces_complete(s, sim, o);
     const int code = case_cohesion_complete(s, sim, o);
     return code != 0 ? code : case_bodies_complete(s, sim, o);
 }
@@ -201,7 +201,7 @@ int build_particles_check(const struct settings *s)
     if (code == 0)
         code = s->particles.has_bed ? place_bed(s, sim, &o)
                                     : place_spheres(s, sim, &o);
-    if (code == 0) code = surfaces_part_add(s, sim);
+    if (code == 0) code = case_surfaces_add(s, sim);
     build_free(sim);
     return code;
 }
@@ -228,7 +228,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
     build_particles_limit(s, sim);
-    code = surfaces_part_add(s, sim);
+    code = case_surfaces_add(s, sim);
     if (code != 0) return code;
     case_population_add(s, sim);
     sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
@@ -249,7 +249,7 @@ struct dem_options build_particles_dem(const struct settings *s, double step)
     settings_where(s, "mesh.periodic", o.where, sizeof o.where);
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
-    surfaces_part_dem_options(s, &o);
+    case_surfaces_dem_options(s, &o);
     return o;
 }
 

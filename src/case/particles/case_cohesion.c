@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/cohesion/case_cohesion.h"
+#include "case/particles/case_cohesion.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 #include "coupling/effects.h"
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 #include "case/checks/case_scales.h"
 #include "case/checks/case_memory.h"
 #include "case/fill.h"

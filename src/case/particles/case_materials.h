@@ -4,8 +4,8 @@
  * particles.materials. A sphere or a wall names its material, and
  * case_materials_number returns the number of that name.
  */
-#ifndef CASE_CASE_MATERIALS_H
-#define CASE_CASE_MATERIALS_H
+#ifndef CASE_PARTICLES_CASE_MATERIALS_H
+#define CASE_PARTICLES_CASE_MATERIALS_H
 
 #include "dem/materials.h"
 #include "case/settings.h"

@@ -1,6 +1,6 @@
 /* case_cohesion.h -- the attractions that a case names. */
-#ifndef CASE_COHESION_CASE_COHESION_H
-#define CASE_COHESION_CASE_COHESION_H
+#ifndef CASE_PARTICLES_CASE_COHESION_H
+#define CASE_PARTICLES_CASE_COHESION_H
 
 #include "case/settings.h"
 #include "coupling/simulation.h"

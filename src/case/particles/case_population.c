@@ -1,25 +1,113 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/population/case_population.h"
+#include "case/particles/case_population.h"
 
 #include <gsl/gsl_math.h>
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "base/alloc.h"
+#include "base/interrupt.h"
 #include "base/number.h"
 #include "coupling/population/replacement.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/grain_table.h"
 #include "dem/population/population.h"
-#include "case/cohesion/case_cohesion.h"
-#include "case/case_materials.h"
+#include "case/particles/case_cohesion.h"
+#include "case/particles/case_materials.h"
 #include "case/checks/materials_check.h"
 #include "case/case_mesh.h"
-#include "case/population/case_sizes.h"
+#include "case/models.h"
+#include "case/nearest.h"
 #include "case/build.h"
 
-static const char sources[] = "particles.insert", sinks[] = "particles.sinks";
+static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
+                  sizes[] = "particles.sizes";
+
+/* --- sizes ---------------------------------------------------------------- */
+
+/* The points are to be released with free(). */
+static struct sizes_options sizes_options_of(const struct settings *s, int i)
+{
+    const struct sizes_setup *const one = &s->particles.sizes.item[i];
+    struct sizes_options o = one->of;
+    int n = 0;
+
+    o.by_mass = strcmp(one->by, "mass") == 0;
+    for (const struct key *k = o.law->own_keys; k != NULL && k->path != NULL;
+         k++)
+        o.own[n++] =
+            settings_item_real_or(s, sizes, i, strrchr(k->path, '.') + 1, 0.0);
+    o.n = one->points.n;
+    if (o.n == 0) return o;
+    double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);
+    for (int k = 0; k < o.n; k++) {
+        point[k][0] = one->points.at[k];
+        point[k][1] = one->points.value[k];
+    }
+    o.point = (const double(*)[2])point;
+    return o;
+}
+
+static int size_law_named(const struct settings *s, const char *name)
+{
+    int i = 0;
+
+    while (i < s->particles.sizes.n &&
+           strcmp(s->particles.sizes.item[i].name, name) != 0)
+        i++;
+    return i;
+}
+
+/* Are the distributions of the case possible, and their names its own? 0, or 2
+ * after a message. */
+static int check_size_laws(const struct settings *s)
+{
+    for (int i = 0; i < s->particles.sizes.n; i++) {
+        const char *const name = s->particles.sizes.item[i].name;
+        const struct sizes_options o = sizes_options_of(s, i);
+        const char *const wrong = sizes_wrong(&o);
+
+        free((void *)o.point);
+        if (wrong != NULL)
+            return settings_wrong(s, sizes, "%s, which is %s: %s", name,
+                                  o.law->name, wrong);
+        if (size_law_named(s, name) != i)
+            return settings_wrong(s, sizes, "two are called %s", name);
+    }
+    return 0;
+}
+
+/* Is there one of the name that the key has? 0, or 2 after a message. */
+static int check_size_name(const struct settings *s, const char *key,
+                           const char *name)
+{
+    struct nearest n;
+
+    if (size_law_named(s, name) < s->particles.sizes.n) return 0;
+    nearest_init(&n, name);
+    for (int i = 0; i < s->particles.sizes.n; i++)
+        nearest_offer(&n, s->particles.sizes.item[i].name);
+    const char *const best = nearest_best(&n);
+    return settings_wrong(s, key, "no distribution in %s is called %s%s%s",
+                          sizes, name, best != NULL ? "; did you mean " : "",
+                          best != NULL ? best : "");
+}
+
+/* The distribution of that name, which is there. */
+static struct sizes *create_sizes(const struct settings *s, const char *name)
+{
+    const struct sizes_options o = sizes_options_of(s, size_law_named(s, name));
+    struct sizes *const made = sizes_create(&o);
+
+    free((void *)o.point);
+    return made;
+}
+
+/* --- sources -------------------------------------------------------------- */
 
 /* The largest share of a region that random positions can fill in a short time.
  */
@@ -69,7 +157,7 @@ static int complete_source(const struct settings *s, struct insert_setup *in)
     in->of.material = case_materials_number(s, in->material);
     in->of.density = case_materials_setup(s, in->of.material)->density;
     if (in->sizes != NULL)
-        in->of.sizes = in->distribution = case_sizes_create(s, in->sizes);
+        in->of.sizes = in->distribution = create_sizes(s, in->sizes);
     return in->file != NULL ? read_list(s, in) : 0;
 }
 
@@ -81,12 +169,12 @@ void case_population_release(struct settings *s)
     }
 }
 
-/* --- checks -------------------------------------------------------------- */
+/* --- checks --------------------------------------------------------------- */
 
 static int case_population_check_names(const struct settings *s,
                                        const struct insert_setup *in)
 {
-    if (in->sizes != NULL && case_sizes_check_name(s, sources, in->sizes) != 0)
+    if (in->sizes != NULL && check_size_name(s, sources, in->sizes) != 0)
         return 2;
     return materials_check_name(s, sources, in->material);
 }
@@ -210,7 +298,7 @@ static int check_sink(const struct settings *s, int i)
                           i);
 }
 
-/* --- particles that come later ------------------------------------------- */
+/* --- particles that come later -------------------------------------------- */
 
 int case_population_count(const struct settings *s)
 {
@@ -250,23 +338,41 @@ static int check_period(const struct settings *s)
     return wrong ? 2 : 0;
 }
 
+/* A bed that is not there yet will be written, and no case writes beyond its
+ * own folder: is it in there? 0, or 2 after a message. */
+static int check_bed_file(const struct settings *s)
+{
+    const char *const name = s->particles.bed_file;
+    char path[SETTINGS_PATH];
+
+    if (name == NULL || (name[0] != '/' && strstr(name, "..") == NULL))
+        return 0;
+    settings_beside(s, name, path, sizeof path);
+    if (access(path, F_OK) == 0) return 0;
+    return settings_wrong(s, "particles.bed.file",
+                          "%s is not there, and a bed is written beside the "
+                          "case or in a folder there alone: expected a name "
+                          "that neither begins with / nor has .. in it",
+                          path);
+}
+
 /* The distributions, and the name that a bed gives. */
 static int check_sizes(const struct settings *s)
 {
     const char *const name = s->particles.bed_sizes;
-    const int code = case_sizes_check(s);
+    const int code = check_size_laws(s);
 
     if (code != 0 || name == NULL ||
         s->particles.bed.diameter > 0.0) /* said of both later */
         return code;
-    return case_sizes_check_name(s, "particles.bed.sizes", name);
+    return check_size_name(s, "particles.bed.sizes", name);
 }
 
 int case_population_check(struct settings *s)
 {
     int code = check_sizes(s);
 
-    if (code == 0) code = case_sizes_check_file(s);
+    if (code == 0) code = check_bed_file(s);
 
     for (int i = 0; i < s->particles.insert.n && code == 0; i++)
         code = check_source(s, i, &s->particles.insert.item[i]);
@@ -278,7 +384,7 @@ int case_population_check(struct settings *s)
 void case_population_bed_sizes(const struct settings *s, struct bed_options *b)
 {
     if (s->particles.bed_sizes == NULL) return;
-    b->sizes = case_sizes_create(s, s->particles.bed_sizes);
+    b->sizes = create_sizes(s, s->particles.bed_sizes);
     b->quantile = sizes_quantile;
     b->free_sizes = sizes_free;
     b->diameter = sizes_moment(b->sizes, 1);
@@ -339,3 +445,31 @@ void case_population_start(struct simulation *sim)
     if (sim->population != NULL)
         population_insert(sim->population, sim->particles, sim->dem, sim->t);
 }
+
+/* --- during a run, and after it ------------------------------------------- */
+
+void case_population_report_waiting(const struct simulation *sim)
+{
+    const struct population *const l = sim->population;
+
+    for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
+        const struct insertion *const in = &l->sources[i];
+        const long due = insertion_count_due(in, sim->t - sim->dt);
+        if (in->n_inserted < due)
+            fprintf(
+                stderr,
+                "winnow: source %d of particles.insert: %ld of the %ld spheres "
+                "that were due by t = %g s have found no room; make the region "
+                "larger, the rate lower, or let particles leave it sooner\n",
+                i, due - in->n_inserted, due, sim->t);
+    }
+}
+
+int case_population_is_cut_short(const struct simulation *sim)
+{
+    return interrupt_arrived() && sim->population != NULL &&
+           sim->population->totals.waiting > 0;
+}
+
+MODELS_KIND(case_population_sizes, sizes_laws, "sizes",
+            "distributions of diameters", "particles.sizes.distribution", NULL)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/cohesion/case_cohesion.h"
-#include "case/surfaces/case_surfaces.h"
+#include "case/particles/case_surfaces.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,13 +7,17 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/text.h"
 #include "base/vector.h"
-#include "case/case_materials.h"
-#include "case/checks/materials_check.h"
+#include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
+#include "case/checks/case_scales.h"
+#include "case/checks/materials_check.h"
+#include "case/particles/case_cohesion.h"
 #include "case/models.h"
-#include "case/surfaces/case_walls.h"
 #include "dem/surfaces/stl.h"
+#include "dem/surfaces/surface_start.h"
+#include "dem/surfaces/surfaces_checksum.h"
 
 static const char list[] = "particles.surfaces",
                   prescribed[] = "particles.prescribed";
@@ -95,14 +98,17 @@ void case_surfaces_release(struct settings *s)
         triangles_free(s->particles.surfaces.item[i].triangles);
 }
 
-int case_surfaces_count(const struct settings *s)
+/* How many there are, the walls of a mesh counted as one. */
+static int surfaces_count(const struct settings *s)
 {
     return s->particles.surfaces.n + (case_walls_count(s) > 0);
 }
 
-struct surface *case_surfaces_create(const struct settings *s)
+/* The surfaces of particles.surfaces, and the walls of the mesh. Their names
+ * and triangles belong to the settings. */
+static struct surface *create_surfaces(const struct settings *s)
 {
-    const int n = case_surfaces_count(s), listed = s->particles.surfaces.n;
+    const int n = surfaces_count(s), listed = s->particles.surfaces.n;
 
     if (n == 0) return NULL;
     struct surface *const made = alloc_zeroed((size_t)n, sizeof *made);
@@ -113,7 +119,7 @@ struct surface *case_surfaces_create(const struct settings *s)
 }
 
 /* The list owns the triangles of the walls, which are constant for dem. */
-void case_surfaces_free(struct surface *made, int n)
+static void free_surfaces(struct surface *made, int n)
 {
     struct triangles *own;
 
@@ -124,8 +130,8 @@ void case_surfaces_free(struct surface *made, int n)
     free(made);
 }
 
-struct prescribed_particle *
-case_surfaces_create_prescribed(const struct settings *s)
+/* Those of particles.prescribed. */
+static struct prescribed_particle *create_prescribed(const struct settings *s)
 {
     const int n = s->particles.prescribed.n;
 
@@ -255,5 +261,141 @@ int case_surfaces_check(struct settings *s)
     }
     for (int i = 0; i < s->particles.prescribed.n && code == 0; i++)
         code = check_driven(s, i);
-    return code;
+    return code != 0 ? code : case_walls_check(s);
 }
+
+static const char unseen[] =
+    "no walls for the fluid, which bodies and the patches of a mesh from files "
+    "are";
+
+/* 1 if there are surfaces in a fluid, which it does not see. */
+static int are_unseen(const struct settings *s)
+{
+    return s->has.fluid && s->particles.surfaces.n > 0;
+}
+
+void case_surfaces_dem_options(const struct settings *s, struct dem_options *o)
+{
+    case_walls_ends(s, o->lo, o->hi);
+    o->n_surfaces = surfaces_count(s);
+    o->n_prescribed = s->particles.prescribed.n;
+}
+
+/* --- what `winnow check` says of it --------------------------------------- */
+
+/* In a step a wall should move by a small part of a diameter, as particles do.
+ */
+static void print_speed(double speed, const struct case_scales *k)
+{
+    text_line("highest speed", speed, "m/s", "of any point of them in the box");
+    if (k->particles > 0 && speed > 0.0)
+        text_line("its path in a particle step / d", speed * k->dem_dt / k->d,
+                  "-", "of the smallest particle");
+}
+
+void case_surfaces_print(const struct settings *s, const struct case_scales *k)
+{
+    const int n = surfaces_count(s);
+    double lo[3], hi[3], speed = 0.0;
+    int triangles = 0;
+
+    if (!s->has.particles) return; /* nothing meets them */
+    struct surface *const made = create_surfaces(s);
+    if (made == NULL) return;
+    case_mesh_ends(s, lo, hi);
+    for (int i = 0; i < n; i++) {
+        const double reach = surface_reach(&made[i], lo, hi);
+        if (made[i].triangles != NULL) triangles += made[i].triangles->n;
+        speed = fmax(speed, motion_speed(&made[i].motion, reach));
+    }
+    puts("Walls besides the box");
+    text_line("surfaces", n, "-", are_unseen(s) ? unseen : "");
+    text_line("triangles", triangles, "-", "");
+    print_speed(speed, k);
+    free_surfaces(made, n);
+}
+
+/* --- in a simulation ------------------------------------------------------ */
+
+static int case_surfaces_has_room(const void *state, const double x[3],
+                                  double R)
+{
+    const struct simulation *const sim = state;
+    return case_walls_has_room(sim->walls, x, R);
+}
+
+static int start_wrong(const void *state, const struct particles *ps)
+{
+    const struct simulation *const sim = state;
+    return surface_start_wrong(ps, sim->surfaces, sim->n_surfaces, "");
+}
+
+static void take_surface_names(struct simulation *sim)
+{
+    sim->surface_names =
+        alloc_zeroed((size_t)sim->n_surfaces, sizeof *sim->surface_names);
+    for (int i = 0; i < sim->n_surfaces; i++)
+        sim->surface_names[i] = sim->surfaces[i].name;
+}
+
+void case_surfaces_complete(const struct settings *s, struct simulation *sim,
+                            struct dem_options *o)
+{
+    o->prescribed = sim->prescribed = create_prescribed(s);
+    o->surfaces = sim->surfaces = create_surfaces(s);
+    sim->n_surfaces = o->n_surfaces;
+    take_surface_names(sim);
+    sim->walls = case_walls_create(
+        s, case_walls_count(s) > 0 ? &sim->surfaces[o->n_surfaces - 1] : NULL);
+    o->surfaces_checksum = surfaces_checksum(o);
+    sim->region = (struct placement_region){
+        .has_room = sim->walls != NULL ? case_surfaces_has_room : NULL,
+        .start_wrong = start_wrong,
+        .state = sim};
+}
+
+void case_surfaces_free(struct simulation *sim)
+{
+    free_surfaces(sim->surfaces, sim->n_surfaces);
+    free(sim->surface_names);
+    free(sim->prescribed);
+    case_walls_free(sim->walls);
+}
+
+/* Placed spheres may overlap a surface only where the case allows it. */
+int case_surfaces_place(const struct settings *s, struct particles *ps,
+                        const struct dem_options *o)
+{
+    char where[SETTINGS_PATH];
+
+    if (strcmp(s->particles.overlaps, "allow") == 0) return 0;
+    settings_where(s, list, where, sizeof where);
+    return surface_start_wrong(ps, o->surfaces, o->n_surfaces, where) != 0 ? 2
+                                                                           : 0;
+}
+
+/* Prescribed particles must exist. */
+int case_surfaces_add(const struct settings *s, struct simulation *sim)
+{
+    if (are_unseen(s) && !settings_quiet(s))
+        fprintf(stderr, "%s: %s\n", list, unseen);
+    const int n =
+        s->particles.has_bed ? s->particles.bed.count : sim->particles->n;
+
+    for (int k = 0; k < s->particles.prescribed.n; k++) {
+        const int id = s->particles.prescribed.item[k].of.id;
+        if (n == 0)
+            return settings_wrong(s, prescribed,
+                                  "there is no particle %d: there is none at "
+                                  "the start",
+                                  id);
+        if (id >= n)
+            return settings_wrong(s, prescribed,
+                                  "there is no particle %d: they are 0 to %d",
+                                  id, n - 1);
+    }
+    return 0;
+}
+
+MODELS_KIND(case_surfaces_kind, surface_shapes, "surface",
+            "walls besides those of the box", "particles.surfaces.shape", NULL)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_materials.h"
+#include "case/particles/case_materials.h"
 
 #include <stdlib.h>
 #include <string.h>
