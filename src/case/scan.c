@@ -39,7 +39,7 @@ static const char *skip(const char *t)
 
 /* Past whatever begins here: a string, a comment, a word or number, or one
  * other sign. At the end of the text the same place. */
-static const char *next_piece(const char *t)
+static const char *past_piece(const char *t)
 {
     const char *const next = skip(t);
 
@@ -55,8 +55,8 @@ void scan_mixed(char *text)
     char *open = NULL;
     int whole = 0, real = 0;
 
-    for (; *text != '\0'; text += next_piece(text) - text) {
-        const int n = (int)(next_piece(text) - text);
+    for (; *text != '\0'; text += past_piece(text) - text) {
+        const int n = (int)(past_piece(text) - text);
         if (*text == '[') {
             open = text;
             whole = real = 0;
@@ -90,7 +90,7 @@ const char *scan_digits(const char *text, int *line)
 {
     *line = 1;
     while (*text != '\0') {
-        const char *const next = next_piece(text);
+        const char *const next = past_piece(text);
 
         if (is_too_large(text)) return text;
         for (; text < next; text++)
@@ -174,7 +174,7 @@ static int check_text(const char *text, const char *file, const char *folder,
     int begins = 1, code = 0; /* a line, but for blanks */
 
     while (*text != '\0' && code == 0) {
-        const char *const next = next_piece(text);
+        const char *const next = past_piece(text);
         char name[PATH], path[2 * PATH];
 
         if (begins && *text == '@' && included(text, name)) {
