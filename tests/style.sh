@@ -74,7 +74,6 @@ rooms() {
         split(quoted[2], included, "/")
         room = path[2]; other = included[1]
         if (room ~ /^(main|commands)[.]c/) next
-        if (room == "record" && other == "case") next # until it is cut off
         if (rank[other] == 0 || rank[other] > rank[room] ||
             (room " " other) in apart)
             print $0

@@ -288,9 +288,9 @@ START_TEST(every_profile_has_a_file_of_its_own)
 
     struct settings *const s = read_case("cases/mueller-bed.cfg", two, &code);
     ck_assert_ptr_nonnull(s);
-    profiles_name(s, 0, name);
+    profiles_name(&s->output, 0, name);
     ck_assert_str_eq(name, "eps_f_y16.4mm");
-    profiles_name(s, 1, name);
+    profiles_name(&s->output, 1, name);
     ck_assert_str_eq(name, "eps_f_y16.4mm_from1s");
     settings_free(s);
     refused("output.profiles=({field=\"p\";height=0.01;from=1.0;},"
@@ -313,7 +313,7 @@ START_TEST(profiles_along_other_directions_have_other_names)
     ck_assert_ptr_nonnull(s);
     for (int i = 0; i < 3; i++) {
         char name[PROFILES_NAME];
-        profiles_name(s, i, name);
+        profiles_name(&s->output, i, name);
         ck_assert_str_eq(name, names[i]);
     }
     settings_free(s);

@@ -9,10 +9,8 @@
 #include "case/engine/case_engine.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
-#include "record/case_statistics.h"
 #include "case/particles/case_surfaces.h"
 #include "case/models.h"
-#include "record/recorder_part.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -40,10 +38,6 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     tables[n++] = output_keys;
     tables[n++] = case_engine_keys;
     tables[n++] = bodies_setup_keys;
-    tables[n++] = case_statistics_keys;
-    for (int i = 0; recorder_parts[i] != NULL; i++)
-        if (recorder_parts[i]->keys != NULL)
-            tables[n++] = recorder_parts[i]->keys;
     n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
     assert(n < CASE_FILE_TABLES);
     tables[n] = NULL;

@@ -162,13 +162,28 @@ static int run_finish(struct run *run, int code)
     return code;
 }
 
+/* What the recorder is told of the case. */
+static struct recording run_recording(const struct settings *s)
+{
+    return (struct recording){
+        .file = settings_file(s),
+        .title = s->title,
+        .output = &s->output,
+        .seed = s->particles.has_bed ? &s->particles.bed.seed : NULL,
+        .filter = s->bodies.filter,
+        .quiet = settings_quiet(s),
+        .row_every = case_steps_between_rows(s),
+        .picture_every = case_steps_between(s, s->output.every),
+        .steps = case_steps_until_end(s)};
+}
+
 /* The run after the simulation is built. A run that cannot be resumed does not
  * change the folder. */
 static int run_simulation(struct run *run)
 {
     if (resume_before(run->resume) != 0) return NOT_WRITTEN;
-    run->recorder =
-        recorder_create(run->settings, run->sim, run->folder, run->resumes);
+    const struct recording of = run_recording(run->settings);
+    run->recorder = recorder_create(&of, run->sim, run->folder, run->resumes);
     if (run->recorder == NULL) {
         if (!run->resumes)
             folder_abandon(run->folder); /* if it was not begun */

@@ -89,16 +89,18 @@ int folder_list(struct folder *f, const char *path)
     return ownership_list(f->own, path + strlen(f->dir) + 1);
 }
 
-struct table *folder_table(struct folder *f, const char *name, int n_columns,
-                           const char *const *columns)
+struct table *folder_table(struct folder *f, const char *name,
+                           struct table_head *head)
 {
+    const char *const *const names = (const char *const *)head->name;
     char *const path = folder_file(f, name);
     struct table *const made = path == NULL ? NULL
                                : f->resumes
-                                   ? table_open(path, n_columns, columns)
-                                   : table_create(path, n_columns, columns);
+                                   ? table_open(path, head->n, names)
+                                   : table_create(path, head->n, names);
 
     free(path);
+    table_head_clear(head);
     return made;
 }
 

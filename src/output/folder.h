@@ -60,9 +60,9 @@ int folder_make(struct folder *f, const char *name);
 int folder_list(struct folder *f, const char *path);
 
 /* A new table in the folder, or the table of a resumed run (table.h); NULL
- * after a message. */
-struct table *folder_table(struct folder *f, const char *name, int n_columns,
-                           const char *const *columns);
+ * after a message. The head is cleared. */
+struct table *folder_table(struct folder *f, const char *name,
+                           struct table_head *head);
 
 /* The path of the folder as the user gave it. */
 const char *folder_name(const struct folder *f);

@@ -52,7 +52,9 @@ struct output_options {
     } forces;
 };
 
-/* Those of every run; the others are in the files of what is written. */
+/* The fields that profiles and probes are of, as a row allows them. */
+#define FIELD_NAMES "eps_f | eps_s | p | u_x | u_y | u_z | us_x | us_y | us_z"
+
 extern const struct key output_keys[];
 
 #endif

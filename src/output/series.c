@@ -14,6 +14,8 @@
 #include <unistd.h>
 
 struct series {
+    struct folder *folder;   /* borrowed; NULL: none */
+    struct vtk_file *writer; /* of a series of a folder; else NULL */
     char *name, *suffix;
     char *pvd;       /* DIR/NAME.pvd */
     char *file;      /* NAME/NAME_000000.SUFFIX, as listed in the collection */
@@ -65,9 +67,26 @@ struct series *series_create(const char *dir, const char *name,
     return NULL;
 }
 
+struct series *series_in(struct folder *f, const char *name, const char *suffix)
+{
+    char pvd[32];
+
+    snprintf(pvd, sizeof pvd, "%s.pvd", name);
+    char *const path = folder_file(f, pvd);
+    struct series *const s = path == NULL || folder_make(f, name) != 0
+                                 ? NULL
+                                 : series_create(folder_name(f), name, suffix);
+    free(path);
+    if (s == NULL) return NULL;
+    s->folder = f;
+    s->writer = vtk_file_create();
+    return s;
+}
+
 void series_free(struct series *s)
 {
     if (s == NULL) return;
+    vtk_file_free(s->writer);
     free(s->name);
     free(s->suffix);
     free(s->pvd);
@@ -132,6 +151,46 @@ int series_add(struct series *s, double time)
     }
     series_append(s, time);
     return write_collection(s);
+}
+
+struct vtk_file *series_writer(const struct series *s)
+{
+    return s->writer;
+}
+
+const char *series_begin(struct series *s)
+{
+    const char *const path = series_next(s);
+    return folder_list(s->folder, path) == 0 ? path : NULL;
+}
+
+int series_add_particles(struct series *s, int n, const double *const x[3],
+                         double time, int n_arrays,
+                         const struct vtk_array *arrays)
+{
+    const char *const path = series_begin(s);
+    return path == NULL ||
+           vtk_write_particles(s->writer, path, n, x, time, n_arrays, arrays) ||
+           series_add(s, time);
+}
+
+int series_add_polygons(struct series *s, const struct vtk_polygons *p,
+                        double time, int n_arrays,
+                        const struct vtk_array *arrays)
+{
+    const char *const path = series_begin(s);
+    return path == NULL ||
+           vtk_write_polygons(s->writer, path, p, time, n_arrays, arrays) ||
+           series_add(s, time);
+}
+
+int series_add_lines(struct series *s, const struct vtk_polygons *p,
+                     double time, int n_arrays, const struct vtk_array *arrays)
+{
+    const char *const path = series_begin(s);
+    return path == NULL ||
+           vtk_write_lines(s->writer, path, p, time, n_arrays, arrays) ||
+           series_add(s, time);
 }
 
 /* Non-zero after a message if a listed file is not there. */

@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +21,26 @@ struct table {
     off_t length; /* [bytes] of head and whole rows */
     char *row;    /* buffer for the text of one row */
 };
+
+void table_head_add(struct table_head *h, const char *format, ...)
+{
+    char text[512];
+    va_list given;
+
+    va_start(given, format);
+    vsnprintf(text, sizeof text, format, given);
+    va_end(given);
+    h->name = alloc_grown(h->name, h->n, h->n + 1, sizeof *h->name);
+    h->name[h->n++] = strcpy(alloc_zeroed(strlen(text) + 1, 1), text);
+}
+
+void table_head_clear(struct table_head *h)
+{
+    for (int i = 0; i < h->n; i++)
+        free(h->name[i]);
+    free(h->name);
+    *h = (struct table_head){0};
+}
 
 static int table_report_failure(const char *what, const char *path)
 {

@@ -11,6 +11,15 @@
 
 struct table;
 
+/* The names of columns, which are made one after the other. */
+struct table_head {
+    int n;
+    char **name;
+};
+void table_head_add(struct table_head *h, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+void table_head_clear(struct table_head *h);
+
 /* A new table, with its head; the names are "name [unit]". NULL after a
  * message. */
 struct table *table_create(const char *path, int n_columns,

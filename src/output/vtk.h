@@ -29,4 +29,30 @@ int vtk_write_particles(struct vtk_file *f, const char *path, int n,
                         const double *const x[3], double time, int n_arrays,
                         const struct vtk_array *arrays);
 
+/* Polygons with values a polygon: point k is at x[3 k], x[3 k + 1], x[3 k + 2]
+ * [m]; corner lists the points of all polygons one after the other, end the end
+ * of each. */
+struct vtk_polygons {
+    int n_points, n_polygons;
+    const double *x;
+    const int *corner, *end;
+};
+int vtk_write_polygons(struct vtk_file *f, const char *path,
+                       const struct vtk_polygons *p, double time, int n_arrays,
+                       const struct vtk_array *arrays);
+
+/* The same, each polygon an open line. */
+int vtk_write_lines(struct vtk_file *f, const char *path,
+                    const struct vtk_polygons *p, double time, int n_arrays,
+                    const struct vtk_array *arrays);
+
+/* The cells of any mesh, which has a shape and is borrowed, as lists of points.
+ * Hexahedra and tetrahedra have these types, all other cells are polyhedra. */
+struct vtk_cells;
+struct vtk_cells *vtk_cells_create(const struct mesh *m);
+void vtk_cells_free(struct vtk_cells *v);
+int vtk_cells_write(struct vtk_file *f, const char *path,
+                    const struct vtk_cells *v, double time, int n_arrays,
+                    const struct vtk_array *arrays);
+
 #endif

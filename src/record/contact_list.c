@@ -11,29 +11,20 @@
 #include "dem/materials.h"
 #include "dem/surfaces/dem_surface.h"
 #include "dem/surfaces/surface_contact_points.h"
-
-static void *contact_list_longer(void *old, int used, int room, size_t size)
-{
-    void *const made = alloc_zeroed((size_t)room, size);
-
-    if (used > 0) memcpy(made, old, (size_t)used * size);
-    free(old);
-    return made;
-}
+#include "output/series.h"
+#include "record/recorder_part.h"
 
 static void contact_list_reserve(struct contact_list *c)
 {
     if (c->n < c->room) return;
-    c->room = 2 * c->room + 1024;
-    c->x = contact_list_longer(c->x, 6 * c->n, 6 * c->room, sizeof *c->x);
-    c->force = contact_list_longer(c->force, c->n, c->room, sizeof *c->force);
-    c->depth = contact_list_longer(c->depth, c->n, c->room, sizeof *c->depth);
-    c->ids = contact_list_longer(c->ids, 2 * c->n, 2 * c->room, sizeof *c->ids);
-    c->corner = contact_list_longer(c->corner, 2 * c->n, 2 * c->room,
-                                    sizeof *c->corner);
-    c->end = contact_list_longer(c->end, c->n, c->room, sizeof *c->end);
-    c->index =
-        contact_list_longer(c->index, 2 * c->n, 2 * c->room, sizeof *c->index);
+    const int n = c->n, room = c->room = 2 * c->room + 1024;
+    c->x = alloc_grown(c->x, 6 * n, 6 * room, sizeof *c->x);
+    c->force = alloc_grown(c->force, n, room, sizeof *c->force);
+    c->depth = alloc_grown(c->depth, n, room, sizeof *c->depth);
+    c->ids = alloc_grown(c->ids, 2 * n, 2 * room, sizeof *c->ids);
+    c->corner = alloc_grown(c->corner, 2 * n, 2 * room, sizeof *c->corner);
+    c->end = alloc_grown(c->end, n, room, sizeof *c->end);
+    c->index = alloc_grown(c->index, 2 * n, 2 * room, sizeof *c->index);
 }
 
 /* Of particle i with another, or with a wall that has a number below 0. */
@@ -233,3 +224,58 @@ void contact_list_free(struct contact_list *c)
     free(c->index);
     free(c);
 }
+
+/* --- for ParaView: lines between centres, DIR/contacts.pvd ---------------- */
+
+struct contacts {
+    struct series *series;
+    struct contact_list *found;
+};
+
+static int contacts_add_fields(void *part, double t)
+{
+    struct contacts *const own = part;
+    const struct contact_list *const c = own->found;
+
+    contact_list_find(own->found);
+    const struct vtk_polygons lines = {2 * c->n, c->n, c->x, c->corner, c->end};
+    const struct vtk_array arrays[] = {
+        {.name = "force", .components = 1, .values = c->force, .single = 1},
+        {.name = "overlap", .components = 1, .values = c->depth, .single = 1},
+        {.name = "ids", .components = 2, .ints = c->ids}};
+    return series_add_lines(own->series, &lines, t, 3, arrays);
+}
+
+static void contacts_release(void *part)
+{
+    struct contacts *const c = part;
+
+    series_free(c->series);
+    contact_list_free(c->found);
+    free(c);
+}
+
+static void *contacts_create(const struct recorder_view *v, int *failed)
+{
+    if (v->sim->dem == NULL || !v->of->output->contacts) return NULL;
+    struct contacts *const c = alloc_zeroed(1, sizeof *c);
+
+    c->found = contact_list_create(v->sim);
+    c->series = series_in(v->folder, "contacts", "vtp");
+    if (c->series != NULL) return c;
+    *failed = 1;
+    contacts_release(c);
+    return NULL;
+}
+
+static void contacts_visit(void *part, struct state *s)
+{
+    series_state(((struct contacts *)part)->series, s);
+}
+
+const struct recorder_part recorder_contacts = {
+    .create = contacts_create,
+    .free = contacts_release,
+    .fields = contacts_add_fields,
+    .state = contacts_visit,
+};

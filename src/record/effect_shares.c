@@ -9,13 +9,6 @@
 #include "record/recorder_part.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-
-#include "base/alloc.h"
-
-struct effect_shares {
-    const struct simulation *sim;
-};
 
 /* [N] */
 static double effect_shares_mean(const struct effect_tally *t)
@@ -42,19 +35,16 @@ static double largest_share(const struct simulation *sim, int i)
     return over_scale(sim, sim->effects[i].tally.largest);
 }
 
+/* Nothing but the simulation. */
 static void *effect_shares_create(const struct recorder_view *v, int *failed)
 {
     (void)failed;
-    if (v->sim->n_effects == 0) return NULL;
-    struct effect_shares *const e = alloc_zeroed(1, sizeof *e);
-    e->sim = v->sim;
-    return e;
+    return v->sim->n_effects > 0 ? (void *)v->sim : NULL;
 }
 
 static void effect_shares_summarize(const void *part, struct summary *f)
 {
-    const struct simulation *const sim =
-        ((const struct effect_shares *)part)->sim;
+    const struct simulation *const sim = part;
 
     summary_begin(f, "effects");
     for (int i = 0; i < sim->n_effects; i++) {
@@ -83,8 +73,7 @@ static void share_text(double share, char text[32])
 
 static void effect_shares_print(const void *part)
 {
-    const struct simulation *const sim =
-        ((const struct effect_shares *)part)->sim;
+    const struct simulation *const sim = part;
 
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
@@ -97,8 +86,7 @@ static void effect_shares_print(const void *part)
     }
 }
 
-const struct recorder_part effect_shares_part = {.create = effect_shares_create,
-                                                 .free = free,
-                                                 .summarize =
-                                                     effect_shares_summarize,
-                                                 .print = effect_shares_print};
+const struct recorder_part recorder_effect_shares = {
+    .create = effect_shares_create,
+    .summarize = effect_shares_summarize,
+    .print = effect_shares_print};

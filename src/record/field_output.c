@@ -8,33 +8,16 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/processes.h"
-#include "output/poly/vtk_cells.h"
+#include "output/series.h"
 #include "output/vtk.h"
 
 struct field_output {
     const struct mesh *mesh;
     const struct simulation *sim;
-    struct folder *folder;            /* borrowed */
     struct series *fluid, *particles; /* NULL where there are none */
-    struct vtk_file *writer;
-    struct vtk_cells *cells; /* of a mesh that is no box; else NULL */
-    double last;             /* [s] */
+    struct vtk_cells *cells;          /* of a mesh that is no box; else NULL */
+    double last;                      /* [s] */
 };
-
-struct series *field_output_series(struct folder *f, const char *name,
-                                   const char *suffix)
-{
-    char pvd[32];
-
-    snprintf(pvd, sizeof pvd, "%s.pvd", name);
-    char *const path = folder_file(f, pvd);
-    struct series *const made =
-        path == NULL || folder_make(f, name) != 0
-            ? NULL
-            : series_create(folder_name(f), name, suffix);
-    free(path);
-    return made;
-}
 
 struct field_output *field_output_create(const struct simulation *sim,
                                          struct folder *folder)
@@ -42,20 +25,18 @@ struct field_output *field_output_create(const struct simulation *sim,
     struct field_output *const p = alloc_zeroed(1, sizeof *p);
 
     p->sim = sim;
-    p->folder = folder;
     p->mesh = sim->mesh;
-    p->writer = vtk_file_create();
     p->last = -1.0;
     if (sim->fluid != NULL && p->mesh->shape != NULL)
         p->cells = vtk_cells_create(p->mesh);
     if (sim->fluid != NULL)
-        p->fluid = field_output_series(folder, "fluid",
-                                       sim->processes != NULL ? "pvtr"
-                                       : p->cells != NULL     ? "vtu"
-                                                              : "vtr");
+        p->fluid = series_in(folder, "fluid",
+                             sim->processes != NULL ? "pvtr"
+                             : p->cells != NULL     ? "vtu"
+                                                    : "vtr");
     if (sim->particles != NULL)
-        p->particles = field_output_series(
-            folder, "particles", sim->processes != NULL ? "pvtp" : "vtp");
+        p->particles = series_in(folder, "particles",
+                                 sim->processes != NULL ? "pvtp" : "vtp");
     if ((sim->fluid == NULL || p->fluid != NULL) &&
         (sim->particles == NULL || p->particles != NULL))
         return p;
@@ -69,16 +50,7 @@ void field_output_free(struct field_output *p)
     series_free(p->fluid);
     series_free(p->particles);
     vtk_cells_free(p->cells);
-    vtk_file_free(p->writer);
     free(p);
-}
-
-/* The path of the next file of a series, which is then listed in the folder;
- * NULL after a message. */
-static const char *next_of(struct field_output *p, struct series *s)
-{
-    const char *const path = series_next(s);
-    return folder_list(p->folder, path) == 0 ? path : NULL;
 }
 
 /* The fields of the effects, after the n that are there. */
@@ -125,14 +97,15 @@ static int field_output_add_fluid(struct field_output *p,
     struct processes *const others = p->sim->processes;
     struct vtk_array arrays[FIELD_OUTPUT_ARRAYS];
     const int n = field_output_of_fluid(p->sim, s, arrays);
-    const char *const path = next_of(p, p->fluid);
+    struct vtk_file *const writer = series_writer(p->fluid);
+    const char *const path = series_begin(p->fluid);
 
     if (path == NULL) return 1;
     const int failed =
         others != NULL ? others->write(others, path, s)
         : p->cells != NULL
-            ? vtk_cells_write(p->writer, path, p->cells, s->t, n, arrays)
-            : vtk_write_box(p->writer, path, p->mesh, s->t, n, arrays);
+            ? vtk_cells_write(writer, path, p->cells, s->t, n, arrays)
+            : vtk_write_box(writer, path, p->mesh, s->t, n, arrays);
     return failed != 0 || series_add(p->fluid, s->t) != 0;
 }
 
@@ -169,14 +142,12 @@ static int field_output_add_particles(struct field_output *p,
     const double *const x[3] = {s->x[0], s->x[1], s->x[2]};
     struct vtk_array arrays[FIELD_OUTPUT_ARRAYS];
     const int n = field_output_of_particles(s, arrays);
-    const char *const path = next_of(p, p->particles);
 
-    if (path == NULL) return 1;
-    const int failed =
-        others != NULL
-            ? others->write(others, path, s)
-            : vtk_write_particles(p->writer, path, s->n, x, s->t, n, arrays);
-    return failed != 0 || series_add(p->particles, s->t) != 0;
+    if (others == NULL)
+        return series_add_particles(p->particles, s->n, x, s->t, n, arrays);
+    const char *const path = series_begin(p->particles);
+    return path == NULL || others->write(others, path, s) != 0 ||
+           series_add(p->particles, s->t) != 0;
 }
 
 int field_output_add(struct field_output *p, const struct snapshot *s)

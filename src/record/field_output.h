@@ -4,8 +4,7 @@
 
 #include "coupling/simulation.h"
 #include "output/folder.h"
-#include "output/series.h"
-#include "output/vtk_array.h"
+#include "output/vtk_file.h"
 #include "record/snapshot.h"
 
 struct field_output;
@@ -14,10 +13,6 @@ struct field_output;
 struct field_output *field_output_create(const struct simulation *sim,
                                          struct folder *folder);
 void field_output_free(struct field_output *p);
-
-/* The collection NAME.pvd and a folder for its files; NULL after a message. */
-struct series *field_output_series(struct folder *f, const char *name,
-                                   const char *suffix);
 
 /* The arrays of the files besides cells and centres. Both return their number.
  */

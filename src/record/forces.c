@@ -18,18 +18,128 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "case/forces/forces.h"
-#include "record/surface_loads.h"
+#include "dem/surfaces/dem_surface.h"
 #include "fluid/forces/wall_stress.h"
 #include "mesh/measures.h"
 #include "output/table.h"
 
-enum { COLUMN = 96, EACH = 15 };
+enum { EACH = 15, SURFACE_LOADS_EACH = 6 };
+
+/* 1 if the word is one of those of a text. */
+static int has_word(const char *text, const char *word)
+{
+    const size_t length = strlen(word);
+
+    if (strcmp(text, word) == 0) return 1; /* it may have blanks itself */
+    for (const char *at = text; *(at += strspn(at, " ")) != '\0';
+         at += strcspn(at, " "))
+        if (strcspn(at, " ") == length && strncmp(at, word, length) == 0)
+            return 1;
+    return 0;
+}
+
+/* --- grains on surfaces ----------------------------------------------------
+ */
+
+/* What the grains do to some surfaces. Chapter "Averaged flow".
+ *
+ * Force and torque are means since the row before, the torque about the point
+ * of the body: that about the centre of a surface's motion, and the arm from
+ * the point to where that centre was in the middle of the time, times the
+ * force. */
+struct surface_loads {
+    const struct simulation *sim;
+    const double *centre; /* [m] */
+    int n;
+    int *number;                /* [-] of each surface */
+    struct dem_surface *before; /* as it was in the row before */
+    double t;                   /* [s] of that row; negative: there is none */
+};
+
+static const char *const surface_loads_columns[SURFACE_LOADS_EACH] = {
+    "contact_x [N]",          "contact_y [N]",
+    "contact_z [N]",          "contact_torque_x [N m]",
+    "contact_torque_y [N m]", "contact_torque_z [N m]"};
+
+/* Those whose names stand in `names`, with blanks between; NULL if that is.
+ * `centre` [m] is borrowed. */
+static struct surface_loads *surface_loads_create(const struct simulation *sim,
+                                                  const char *names,
+                                                  const double centre[3])
+{
+    if (names == NULL) return NULL;
+    struct surface_loads *const l = alloc_zeroed(1, sizeof *l);
+
+    l->sim = sim;
+    l->centre = centre;
+    l->t = -1.0;
+    l->number = alloc_ints(sim->n_surfaces);
+    l->before = alloc_zeroed((size_t)sim->n_surfaces, sizeof *l->before);
+    for (int k = 0; k < sim->n_surfaces; k++)
+        if (has_word(names, sim->surface_names[k])) l->number[l->n++] = k;
+    return l;
+}
+
+static void surface_loads_free(struct surface_loads *l)
+{
+    if (l == NULL) return;
+    free(l->number);
+    free(l->before);
+    free(l);
+}
+
+/* Adds impulse [N s] and angular impulse [N m s] between two moments. */
+static void add_between(const struct dem_surface *a,
+                        const struct dem_surface *b, const double centre[3],
+                        double *sum)
+{
+    double impulse[3], angular[3], from[3], to[3], arm[3], turned[3];
+
+    vector_between(b->impulse, a->impulse, impulse);
+    vector_between(b->angular, a->angular, angular);
+    vector_between(a->pose.centre, centre, from);
+    vector_between(b->pose.centre, centre, to);
+    for (int k = 0; k < 3; k++)
+        arm[k] = 0.5 * (from[k] + to[k]);
+    vector_cross(arm, impulse, turned);
+    for (int k = 0; k < 3; k++) {
+        sum[k] += impulse[k];
+        sum[3 + k] += angular[k] + turned[k];
+    }
+}
+
+static void surface_loads_row(struct surface_loads *l, double *row)
+{
+    const double passed = l->t >= 0.0 ? l->sim->t - l->t : 0.0;
+
+    memset(row, 0, SURFACE_LOADS_EACH * sizeof *row);
+    for (int k = 0; k < l->n; k++) {
+        const struct dem_surface now = dem_surface(l->sim->dem, l->number[k]);
+        if (passed > 0.0) add_between(&l->before[k], &now, l->centre, row);
+        l->before[k] = now;
+    }
+    for (int k = 0; k < SURFACE_LOADS_EACH && passed > 0.0; k++)
+        row[k] /= passed;
+    l->t = l->sim->t;
+}
+
+static void surface_loads_state(struct surface_loads *l, int number,
+                                struct state *s)
+{
+    struct dem_surface *const all = l->before;
+
+    state_begin_number(s, "surface_loads", number);
+    state_real(s, "t", "s", &l->t);
+    state_reals_of(s, "impulse", "N s", all->impulse, sizeof *all, l->n, 3);
+    state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, l->n, 3);
+    state_reals_of(s, "centre", "m", all->pose.centre, sizeof *all, l->n, 3);
+    state_end(s);
+}
 
 /* A body: some patches that are walls, some surfaces, and its reference
  * values. */
 struct body {
-    char name[FORCES_NAME];
+    char name[RECORDER_FORCES_NAME];
     int *on;                          /* [-] 1 for each of its patches; NULL:
                                          none */
     struct surface_loads *surfaces;   /* NULL: none */
@@ -83,6 +193,16 @@ static struct load load_on(const struct body *b, const struct fluid *fl)
     return l;
 }
 
+void recorder_forces_name(const struct output_force *o,
+                          char name[RECORDER_FORCES_NAME])
+{
+    snprintf(name, RECORDER_FORCES_NAME, "%s",
+             o->name != NULL       ? o->name
+             : o->patches != NULL  ? o->patches
+             : o->surfaces != NULL ? o->surfaces
+                                   : "walls");
+}
+
 /* --- what the case says --------------------------------------------------- */
 
 /* A direction of the case, its length made 1. */
@@ -100,10 +220,9 @@ static void mark_patches(const struct fluid *fl, const char *patches,
 {
     b->on = alloc_ints(fl->mesh->n_patches);
     for (int p = 0; p < fl->mesh->n_patches; p++)
-        b->on[p] =
-            patches == NULL
-                ? fl->options.boundaries[p].kind == BOUNDARY_NO_SLIP
-                : surface_loads_has_word(patches, fl->mesh->patches[p].name);
+        b->on[p] = patches == NULL
+                       ? fl->options.boundaries[p].kind == BOUNDARY_NO_SLIP
+                       : has_word(patches, fl->mesh->patches[p].name);
 }
 
 static void create_body(const struct output_force *o,
@@ -111,7 +230,7 @@ static void create_body(const struct output_force *o,
 {
     const struct fluid *const fl = sim->fluid;
 
-    forces_name(o, b->name);
+    recorder_forces_name(o, b->name);
     memcpy(b->centre, o->centre, sizeof b->centre);
     b->surfaces = surface_loads_create(sim, o->surfaces, b->centre);
     if (o->patches == NULL && o->surfaces != NULL) return;
@@ -191,31 +310,20 @@ static int forces_add_row(void *memory)
 static struct table *forces_create_table(const struct forces *f,
                                          struct folder *folder)
 {
-    char(*const text)[COLUMN] =
-        alloc_zeroed((size_t)f->n_columns, sizeof *text);
-    const char **const names =
-        alloc_zeroed((size_t)f->n_columns, sizeof *names);
-    int c = 1;
+    struct table_head head = {0};
 
-    names[0] = "time [s]";
+    table_head_add(&head, "time [s]");
     for (int i = 0; i < f->n; i++)
-        for (int k = 0; k < columns_of(&f->body[i]); k++, c++) {
-            snprintf(text[c], COLUMN, "%s_%s", f->body[i].name,
-                     column_of(&f->body[i], k));
-            names[c] = text[c];
-        }
-    struct table *const t =
-        folder_table(folder, "forces.csv", f->n_columns, names);
-    free(text);
-    free(names);
-    return t;
+        for (int k = 0; k < columns_of(&f->body[i]); k++)
+            table_head_add(&head, "%s_%s", f->body[i].name,
+                           column_of(&f->body[i], k));
+    return folder_table(folder, "forces.csv", &head);
 }
 
 static void forces_release(void *memory)
 {
     struct forces *const f = memory;
 
-    if (f == NULL) return;
     for (int i = 0; i < f->n; i++) {
         free(f->body[i].on);
         surface_loads_free(f->body[i].surfaces);
@@ -228,15 +336,15 @@ static void forces_release(void *memory)
 
 static void *forces_create(const struct recorder_view *v, int *failed)
 {
-    if (v->settings->output.forces.n == 0) return NULL;
+    if (v->of->output->forces.n == 0) return NULL;
     struct forces *const f = alloc_zeroed(1, sizeof *f);
 
     f->sim = v->sim;
-    f->n = v->settings->output.forces.n;
+    f->n = v->of->output->forces.n;
     f->n_columns = 1;
     f->body = alloc_zeroed((size_t)f->n, sizeof *f->body);
     for (int i = 0; i < f->n; i++) {
-        create_body(&v->settings->output.forces.item[i], v->sim, &f->body[i]);
+        create_body(&v->of->output->forces.item[i], v->sim, &f->body[i]);
         f->n_columns += columns_of(&f->body[i]);
     }
     f->row = alloc_doubles(f->n_columns);
@@ -246,43 +354,6 @@ static void *forces_create(const struct recorder_view *v, int *failed)
     forces_release(f);
     return NULL;
 }
-
-static const struct key keys[] = {
-    {"output.forces", KEY_LIST, "", "", "",
-     "forces and torques of the fluid on walls, each { patches, ... }, without "
-     "its buoyancy, and of grains on surfaces: rows of forces.csv",
-     "", "", .at = KEY_AT(output_options, forces),
-     .size = sizeof(struct output_force)},
-    {"output.forces.name", KEY_TEXT, "", "", "",
-     "how the names of its columns begin; left out: the patches or surfaces",
-     "", "", .at = KEY_AT(output_force, name)},
-    {"output.forces.patches", KEY_TEXT, "", "", "",
-     "names, separated by blanks; left out: all no-slip walls", "", "",
-     .at = KEY_AT(output_force, patches)},
-    {"output.forces.surfaces", KEY_TEXT, "", "", "",
-     "names of particles.surfaces, separated by blanks: force and torque of "
-     "the grains on them, means since the row before",
-     "", "particles", .at = KEY_AT(output_force, surfaces)},
-    {"output.forces.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
-     "the point that the torque is about", "", "",
-     .at = KEY_AT(output_force, centre)},
-    {"output.forces.velocity", KEY_REAL, "m/s", "> 0", "",
-     "reference velocity U of the coefficients", "ST96", "",
-     .at = KEY_AT(output_force, velocity)},
-    {"output.forces.area", KEY_REAL, "m^2", "> 0", "",
-     "reference area A of the coefficients", "ST96", "",
-     .at = KEY_AT(output_force, area)},
-    {"output.forces.length", KEY_REAL, "m", "> 0", "",
-     "reference length L of the coefficient of the torque", "", "",
-     .at = KEY_AT(output_force, length)},
-    {"output.forces.drag", KEY_VECTOR, "-", "", "[1.0, 0.0, 0.0]",
-     "direction of the drag", "", "", .at = KEY_AT(output_force, drag)},
-    {"output.forces.lift", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
-     "direction of the lift", "", "", .at = KEY_AT(output_force, lift)},
-    {"output.forces.axis", KEY_VECTOR, "-", "", "[0.0, 0.0, 1.0]",
-     "direction of the torque in its coefficient", "", "",
-     .at = KEY_AT(output_force, axis)},
-    KEY_END};
 
 static void forces_visit(void *part, struct state *s)
 {
@@ -296,9 +367,7 @@ static void forces_visit(void *part, struct state *s)
     state_end(s);
 }
 
-const struct recorder_part forces_part = {
-    .keys = keys,
-    .check = forces_check,
+const struct recorder_part recorder_forces = {
     .create = forces_create,
     .row = forces_add_row,
     .last_row = forces_add_row,

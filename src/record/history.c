@@ -4,20 +4,14 @@
 #include <math.h>
 
 #include "base/vector.h"
-#include "record/history_sums.h"
 #include "coupling/coupling.h"
+#include "coupling/population/replacement.h"
 #include "coupling/processes.h"
-
-const struct history_table *const history_tables[] = {
-    &history_of_bed, &history_population, &history_budget, &history_further,
-    NULL};
+#include "dem/energy.h"
+#include "dem/population/population.h"
+#include "record/history_sums.h"
 
 /* --- physics ------------------------------------------------------------ */
-
-HISTORY_VALUE(now, sim->t)
-HISTORY_VALUE(inlet_velocity, fluid_inlet_velocity(sim->fluid))
-HISTORY_VALUE(fluid_energy,
-              processes_total(sim, fluid_kinetic_energy(sim->fluid)))
 
 /* Component k of a sum over all [N s]. */
 static double component(const struct simulation *sim, int k,
@@ -29,12 +23,39 @@ static double component(const struct simulation *sim, int k,
     return sum[k];
 }
 
-HISTORY_VALUE(momentum_x, component(sim, 0, coupling_total_momentum))
-HISTORY_VALUE(momentum_y, component(sim, 1, coupling_total_momentum))
-HISTORY_VALUE(momentum_z, component(sim, 2, coupling_total_momentum))
-HISTORY_VALUE(unpaid_x, component(sim, 0, coupling_unpaid_impulse))
-HISTORY_VALUE(unpaid_y, component(sim, 1, coupling_unpaid_impulse))
-HISTORY_VALUE(unpaid_z, component(sim, 2, coupling_unpaid_impulse))
+HISTORY_VALUE(now, sim->t)
+HISTORY_VALUE(inlet_velocity, fluid_inlet_velocity(sim->fluid))
+HISTORY_VALUE(fluid_energy,
+              processes_total(sim, fluid_kinetic_energy(sim->fluid)))
+HISTORY_VECTOR(momentum, component(sim, k, coupling_total_momentum))
+HISTORY_VECTOR(unpaid, component(sim, k, coupling_unpaid_impulse))
+
+/* --- insertion and removal ---------------------------------------------- */
+
+HISTORY_VALUE(particles, sim->particles->n)
+HISTORY_VALUE(inserted, (double)sim->population->totals.inserted)
+HISTORY_VALUE(removed, (double)sim->population->totals.removed)
+HISTORY_VALUE(waiting, (double)sim->population->totals.waiting)
+HISTORY_VALUE(mass_in, sim->population->totals.mass_in)
+HISTORY_VALUE(mass_out, sim->population->totals.mass_out)
+HISTORY_VECTOR(brought, component(sim, k, replacement_momentum))
+HISTORY_VALUE(replaced, sim->fluid->replaced)
+
+/* --- the energy of the particles ---------------------------------------- */
+
+HISTORY_VALUE(normal_springs, dem_energy(sim->dem)->normal)
+HISTORY_VALUE(tangential_springs, dem_energy(sim->dem)->tangential)
+HISTORY_VALUE(damped_n, dem_energy(sim->dem)->damped_n)
+HISTORY_VALUE(damped_t, dem_energy(sim->dem)->damped_t)
+HISTORY_VALUE(slid, dem_energy(sim->dem)->slid)
+HISTORY_VALUE(released, dem_energy(sim->dem)->released)
+HISTORY_VALUE(rolled, dem_energy(sim->dem)->rolled)
+HISTORY_VALUE(work, dem_energy(sim->dem)->work)
+HISTORY_VALUE(attracted, dem_energy(sim->dem)->attracted)
+HISTORY_VALUE(of_walls, dem_energy(sim->dem)->walls)
+HISTORY_VALUE(energy_brought, dem_energy(sim->dem)->added)
+HISTORY_VALUE(residual_of_energy, energy_residual(dem_energy(sim->dem)))
+
 /* --- numerics ----------------------------------------------------------- */
 
 HISTORY_VALUE(cfl, sim->fluid->report.cfl)
@@ -45,9 +66,7 @@ HISTORY_VALUE(pressure_iterations, sim->fluid->report.pressure.iterations)
 HISTORY_VALUE(momentum_iterations, sim->fluid->report.momentum.iterations)
 HISTORY_VALUE(backflow_faces, sim->fluid->report.backflow_faces)
 HISTORY_VALUE(flow_substeps, sim->fluid->report.flow_substeps)
-HISTORY_VALUE(mean_gradient_x, sim->fluid->mean_gradient[0])
-HISTORY_VALUE(mean_gradient_y, sim->fluid->mean_gradient[1])
-HISTORY_VALUE(mean_gradient_z, sim->fluid->mean_gradient[2])
+HISTORY_VECTOR(mean_gradient, sim->fluid->mean_gradient[k])
 HISTORY_VALUE(exchange_residual, sim->coupling->report.exchange_residual)
 HISTORY_VALUE(eps_lowest, sim->coupling->report.eps_lowest)
 HISTORY_VALUE(capped_cells, averaging_report(sim->averaging)->capped)
@@ -55,11 +74,7 @@ HISTORY_VALUE(substeps, sim->coupling->report.substeps)
 HISTORY_VALUE(max_overlap, sim->dem_report.max_overlap)
 HISTORY_VALUE(contacts, sim->dem_report.contacts)
 HISTORY_VALUE(rebuilds, (double)sim->dem_report.rebuilds)
-
-static double relabelled(const struct simulation *sim)
-{
-    return vector_length(sim->fluid->relabelled);
-}
+HISTORY_VALUE(relabelled, vector_length(sim->fluid->relabelled))
 
 static double shortest_time(const struct simulation *sim)
 {
@@ -72,10 +87,12 @@ enum {
     P = HISTORY_PARTICLES,
     C = HISTORY_COUPLING,
     D = HISTORY_MEAN_GRADIENT,
-    N = HISTORY_PARTS
+    N = HISTORY_PARTS,
+    I = HISTORY_POPULATION,
+    E = HISTORY_BUDGET
 };
 
-static const struct history_column columns[] = {
+const struct history_column history_columns[] = {
     {"time [s]", now, 0},
     {"pressure_drop [Pa]", history_pressure_drop, F},
     {"bed_weight [Pa]", history_bed_weight, P},
@@ -84,9 +101,28 @@ static const struct history_column columns[] = {
     {"kinetic_energy_fluid [J]", fluid_energy, F},
     {"kinetic_energy_particles [J]", history_particle_energy, P},
     {"rotational_energy_particles [J]", history_spin_energy, P},
-    {NULL, NULL, 0}};
-
-static const struct history_column further[] = {
+    {"particles [-]", particles, I},
+    {"particles_in [-]", inserted, I},
+    {"particles_out [-]", removed, I},
+    {"particles_waiting [-]", waiting, I},
+    {"mass_in [kg]", mass_in, I},
+    {"mass_out [kg]", mass_out, I},
+    {"momentum_brought_x [N s]", brought_x, I},
+    {"momentum_brought_y [N s]", brought_y, I},
+    {"momentum_brought_z [N s]", brought_z, I},
+    {"fluid_replaced [kg]", replaced, I | C},
+    {"energy_normal_springs [J]", normal_springs, E},
+    {"energy_tangential_springs [J]", tangential_springs, E},
+    {"lost_in_normal_dashpots [J]", damped_n, E},
+    {"lost_in_tangential_dashpots [J]", damped_t, E},
+    {"lost_by_sliding [J]", slid, E},
+    {"lost_by_tangential_springs [J]", released, E},
+    {"lost_by_rolling [J]", rolled, E},
+    {"work_of_outside_forces [J]", work, E},
+    {"work_of_cohesion [J]", attracted, E},
+    {"work_of_walls [J]", of_walls, E},
+    {"energy_brought [J]", energy_brought, E},
+    {"energy_residual [J]", residual_of_energy, E},
     {"granular_temperature [m2/s2]", history_granular_temperature, P},
     {"mean_height [m]", history_mean_height, P},
     {"mean_fall_velocity [m/s]", history_mean_fall, P},
@@ -127,18 +163,16 @@ static int is_driven(const struct fluid *fl)
     return 0;
 }
 
-const struct history_table history_of_bed = {.columns = columns};
-const struct history_table history_further = {.columns = further};
-
-int history_applies(const struct history_table *t,
-                    const struct history_column *c,
+int history_applies(const struct history_column *c,
                     const struct simulation *sim)
 {
-    return (t->applies == NULL || t->applies(sim)) &&
-           (!(c->needs & F) || sim->fluid != NULL) &&
+    return (!(c->needs & F) || sim->fluid != NULL) &&
            (!(c->needs & D) || is_driven(sim->fluid)) &&
            (!(c->needs & N) ||
             (sim->fluid != NULL && sim->fluid->options.cfl > 0.0)) &&
            (!(c->needs & P) || sim->particles != NULL) &&
-           (!(c->needs & C) || sim->coupling != NULL);
+           (!(c->needs & C) || sim->coupling != NULL) &&
+           (!(c->needs & I) || sim->population != NULL) &&
+           (!(c->needs & E) ||
+            (sim->dem != NULL && dem_energy(sim->dem) != NULL));
 }

@@ -9,8 +9,6 @@
 
 #include "coupling/simulation.h"
 
-struct summary;
-
 /* One column. */
 struct history_column {
     const char *name; /* with its unit: "pressure_drop [Pa]" */
@@ -23,38 +21,33 @@ enum {
     HISTORY_PARTICLES = 2,
     HISTORY_COUPLING = 4,
     HISTORY_MEAN_GRADIENT = 8, /* a flow prescribed through periodic ends */
-    HISTORY_PARTS = 16         /* a step of the fluid that may be divided */
+    HISTORY_PARTS = 16,        /* a step of the fluid that may be divided */
+    HISTORY_POPULATION = 32,   /* insertion or removal */
+    HISTORY_BUDGET = 64        /* of the particles' energy */
 };
 
-/* The function of a column that is one expression of the simulation. */
+/* The function of a column that is one expression of the simulation, and those
+ * of three, by the component k = 0, 1, 2. */
 #define HISTORY_VALUE(name, expression)                                        \
     static double name(const struct simulation *sim)                           \
     {                                                                          \
         return expression;                                                     \
     }
+#define HISTORY_VECTOR(name, expression)                                       \
+    static double name(const struct simulation *sim, int k)                    \
+    {                                                                          \
+        return expression;                                                     \
+    }                                                                          \
+    HISTORY_VALUE(name##_x, name(sim, 0))                                      \
+    HISTORY_VALUE(name##_y, name(sim, 1))                                      \
+    HISTORY_VALUE(name##_z, name(sim, 2))
 
-/* Columns that stand together, ended by one without a name. */
-struct history_table {
-    const struct history_column *columns;
-    int (*applies)(const struct simulation *sim); /* NULL: to all */
-    /* Its numbers in the summary, or NULL. */
-    void (*summarize)(const struct simulation *sim, struct summary *f);
-};
+/* All but those of the parts (recorder_part.h) and of the effects, in the order
+ * of the row; the last has no name. */
+extern const struct history_column history_columns[];
 
-/* All of them, in the order of the row, ended by NULL. */
-extern const struct history_table history_of_bed, history_population,
-    history_budget, history_further;
-extern const struct history_table *const history_tables[];
-
-/* Loops over all columns; t is the table of column c. */
-#define HISTORY_EACH(t, c)                                                     \
-    for (const struct history_table *const *at_##t = history_tables, *t;       \
-         (t = *at_##t) != NULL; at_##t++)                                      \
-        for (const struct history_column *c = t->columns; c->name != NULL; c++)
-
-/* 1 if the simulation has what the table and the column need. */
-int history_applies(const struct history_table *t,
-                    const struct history_column *c,
+/* 1 if the simulation has what the column needs. */
+int history_applies(const struct history_column *c,
                     const struct simulation *sim);
 
 #endif

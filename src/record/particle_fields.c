@@ -1,16 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_fields.c -- what a case may have written of each particle besides
  * place, velocity, spin and size. */
-#include "record/snapshot_order.h"
 #include "record/recorder_part.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/alloc.h"
 #include "record/contact_list.h"
-#include "case/nearest.h"
 
 static void take_mass(void *memory, const struct simulation *sim, double *to)
 {
@@ -73,115 +69,46 @@ static void take_contact_number(void *memory, const struct simulation *sim,
         if (c->index[i] >= 0) to[c->index[i]] += 1.0;
 }
 
-static const struct snapshot_field fields[] = {
+const struct snapshot_field snapshot_fields[] = {
     {"mass", "kg", 1, take_mass},
     {"material", "-", 1, take_material},
     {"fluid_force", "N", 3, take_fluid_force},
     {"contact_force", "N", 3, take_contact_force},
-    {"contact_number", "-", 1, take_contact_number}};
-enum { FIELDS = sizeof fields / sizeof *fields, WORD = 64 };
+    {"contact_number", "-", 1, take_contact_number},
+    {NULL, NULL, 0, NULL}};
 
-static const char key[] = "output.particles";
-
-static int particle_fields_number_of(const char *word)
-{
-    for (int i = 0; i < FIELDS; i++)
-        if (strcmp(fields[i].name, word) == 0) return i;
-    return -1;
-}
-
-static int particle_fields_unknown(const struct settings *s, const char *word)
-{
-    struct nearest n;
-
-    nearest_init(&n, word);
-    for (int i = 0; i < FIELDS; i++)
-        nearest_offer(&n, fields[i].name);
-    const char *const best = nearest_best(&n);
-    return settings_wrong(s, key,
-                          "there is no %s; expected mass, material, "
-                          "fluid_force, contact_force or contact_number%s%s",
-                          word, best != NULL ? "; nearest: " : "",
-                          best != NULL ? best : "");
-}
-
-static int particle_fields_check(const struct settings *s)
-{
-    char word[WORD];
-    int used, found[FIELDS] = {0};
-
-    for (const char *text = s->output.particles;
-         text != NULL && sscanf(text, " %63[^ ]%n", word, &used) == 1;
-         text += used) {
-        const int i = particle_fields_number_of(word);
-        if (i < 0) return particle_fields_unknown(s, word);
-        if (found[i]++)
-            return settings_wrong(s, key, "%s is named twice", word);
-        if (fields[i].take == take_fluid_force && !s->has.exchange)
-            return settings_wrong(s, key,
-                                  "fluid_force needs the group exchange: no "
-                                  "fluid acts on the particles");
-    }
-    return 0;
-}
-
-/* --- as a part of the recorder -------------------------------------------- */
-
-struct chosen {
-    int field[FIELDS];             /* [-] numbers of them */
-    int n, sorted;                 /* [-] */
-    struct contact_list *contacts; /* NULL unless they are counted */
-};
-
+/* Adds what the case names to the snapshot; the list of contacts is all that is
+ * left to be freed. */
 static void *particle_fields_create(const struct recorder_view *v, int *failed)
 {
-    const struct output_options *const o = &v->settings->output;
+    const struct output_options *const o = v->of->output;
     const char *text = o->particles != NULL ? o->particles : "";
-    struct chosen c = {.sorted = o->sorted};
-    char word[WORD];
+    struct contact_list *contacts = NULL;
+    char word[SNAPSHOT_WORD];
     int used;
+
     (void)failed;
+    if (v->sim->dem == NULL) return NULL;
+    if (o->sorted) snapshot_order_by_id(v->snapshot);
     for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used) {
-        const int i = particle_fields_number_of(word);
-        const int known =
-            fields[i].take == take_material && v->sim->particles != NULL &&
-            v->sim->particles->material != NULL; /* is written anyway */
-        if (!known) c.field[c.n++] = i;
+        const struct snapshot_field *f = snapshot_fields;
+        while (strcmp(f->name, word) != 0)
+            f++;
+        if (f->take == take_material && v->sim->particles->material != NULL)
+            continue; /* is written anyway */
+        if (f->take == take_contact_number)
+            contacts = contact_list_create(v->sim);
+        snapshot_add(v->snapshot, f, contacts);
     }
-    if (v->sim->dem == NULL || (c.n == 0 && !c.sorted)) return NULL;
-    for (int i = 0; i < c.n; i++)
-        if (fields[c.field[i]].take == take_contact_number)
-            c.contacts = contact_list_create(v->sim);
-    struct chosen *const made = alloc_zeroed(1, sizeof *made);
-    *made = c;
-    for (int i = 0; i < c.n; i++)
-        snapshot_add(v->snapshot, &fields[c.field[i]], c.contacts);
-    if (c.sorted) snapshot_order_by_id(v->snapshot);
-    return made;
+    return contacts;
 }
 
-static void particle_fields_release(void *part)
+static void particle_fields_release(void *contacts)
 {
-    struct chosen *const c = part;
-
-    if (c == NULL) return;
-    contact_list_free(c->contacts);
-    free(c);
+    contact_list_free(contacts);
 }
 
-static const struct key keys[] = {
-    {"output.particles", KEY_TEXT, "", "", KEY_OPTIONAL,
-     "further arrays of particles.pvd, separated by blanks: mass material "
-     "fluid_force contact_force contact_number",
-     "", "particles", .at = KEY_AT(output_options, particles)},
-    {"output.sorted", KEY_BOOL, "", "", "false",
-     "particles.pvd has the particles in the order of their ids", "",
-     "particles", .at = KEY_AT(output_options, sorted)},
-    KEY_END};
-
-const struct recorder_part particle_fields_part = {
-    .keys = keys,
-    .check = particle_fields_check,
+const struct recorder_part recorder_particle_fields = {
     .create = particle_fields_create,
     .free = particle_fields_release,
 };

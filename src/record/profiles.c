@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* profiles.c -- time averages on lines, the files of DIR/profiles/. */
+/* profiles.c -- what a case asks for of the fields: time averages on lines, the
+ * files of DIR/profiles/, and values at points, the columns of DIR/probes.csv.
+ */
 #include "record/profiles.h"
 
 #include <stdio.h>
@@ -7,13 +9,33 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "output/means/profile.h"
-#include "case/case_mesh.h"
-#include "case/case_steps.h"
-#include "record/field_names.h"
+#include "output/means/probe.h"
+#include "output/table.h"
 #include "record/recorder_part.h"
 
-static const char list[] = "output.profiles";
+/* The field that a case calls `name`. Mean velocities of the particles are
+ * weighted by the solids fraction. */
+static struct profile_field field_named(const struct snapshot *s,
+                                        const char *name)
+{
+    const struct profile_field fields[] = {
+        {"eps_f", "-", s->eps, 1, 0, NULL},
+        {"eps_s", "-", s->eps_s, 1, 0, NULL},
+        {"p", "Pa", s->p, 1, 0, NULL},
+        {"u_x", "m/s", s->u, 3, 0, NULL},
+        {"u_y", "m/s", s->u, 3, 1, NULL},
+        {"u_z", "m/s", s->u, 3, 2, NULL},
+        {"us_x", "m/s", s->u_s, 3, 0, s->eps_s},
+        {"us_y", "m/s", s->u_s, 3, 1, s->eps_s},
+        {"us_z", "m/s", s->u_s, 3, 2, s->eps_s}};
+    int i = 0;
+
+    while (strcmp(fields[i].name, name) != 0)
+        i++;
+    return fields[i];
+}
+
+/* --- lines ---------------------------------------------------------------- */
 
 struct line {
     struct profile *profile;
@@ -29,12 +51,7 @@ struct profiles {
     struct line *line;
 };
 
-/* The keys that give the place of a line, by direction. */
-static const char *const place[3] = {"x", "height", "z"};
-
-/* The line of a profile; `across` is -1 where the case does not say where it
- * lies. */
-static struct profile_line profiles_line_of(const struct output_profile *p)
+struct profile_line profiles_line(const struct output_profile *p)
 {
     struct profile_line l = {
         .along = p->along[0] - 'x', .across = -1, .from = p->from};
@@ -47,144 +64,30 @@ static struct profile_line profiles_line_of(const struct output_profile *p)
     return l;
 }
 
-/* What the file of a profile is called but for its ending: by field, direction
- * if it is not x, and place, in millimetres. */
+/* By field, direction if it is not x, and place, in millimetres. */
 static void short_name(const struct output_profile *p, char name[PROFILES_NAME])
 {
     static const char *const along[3] = {"", "_along_y", "_along_z"};
-    const struct profile_line l = profiles_line_of(p);
+    const struct profile_line l = profiles_line(p);
 
     snprintf(name, PROFILES_NAME, "%s%s_%c%gmm", p->field, along[l.along],
              "xyz"[l.across], 1e3 * l.at);
 }
 
-struct name {
-    char text[PROFILES_NAME];
-    int i; /* [-] of its profile */
-};
-
-static int profiles_by_text(const void *a, const void *b)
+void profiles_name(const struct output_options *o, int i,
+                   char name[PROFILES_NAME])
 {
-    const struct name *const p = a, *const q = b;
-    const int order = strcmp(p->text, q->text);
-
-    return order != 0 ? order : p->i - q->i;
-}
-
-/* The names of all profiles, sorted; freed by the caller. */
-static struct name *names_of(const struct settings *s)
-{
-    const struct output_profile *const p = s->output.profiles.item;
-    const int n = s->output.profiles.n;
-    struct name *const all = alloc_zeroed((size_t)n, sizeof *all);
-
-    for (int i = 0; i < n; i++) {
-        short_name(&p[i], all[i].text);
-        all[i].i = i;
-    }
-    qsort(all, (size_t)n, sizeof *all, profiles_by_text);
-    for (int k = n - 1; k > 0; k--) {
-        char *const text = all[k].text;
-        if (strcmp(text, all[k - 1].text) != 0) continue;
-        snprintf(text + strlen(text), PROFILES_NAME - strlen(text), "_from%gs",
-                 p[all[k].i].from);
-    }
-    qsort(all, (size_t)n, sizeof *all, profiles_by_text);
-    return all;
-}
-
-void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
-{
-    struct name *const all = names_of(s);
+    const struct output_profile *const p = o->profiles.item;
+    char other[PROFILES_NAME];
     int k = 0;
 
-    while (all[k].i != i)
-        k++;
-    strcpy(name, all[k].text);
-    free(all);
-}
-
-/* --- checks --------------------------------------------------------------- */
-
-/* A line has one place, in one of the two directions that it does not follow,
- * and lies within the box. */
-static int profiles_check_place(const struct settings *s, int i)
-{
-    const struct output_profile *const p = &s->output.profiles.item[i];
-    const struct profile_line l = profiles_line_of(p);
-    const int one = l.along == 0, two = l.along == 2 ? 1 : 2;
-    double lo[3], hi[3];
-
-    if (p->has_place[l.along])
-        return settings_wrong(s, list,
-                              "profile %d goes along %c and so has no %s; "
-                              "expected %s or %s, in m",
-                              i, "xyz"[l.along], place[l.along], place[one],
-                              place[two]);
-    if (p->has_place[one] == p->has_place[two])
-        return settings_wrong(s, list,
-                              "profile %d goes along %c: expected %s or %s, in "
-                              "m, the place of its line%s",
-                              i, "xyz"[l.along], place[one], place[two],
-                              l.across < 0 ? "" : ", and not both");
-    case_mesh_ends(s, lo, hi);
-    if (l.at >= lo[l.across] && l.at <= hi[l.across]) return 0;
-    const int over = l.at > hi[l.across];
-    return settings_wrong(s, list, "%s %g m is %s the box, %g m",
-                          place[l.across], l.at,
-                          l.across != 1 ? "beyond"
-                          : over        ? "above"
-                                        : "below",
-                          over ? hi[l.across] : lo[l.across]);
-}
-
-/* Of two profiles in one file only the last would be left. */
-static int profiles_check_names(const struct settings *s)
-{
-    struct name *const all = names_of(s);
-    const struct name *again = NULL;
-    int code = 0;
-
-    for (int k = 1; k < s->output.profiles.n; k++)
-        if (strcmp(all[k].text, all[k - 1].text) == 0 &&
-            (again == NULL || all[k].i < again->i))
-            again = &all[k];
-    if (again != NULL)
-        code = settings_wrong(s, list,
-                              "profiles %d and %d are of the same field on the "
-                              "same line from the same time: both would be "
-                              "%s.csv; leave one of them out",
-                              again[-1].i, again->i, again->text);
-    free(all);
-    return code;
-}
-
-static int profiles_check(const struct settings *s)
-{
-    const int n = s->output.profiles.n;
-    int code = 0;
-
-    for (int i = 0; i < n && code == 0; i++)
-        code = field_names_check(s, list, s->output.profiles.item[i].field);
-    for (int i = 0; i < n && code == 0; i++)
-        code = profiles_check_place(s, i);
-    return code != 0 ? code : profiles_check_names(s);
-}
-
-/* --- a run ---------------------------------------------------------------- */
-
-static int create_line(const struct recorder_view *v, int i, struct line *line)
-{
-    const struct settings *const s = v->settings;
-    const struct output_profile *const p = &s->output.profiles.item[i];
-    const struct profile_line where = profiles_line_of(p);
-    const struct profile_field field = field_names_find(v->whole, p->field);
-
-    if (field.values == NULL)
-        return settings_wrong(s, list, "the case has no field %s", field.name);
-    line->upright = v->sim->gravity[where.along] != 0.0;
-    line->profile = profile_create(v->drawn->mesh, &where, 1, &field);
-    return line->profile == NULL;
+    short_name(&p[i], name);
+    for (; k < i; k++) {
+        short_name(&p[k], other);
+        if (strcmp(name, other) == 0) break;
+    }
+    const size_t n = strlen(name);
+    if (k < i) snprintf(name + n, PROFILES_NAME - n, "_from%gs", p[i].from);
 }
 
 static void profiles_release(void *part)
@@ -199,21 +102,24 @@ static void profiles_release(void *part)
 
 static void *profiles_create(const struct recorder_view *v, int *failed)
 {
-    const int n = v->settings->output.profiles.n;
+    const struct output_options *const o = v->of->output;
 
-    if (n == 0) return NULL;
+    if (o->profiles.n == 0) return NULL;
     struct profiles *const l = alloc_zeroed(1, sizeof *l);
     l->snapshot = v->whole;
     l->folder = v->folder;
-    l->dt = (double)case_steps_between_rows(v->settings) * v->sim->dt;
-    l->n = n;
-    l->line = alloc_zeroed((size_t)n, sizeof *l->line);
-    for (int i = 0; i < n && !*failed; i++)
-        *failed = create_line(v, i, &l->line[i]) != 0;
-    struct name *const names = names_of(v->settings);
-    for (int k = 0; k < n; k++)
-        strcpy(l->line[names[k].i].name, names[k].text);
-    free(names);
+    l->dt = (double)v->of->row_every * v->sim->dt;
+    l->n = o->profiles.n;
+    l->line = alloc_zeroed((size_t)l->n, sizeof *l->line);
+    for (int i = 0; i < l->n && !*failed; i++) {
+        const struct profile_line where = profiles_line(&o->profiles.item[i]);
+        const struct profile_field field =
+            field_named(v->whole, o->profiles.item[i].field);
+        l->line[i].upright = v->sim->gravity[where.along] != 0.0;
+        l->line[i].profile = profile_create(v->drawn->mesh, &where, 1, &field);
+        profiles_name(o, i, l->line[i].name);
+        *failed = l->line[i].profile == NULL;
+    }
     if (!*failed) return l;
     profiles_release(l);
     return NULL;
@@ -281,38 +187,89 @@ static int profiles_finish(void *part)
     return failed;
 }
 
-static const struct key keys[] = {
-    {"output.profiles", KEY_LIST, "", "", "",
-     "time averages on lines, each { field, along, height or x or z, from }; "
-     "over the third direction they are means",
-     "SX15 Fig. 4-7", "", .at = KEY_AT(output_options, profiles),
-     .size = sizeof(struct output_profile)},
-    {"output.profiles.field", KEY_NAME, "", FIELD_NAMES, NULL,
-     "fluid or solid fraction, pressure, velocity of the fluid (u) or of the "
-     "particles (us)",
-     "", "", .at = KEY_AT(output_profile, field)},
-    {"output.profiles.along", KEY_NAME, "", "x | y | z", "x",
-     "direction of the line", "SX15 Fig. 4-7", "",
-     .at = KEY_AT(output_profile, along)},
-    {"output.profiles.height", KEY_REAL, "m", ">= 0", KEY_OPTIONAL,
-     "y of a line along x or z", "", "", .at = KEY_AT(output_profile, place[1]),
-     .given = KEY_AT(output_profile, has_place[1])},
-    {"output.profiles.x", KEY_REAL, "m", "", KEY_OPTIONAL,
-     "x of a line along y or z", "", "", .at = KEY_AT(output_profile, place[0]),
-     .given = KEY_AT(output_profile, has_place[0])},
-    {"output.profiles.z", KEY_REAL, "m", "", KEY_OPTIONAL,
-     "z of a line along x or y", "", "", .at = KEY_AT(output_profile, place[2]),
-     .given = KEY_AT(output_profile, has_place[2])},
-    {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0",
-     "time at which the average begins; later than the end: none", "", "",
-     .at = KEY_AT(output_profile, from)},
-    KEY_END};
+const struct recorder_part recorder_profiles = {.create = profiles_create,
+                                                .free = profiles_release,
+                                                .row = profiles_add,
+                                                .finish = profiles_finish,
+                                                .summarize = profiles_summarize,
+                                                .state = profiles_visit};
 
-const struct recorder_part profiles_part = {.keys = keys,
-                                            .check = profiles_check,
-                                            .create = profiles_create,
-                                            .free = profiles_release,
-                                            .row = profiles_add,
-                                            .finish = profiles_finish,
-                                            .summarize = profiles_summarize,
-                                            .state = profiles_visit};
+/* --- points --------------------------------------------------------------- */
+
+struct sensor {
+    struct profile_field field;
+    struct probe at;
+};
+
+struct probes {
+    const struct snapshot *snapshot;
+    int n;
+    struct sensor *sensor;
+    struct table *table;
+    double *row;
+};
+
+static void probes_release(void *part)
+{
+    struct probes *const p = part;
+
+    table_free(p->table);
+    free(p->sensor);
+    free(p->row);
+    free(p);
+}
+
+static void *probes_create(const struct recorder_view *v, int *failed)
+{
+    const struct output_probe *const o = v->of->output->probes.item;
+    const int n = v->of->output->probes.n;
+    struct table_head head = {0};
+
+    if (n == 0) return NULL;
+    struct probes *const p = alloc_zeroed(1, sizeof *p);
+    p->snapshot = v->whole;
+    p->n = n;
+    p->sensor = alloc_zeroed((size_t)n, sizeof *p->sensor);
+    p->row = alloc_doubles(n + 1);
+    table_head_add(&head, "time [s]");
+    for (int i = 0; i < n; i++) {
+        const double *const x = o[i].position;
+        const struct profile_field f = field_named(v->whole, o[i].field);
+        p->sensor[i] = (struct sensor){f, probe_at(v->drawn->mesh, x)};
+        table_head_add(&head, "%s(%g %g %g) [%s]", f.name, x[0], x[1], x[2],
+                       f.unit);
+    }
+    p->table = folder_table(v->folder, "probes.csv", &head);
+    if (p->table != NULL) return p;
+    *failed = 1;
+    probes_release(p);
+    return NULL;
+}
+
+static void probes_visit(void *part, struct state *s)
+{
+    struct probes *const p = part;
+
+    state_begin(s, "probes");
+    table_state(p->table, s);
+    state_end(s);
+}
+
+static int probes_add_row(void *part)
+{
+    struct probes *const p = part;
+
+    p->row[0] = p->snapshot->t;
+    for (int i = 0; i < p->n; i++) {
+        const struct profile_field *const f = &p->sensor[i].field;
+        p->row[1 + i] = probe_value(&p->sensor[i].at, f->values, f->components,
+                                    f->component, f->weight);
+    }
+    return table_add(p->table, p->row);
+}
+
+const struct recorder_part recorder_probes = {.create = probes_create,
+                                              .free = probes_release,
+                                              .row = probes_add_row,
+                                              .last_row = probes_add_row,
+                                              .state = probes_visit};

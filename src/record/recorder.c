@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "record/recorder_internal.h"
+#include "record/recorder.h"
 
 #include <assert.h>
 #include <math.h>
@@ -17,14 +17,83 @@
 #include "coupling/effect_columns.h"
 #include "coupling/effect_count.h"
 #include "coupling/processes.h"
-#include "output/summary.h"
-#include "case/case_steps.h"
+#include "dem/population/population.h"
+#include "output/table.h"
+#include "record/field_output.h"
+
+enum { MAX_COLUMNS = 128, PARTS = 32 };
+
+struct recorder {
+    struct recording of;
+    const struct simulation *sim;
+    const struct simulation *drawn; /* what pictures show: all processes */
+    struct folder *folder;          /* borrowed */
+    double began;                   /* [s] wall clock */
+    double ended;                   /* [s] the same; 0 while the run goes on */
+    int n_own; /* [-] columns of the table; those of effects follow */
+    const struct history_column *column[MAX_COLUMNS];
+    struct table *history;
+    struct snapshot *snapshot;
+    struct snapshot *whole; /* of what is drawn; the same on one machine */
+    struct field_output *pictures;
+    /* Those that this simulation uses, ended by NULL. */
+    const struct recorder_part *part[PARTS + 1];
+    void *state[PARTS];
+    /* For the summary: the worst of the whole run. */
+    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
+    double eps_lowest;
+    long capped_steps;
+};
+
+/* --- the parts ------------------------------------------------------------ */
+
+const struct recorder_part *const recorder_parts[] = {&recorder_second_half,
+                                                      &recorder_profiles,
+                                                      &recorder_probes,
+                                                      &recorder_effect_shares,
+                                                      &recorder_contacts,
+                                                      &recorder_forces,
+                                                      &recorder_walls,
+                                                      &recorder_particle_fields,
+                                                      &recorder_bodies,
+                                                      &recorder_bodies_among,
+                                                      &recorder_outlines,
+                                                      &recorder_bodies_left,
+                                                      &recorder_statistics,
+                                                      &recorder_surface_table,
+                                                      &recorder_surfaces,
+                                                      &recorder_pictures,
+                                                      NULL};
+
+/* Non-zero after a message: a file cannot be written. */
+static int choose_parts(struct recorder *r)
+{
+    const struct recorder_view v = {.of = &r->of,
+                                    .sim = r->sim,
+                                    .drawn = r->drawn,
+                                    .snapshot = r->snapshot,
+                                    .whole = r->whole,
+                                    .folder = r->folder};
+    int failed = 0, n = 0;
+
+    /* First: it sums over the processes what the other parts write. */
+    if (processes_engine != NULL) {
+        r->part[n] = processes_engine->summary;
+        r->state[n++] = processes_engine->summary->create(&v, &failed);
+    }
+    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
+        assert(n < PARTS);
+        r->state[n] = recorder_parts[i]->create(&v, &failed);
+        if (r->state[n] != NULL) r->part[n++] = recorder_parts[i];
+    }
+    return failed;
+}
 
 void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    MODELS_EACH(r->parts.part, free, r->parts.state[i_model]);
+    MODELS_EACH(r->part, free, r->state[i_model]);
     field_output_free(r->pictures);
     if (r->whole != r->snapshot) snapshot_free(r->whole);
     snapshot_free(r->snapshot);
@@ -73,12 +142,11 @@ static int recorder_add_fields(struct recorder *r)
 {
     int failed = field_output_add(r->pictures, r->snapshot);
 
-    MODELS_UNTIL(failed, r->parts.part, fields, r->parts.state[i_model],
-                 r->snapshot->t);
+    MODELS_UNTIL(failed, r->part, fields, r->state[i_model], r->snapshot->t);
     return failed;
 }
 
-void recorder_take_snapshots(struct recorder *r)
+static void recorder_take_snapshots(struct recorder *r)
 {
     struct processes *const others = r->sim->processes;
 
@@ -91,29 +159,29 @@ int recorder_sample(struct recorder *r)
     const long step = r->sim->steps;
 
     update_extremes(r);
-    if (step % r->row_every == 0) {
+    if (step % r->of.row_every == 0) {
         recorder_take_snapshots(r);
         processes_join(r->sim, PROCESSES_ROW);
         /* The means of the parts are sums over all processes, so they are
          * computed even if the row could not be written. */
         const int unwritten = recorder_add_row(r);
         int failed = 0;
-        MODELS_UNTIL(failed, r->parts.part, row, r->parts.state[i_model]);
+        MODELS_UNTIL(failed, r->part, row, r->state[i_model]);
         processes_join(r->sim, PROCESSES_ROW_DONE);
         if (unwritten || failed) return 1;
     }
-    if (step % r->picture_every != 0) return 0;
+    if (step % r->of.picture_every != 0) return 0;
     recorder_take_snapshots(r);
     return recorder_add_fields(r);
 }
 
 int recorder_last_row(struct recorder *r)
 {
-    if (r->sim->steps % r->row_every == 0 || r->sim->processes != NULL)
+    if (r->sim->steps % r->of.row_every == 0 || r->sim->processes != NULL)
         return 0;
     recorder_take_snapshots(r);
     int failed = recorder_add_row(r);
-    MODELS_UNTIL(failed, r->parts.part, last_row, r->parts.state[i_model]);
+    MODELS_UNTIL(failed, r->part, last_row, r->state[i_model]);
     return failed;
 }
 
@@ -199,6 +267,13 @@ static void summarize_count(struct summary *f, const char *key, double n)
     if (number_long(n, &count) == 0) summary_count(f, key, count);
 }
 
+static void write_population(struct summary *f, const struct simulation *sim)
+{
+    summary_count(f, "particles_in", sim->population->totals.inserted);
+    summary_count(f, "particles_out", sim->population->totals.removed);
+    summary_count(f, "particles_waiting", sim->population->totals.waiting);
+}
+
 /* The exit code of a run that has not ended: null in the summary. */
 enum { STILL_RUNNING = -1 };
 
@@ -209,15 +284,14 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     struct summary *const f = summary_create(path);
     free(path);
     summary_text(f, "program", "winnow " VERSION_TEXT);
-    summary_text(f, "case", settings_file(r->settings));
+    summary_text(f, "case", r->of.file);
     summary_text(f, "exit_reason", reason);
     summary_number(f, "exit_code", code < 0 ? (double)NAN : code);
-    if (r->settings->particles.has_bed)
-        summary_count(f, "seed", r->settings->particles.bed.seed);
+    if (r->of.seed != NULL) summary_count(f, "seed", *r->of.seed);
     summary_count(f, "threads", omp_get_max_threads());
     summarize_count(f, "cells", processes_cells(sim));
     summarize_count(f, "particles", processes_particles(sim));
-    MODELS_EACH(history_tables, summarize, sim, f);
+    if (sim->population != NULL) write_population(f, sim);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
     if (sim->dem_steps > 0)
@@ -229,39 +303,38 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_speed(f, r);
     write_residuals(f, r);
     write_counts(f, r);
-    MODELS_EACH(r->parts.part, summarize, r->parts.state[i_model], f);
+    MODELS_EACH(r->part, summarize, r->state[i_model], f);
     return summary_commit(f);
 }
 
 /* --- the beginning -------------------------------------------------------- */
 
-/* The place of one more column. */
-static int next_column(struct recorder *r)
+static void add_column(struct recorder *r, struct table_head *head,
+                       const struct history_column *c)
 {
-    assert(r->n_columns < MAX_COLUMNS);
-    return r->n_columns++;
+    assert(r->n_own < MAX_COLUMNS);
+    r->column[r->n_own++] = c;
+    table_head_add(head, "%s", c->name);
 }
 
 static struct table *create_history(struct recorder *r)
 {
-    const char *names[MAX_COLUMNS];
+    struct table_head head = {0};
 
-    HISTORY_EACH(t, c)
-    if (history_applies(t, c, r->sim)) r->column[next_column(r)] = c;
-    for (int i = 0; r->parts.part[i] != NULL; i++)
-        for (const struct history_column *c = r->parts.part[i]->columns;
+    for (const struct history_column *c = history_columns; c->name; c++)
+        if (history_applies(c, r->sim)) add_column(r, &head, c);
+    for (int i = 0; r->part[i] != NULL; i++)
+        for (const struct history_column *c = r->part[i]->columns;
              c != NULL && c->name != NULL; c++)
-            r->column[next_column(r)] = c;
-    for (int i = 0; i < r->n_columns; i++)
-        names[i] = r->column[i]->name;
-    r->n_own = r->n_columns;
+            add_column(r, &head, c);
     for (int i = 0; i < r->sim->n_effects; i++) {
         const struct effect_columns *const more =
             r->sim->effects[i].effect->columns;
         for (int k = 0; more != NULL && more->names[k] != NULL; k++)
-            names[next_column(r)] = more->names[k];
+            table_head_add(&head, "%s", more->names[k]);
     }
-    return folder_table(r->folder, "history.csv", r->n_columns, names);
+    assert(head.n <= MAX_COLUMNS);
+    return folder_table(r->folder, "history.csv", &head);
 }
 
 /* A run that is killed leaves this summary. */
@@ -283,36 +356,27 @@ static int recorder_begin_summary(struct recorder *r, int resume)
     return path == NULL || (!resume && recorder_begin(r) != 0);
 }
 
-/* The parts that write from the start; non-zero after a message. */
-static int create_parts(struct recorder *r)
+/* What writes from the start; non-zero after a message. */
+static int create_files(struct recorder *r)
 {
-    const struct recorder_view view = {.settings = r->settings,
-                                       .sim = r->sim,
-                                       .drawn = r->drawn,
-                                       .snapshot = r->snapshot,
-                                       .whole = r->whole,
-                                       .folder = r->folder};
-
-    if (recorder_part_create(&r->parts, &view) != 0) return 1;
+    if (choose_parts(r) != 0) return 1;
     r->history = create_history(r);
     if (r->history == NULL) return 1;
     r->pictures = field_output_create(r->sim, r->folder);
     return r->pictures == NULL;
 }
 
-struct recorder *recorder_create(const struct settings *s,
+struct recorder *recorder_create(const struct recording *of,
                                  const struct simulation *sim,
                                  struct folder *folder, int resume)
 {
     struct recorder *const r = alloc_zeroed(1, sizeof *r);
 
-    r->settings = s;
+    r->of = *of;
     r->sim = sim;
     r->folder = folder;
     r->began = clock_now();
     r->eps_lowest = 1.0;
-    r->picture_every = case_steps_between(s, s->output.every);
-    r->row_every = case_steps_between_rows(s);
     r->snapshot = r->whole = snapshot_create(sim);
     r->drawn = sim;
     if (sim->processes != NULL && sim->processes->whole != NULL) {
@@ -320,7 +384,7 @@ struct recorder *recorder_create(const struct settings *s,
         r->whole = snapshot_create(r->drawn);
     }
     if (recorder_begin_summary(r, resume) == 0) {
-        if (create_parts(r) == 0) return r;
+        if (create_files(r) == 0) return r;
         if (!resume)
             write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
     }
@@ -337,7 +401,7 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code)
     r->ended = clock_now();
     int failed = 0;
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0)
-        MODELS_UNTIL(failed, r->parts.part, finish, r->parts.state[i_model]);
+        MODELS_UNTIL(failed, r->part, finish, r->state[i_model]);
     if (failed) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
@@ -350,10 +414,45 @@ void recorder_print(const struct recorder *r)
     const struct simulation *const sim = r->sim;
     const char *const dir = folder_name(r->folder);
 
-    MODELS_EACH(r->parts.part, print, r->parts.state[i_model]);
+    MODELS_EACH(r->part, print, r->state[i_model]);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");
     else
         printf("open %s/particles.pvd in ParaView\n", dir);
+}
+
+/* --- the visit of all output. Chapter "Nothing is lost". -------------------
+ */
+
+static void recorder_state_sums(struct recorder *r, struct state *s)
+{
+    double elapsed = clock_now() - r->began;
+
+    state_real(s, "elapsed", "s", &elapsed);
+    r->began = clock_now() - elapsed;
+    state_real(s, "worst_mass", "-", &r->worst_mass);
+    state_real(s, "worst_momentum", "-", &r->worst_momentum);
+    state_real(s, "worst_exchange", "-", &r->worst_exchange);
+    state_real(s, "worst_overlap", "-", &r->worst_overlap);
+    state_real(s, "worst_cfl", "-", &r->worst_cfl);
+    state_real(s, "eps_lowest", "-", &r->eps_lowest);
+    state_long(s, "capped_steps", "-", &r->capped_steps);
+}
+
+/* The folder is visited last: it removes later files only after all others have
+ * been found. */
+void recorder_state(struct recorder *r, struct state *s)
+{
+    state_begin(s, "recorder");
+    recorder_state_sums(r, s);
+    if (r->sim->processes == NULL)
+        snapshot_state(r->snapshot, r->sim->mesh, s);
+    else if (s->loading)
+        recorder_take_snapshots(r);
+    table_state(r->history, s);
+    MODELS_EACH(r->part, state, r->state[i_model], s);
+    field_output_state(r->pictures, s);
+    folder_state(r->folder, s);
+    state_end(s);
 }

@@ -7,16 +7,14 @@
 #ifndef RECORD_RECORDER_H
 #define RECORD_RECORDER_H
 
-#include "coupling/simulation.h"
-#include "output/folder.h"
-#include "case/settings.h"
+#include "record/recorder_part.h"
 
 struct recorder;
 
 /* Begins anew in the folder, or, to resume a run, opens what is there. NULL
  * after a message: the folder cannot be written. Simulation and folder are
  * borrowed. */
-struct recorder *recorder_create(const struct settings *s,
+struct recorder *recorder_create(const struct recording *of,
                                  const struct simulation *sim,
                                  struct folder *folder, int resume);
 void recorder_free(struct recorder *r);

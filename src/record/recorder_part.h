@@ -1,25 +1,36 @@
-/* recorder_part.h -- a file of results that a folder adds to those of a run.
+/* recorder_part.h -- what a run writes besides the rows of its history: each
+ * file of results, or a few that belong together, is a part.
  *
- * Its descriptor stands in recorder_part.c. All but
- * create and free may be NULL; row, fields and finish return non-zero after a
- * message.
+ * A part that has nothing to write in this run is not created. All but create
+ * may be NULL; row, fields and finish return non-zero after a message.
  */
 #ifndef RECORD_RECORDER_PART_H
 #define RECORD_RECORDER_PART_H
 
 #include "base/state.h"
-#include "record/history.h"
-#include "case/settings.h"
-#include "record/snapshot.h"
 #include "coupling/simulation.h"
 #include "output/folder.h"
+#include "output/output_options.h"
 #include "output/summary.h"
+#include "record/history.h"
+#include "record/snapshot.h"
+
+/* What a case says of what is recorded; all is borrowed. */
+struct recording {
+    const char *file, *title; /* of the case */
+    const struct output_options *output;
+    const int *seed; /* [-] of the bed; NULL: there is none */
+    double filter;   /* [m] of the means around bodies; 0: none */
+    int quiet;       /* [-] 1: stderr has no remarks */
+    /* [-] steps of the loop: between two rows and two pictures, and all */
+    long row_every, picture_every, steps;
+};
 
 /* What a part can read; all is borrowed. Where several processes compute the
  * simulation, `sim` is the part of this process, and `drawn` and `whole` are
  * what pictures show of all processes; in one process they are the same. */
 struct recorder_view {
-    const struct settings *settings;
+    const struct recording *of;
     const struct simulation *sim, *drawn;
     struct snapshot *snapshot;    /* of sim; a part may add fields to it */
     const struct snapshot *whole; /* of drawn */
@@ -27,9 +38,6 @@ struct recorder_view {
 };
 
 struct recorder_part {
-    const struct key *keys; /* its table; NULL: none */
-    /* 0 if what the case says is possible; else 2 after a message. */
-    int (*check)(const struct settings *s);
     /* What the functions below get, released by free. NULL if this simulation
      * has nothing of the kind, and, with *failed, after a message if the file
      * cannot be written. */
@@ -47,22 +55,23 @@ struct recorder_part {
     void (*state)(void *part, struct state *s);
 };
 
-/* All of them, ended by NULL. */
-extern const struct recorder_part second_half_part, profiles_part, probes_part,
-    effect_shares_part, contacts_part, forces_part, walls_part,
-    particle_fields_part, grains_record, outlines_record, exit_record,
-    surface_table_part, surface_fields_part, pictures_part;
-extern const struct recorder_part bodies_record, case_statistics_output;
+/* All of them, ended by NULL (recorder.c). */
+extern const struct recorder_part recorder_second_half, recorder_profiles,
+    recorder_probes, recorder_effect_shares, recorder_contacts, recorder_forces,
+    recorder_walls, recorder_particle_fields, recorder_bodies,
+    recorder_bodies_among, recorder_outlines, recorder_bodies_left,
+    recorder_statistics, recorder_surface_table, recorder_surfaces,
+    recorder_pictures;
 extern const struct recorder_part *const recorder_parts[];
 
-/* Those that this simulation uses, ended by NULL. */
-enum { RECORDER_PART_MAX = 32 };
-struct recorder_part_list {
-    const struct recorder_part *part[RECORDER_PART_MAX + 1];
-    void *state[RECORDER_PART_MAX];
-};
-/* Non-zero after a message: a file cannot be written. */
-int recorder_part_create(struct recorder_part_list *l,
-                         const struct recorder_view *v);
+/* The bodies of a simulation, alone or among particles; NULL: none. */
+struct solid_bodies;
+const struct solid_bodies *recorder_bodies_of(const struct simulation *sim);
+
+/* How the columns of one begin in forces.csv: its name, or its patches or
+ * surfaces, of which the first letters are taken if there are many. */
+enum { RECORDER_FORCES_NAME = 64 };
+void recorder_forces_name(const struct output_force *o,
+                          char name[RECORDER_FORCES_NAME]);
 
 #endif

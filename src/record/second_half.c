@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
@@ -77,15 +76,8 @@ static void put_bed(const struct second_half *h, double row[N])
 
 static void second_half_grow(struct second_half *h, int capacity)
 {
-    double *const time = alloc_doubles(capacity);
-    double(*const row)[N] = alloc_zeroed((size_t)capacity, sizeof *row);
-
-    if (h->rows > 0) memcpy(time, h->time, (size_t)h->rows * sizeof *time);
-    if (h->rows > 0) memcpy(row, h->row, (size_t)h->rows * sizeof *row);
-    free(h->time);
-    free(h->row);
-    h->time = time;
-    h->row = row;
+    h->time = alloc_grown(h->time, h->rows, capacity, sizeof *h->time);
+    h->row = alloc_grown(h->row, h->rows, capacity, sizeof *h->row);
     h->capacity = capacity;
 }
 
@@ -155,10 +147,10 @@ static void second_half_visit(void *part, struct state *s)
     state_end(s);
 }
 
-static void *second_half_part_create(const struct recorder_view *v, int *failed)
+static void *second_half_of(const struct recorder_view *v, int *failed)
 {
     (void)failed;
-    return second_half_create(v->sim, v->settings->output.end);
+    return second_half_create(v->sim, v->of->output->end);
 }
 
 static void second_half_release(void *part)
@@ -208,10 +200,10 @@ static void second_half_print(const void *part)
            h->sim->mesh->shape != NULL ? " over the mean section" : "");
 }
 
-const struct recorder_part second_half_part = {
-    .create = second_half_part_create,
-    .free = second_half_release,
-    .row = second_half_add_row,
-    .summarize = second_half_summarize,
-    .print = second_half_print,
-    .state = second_half_visit};
+const struct recorder_part recorder_second_half = {.create = second_half_of,
+                                                   .free = second_half_release,
+                                                   .row = second_half_add_row,
+                                                   .summarize =
+                                                       second_half_summarize,
+                                                   .print = second_half_print,
+                                                   .state = second_half_visit};

@@ -140,6 +140,62 @@ void snapshot_state(struct snapshot *s, const struct mesh *mesh,
     state_end(state);
 }
 
+/* --- in the order of the ids ---------------------------------------------- */
+
+static int compare_ids(const void *a, const void *b)
+{
+    const int *const i = a, *const j = b;
+
+    return (*i > *j) - (*i < *j);
+}
+
+/* Numbers, so many a particle, in the order of the ids; `to` is as long. */
+static void put_in_order(const struct snapshot *s, int width, double *values,
+                         double *to)
+{
+    memcpy(to, values, (size_t)(width * s->n) * sizeof *to);
+    for (int i = 0; i < s->n; i++)
+        for (int k = 0; k < width; k++)
+            values[width * i + k] = to[width * s->order[2 * i + 1] + k];
+}
+
+static void put_materials_in_order(struct snapshot *s)
+{
+    int *const room = alloc_ints(s->n);
+
+    for (int i = 0; i < s->n; i++)
+        room[i] = s->material[s->order[2 * i + 1]];
+    memcpy(s->material, room, (size_t)s->n * sizeof *room);
+    free(room);
+}
+
+/* order: pairs of id and place. */
+static void snapshot_sort(struct snapshot *s)
+{
+    struct array list[ARRAYS];
+    double *const room = alloc_doubles(3 * s->n);
+
+    for (int i = 0; i < s->n; i++) {
+        s->order[2 * i] = s->id[i];
+        s->order[2 * i + 1] = i;
+    }
+    qsort(s->order, (size_t)s->n, 2 * sizeof *s->order, compare_ids);
+    snapshot_list_arrays(s, list);
+    for (int a = OF_CELLS; a < ARRAYS; a++)
+        put_in_order(s, 1, *list[a].at, room);
+    for (int a = 0; a < s->n_more; a++)
+        put_in_order(s, s->more[a]->components, s->value[a], room);
+    free(room);
+    if (s->material != NULL) put_materials_in_order(s);
+    for (int i = 0; i < s->n; i++)
+        s->id[i] = s->order[2 * i];
+}
+
+void snapshot_order_by_id(struct snapshot *s)
+{
+    s->order = alloc_ints(2 * s->capacity);
+}
+
 void snapshot_take(struct snapshot *s, const struct simulation *sim)
 {
     processes_join(sim, PROCESSES_SNAPSHOT);
@@ -150,5 +206,5 @@ void snapshot_take(struct snapshot *s, const struct simulation *sim)
     take_particles(s, sim->particles);
     for (int i = 0; i < s->n_more; i++)
         s->more[i]->take(s->memory[i], sim, s->value[i]);
-    if (s->arrange != NULL) s->arrange(s);
+    if (s->order != NULL) snapshot_sort(s);
 }

@@ -15,7 +15,11 @@ struct snapshot_field {
     int components; /* [-] 1 or 3 */
     void (*take)(void *memory, const struct simulation *sim, double *to);
 };
-enum { SNAPSHOT_FIELDS = 8 };
+enum { SNAPSHOT_FIELDS = 8, SNAPSHOT_WORD = 64 };
+
+/* All that a case may ask for, ended by one without a name
+ * (particle_fields.c). */
+extern const struct snapshot_field snapshot_fields[];
 
 struct snapshot {
     double t; /* [s] */
@@ -40,9 +44,8 @@ struct snapshot {
     const struct snapshot_field *more[SNAPSHOT_FIELDS];
     void *memory[SNAPSHOT_FIELDS];
     double *value[SNAPSHOT_FIELDS];
-    /* Puts the particles in another order; NULL: as the program has them. */
-    void (*arrange)(struct snapshot *s);
-    int *order; /* [-] its work space, released with the snapshot; or NULL */
+    int *order; /* [-] work space where the particles are in the order of their
+                   ids; NULL: as the program has them */
 };
 
 struct snapshot *snapshot_create(const struct simulation *sim);
@@ -54,5 +57,7 @@ void snapshot_take(struct snapshot *s, const struct simulation *sim);
 /* Adds a field, which is computed with `memory`; before the first step. */
 void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
                   void *memory);
+/* From now on the particles are in the order of their ids. */
+void snapshot_order_by_id(struct snapshot *s);
 
 #endif

@@ -92,8 +92,8 @@ static int is_column(const struct history_column *c, const char *name)
 /* Those of all runs, or of a folder. */
 static const struct history_column *in_history(const char *name)
 {
-    HISTORY_EACH(t, c)
-    if (is_column(c, name)) return c;
+    for (const struct history_column *c = history_columns; c->name; c++)
+        if (is_column(c, name)) return c;
     for (int i = 0; recorder_parts[i] != NULL; i++)
         for (const struct history_column *c = recorder_parts[i]->columns;
              c != NULL && c->name != NULL; c++)
@@ -134,8 +134,7 @@ static int measure_unknown(const struct measure *m)
     char name[MEASURE_NAME];
 
     nearest_init(&n, m->name);
-    HISTORY_EACH(t, c)
-    {
+    for (const struct history_column *c = history_columns; c->name; c++) {
         snprintf(name, sizeof name, "%.*s", (int)strcspn(c->name, " "),
                  c->name);
         nearest_offer(&n, name);
@@ -170,7 +169,7 @@ static int measure_locate(struct measure *m, const struct settings *s)
         if (profile >= s->output.profiles.n)
             return measure_refuse(
                 m, "output.profiles of the case has not so many");
-        profiles_name(s, profile, name);
+        profiles_name(&s->output, profile, name);
         snprintf(m->file, MEASURE_NAME, "profiles/%s.csv", name);
         m->column = 1;
         if (m->how == MEASURE_LAST) m->how = MEASURE_CURVE;

@@ -11,7 +11,6 @@
 #include "case/checks/case_memory.h"
 #include "case/engine/case_engine.h"
 #include "case/resolved/case_bodies.h"
-#include "record/case_statistics.h"
 #include "case/particles/case_surfaces.h"
 #include "base/text.h"
 #include "case/case_mesh.h"
@@ -207,7 +206,9 @@ int check_case(const struct settings *s)
     case_surfaces_print(s, &k);
     case_engine_print(s, &k);
     case_bodies_report(s);
-    case_statistics_print(s);
+    if (s->output.statistics.on && s->output.statistics.from >= s->output.end)
+        text_line("statistics", s->output.statistics.from, "s",
+                  "they begin after the end: there are no samples");
     if (s->has.fluid) check_flow(s, &k);
     if (s->has.averaging) check_averaging(s, &k);
     if (s->has.exchange && k.particles > 0) check_drag(s, &k);

@@ -13,6 +13,7 @@
 #include "case/checks/materials_check.h"
 #include "case/checks/mesh_check.h"
 #include "case/checks/model_choice.h"
+#include "case/checks/output_check.h"
 #include "case/particles/case_cohesion.h"
 #include "case/engine/case_engine.h"
 #include "case/particles/case_population.h"
@@ -22,7 +23,6 @@
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
 #include "dem/integrator.h"
-#include "record/recorder_part.h"
 
 /* Of direction k the name of its two sides, and that of both at once. */
 static const char *validate_side_of(int k, int i)
@@ -252,22 +252,6 @@ static int validate_check_particles(struct settings *s)
     return code != 0 ? code : case_cohesion_check_pairs(s);
 }
 
-static int check_time_average(const struct settings *s)
-{
-    if (!s->effects.time_average || s->exchange.two_way) return 0;
-    return settings_wrong(s, "effects.time_average",
-                          "one-way there are no averaged fields; it needs "
-                          "exchange.coupling = \"two-way\"");
-}
-
-static int check_output(const struct settings *s)
-{
-    int code = 0;
-
-    MODELS_UNTIL(code, recorder_parts, check, s);
-    return code != 0 ? code : check_time_average(s);
-}
-
 /* An average over more than that many lengths of the mesh is the same
  * everywhere, and images of images would be added up for ever [-]. */
 static const double most_lengths = 10.0, most_widths = 100.0;
@@ -384,5 +368,5 @@ int validate_case(struct settings *s)
     if (code == 0 && s->has.averaging) code = case_averaging_check(s);
     if (code == 0) code = case_engine_check(s);
     if (code == 0) code = case_bodies_check(s);
-    return code != 0 ? code : check_output(s);
+    return code != 0 ? code : output_check(s);
 }

@@ -20,11 +20,6 @@ static void *engine_summary_create(const struct recorder_view *v, int *failed)
     return *failed ? NULL : v->sim->processes;
 }
 
-static void engine_summary_release(void *part)
-{
-    (void)part; /* which build_free releases */
-}
-
 static void engine_summary_summarize(const void *of, struct summary *f)
 {
     struct engine *const e = *(struct engine *const *)&of;
@@ -58,7 +53,5 @@ static void engine_summary_summarize(const void *of, struct summary *f)
     free(all);
 }
 
-const struct recorder_part engine_summary = {.create = engine_summary_create,
-                                             .free = engine_summary_release,
-                                             .summarize =
-                                                 engine_summary_summarize};
+const struct recorder_part engine_summary = {
+    .create = engine_summary_create, .summarize = engine_summary_summarize};

@@ -183,8 +183,8 @@ static void serve_add_row(struct engine *e)
     const struct simulation *const sim = e->part->sim;
 
     part_count_own(e->part);
-    HISTORY_EACH(t, c)
-    if (history_applies(t, c, sim)) c->value(sim);
+    for (const struct history_column *c = history_columns; c->name; c++)
+        if (history_applies(c, sim)) c->value(sim);
     second_half_add(e->rows);
 }
 

@@ -254,32 +254,19 @@ void profile_state(struct profile *p, struct state *s)
     block_means_state(p->blocks, s);
 }
 
-/* "x [m]", then "NAME_mean [UNIT]" and so on of each field. */
-static char **column_names(const struct profile *p)
-{
-    static const char *const kind[PER_FIELD] = {"mean", "std", "error"};
-    char **const names =
-        alloc_zeroed(1 + PER_FIELD * (size_t)p->n_fields, sizeof names[0]);
-
-    names[0] = alloc_zeroed(8, 1);
-    snprintf(names[0], 8, "%c [m]", "xyz"[p->line.along]);
-    for (int i = 0; i < PER_FIELD * p->n_fields; i++) {
-        const struct profile_field *const f = &p->fields[i / PER_FIELD];
-        const size_t room = strlen(f->name) + strlen(f->unit) + 16;
-
-        names[1 + i] = alloc_zeroed(room, 1);
-        snprintf(names[1 + i], room, "%s_%s [%s]", f->name, kind[i % PER_FIELD],
-                 f->unit);
-    }
-    return names;
-}
-
 int profile_write(const struct profile *p, const char *path)
 {
     const int n_columns = 1 + PER_FIELD * p->n_fields;
-    char **const names = column_names(p);
     double *const table = alloc_doubles(n_columns * p->n);
+    struct table_head head = {0};
 
+    table_head_add(&head, "%c [m]", "xyz"[p->line.along]);
+    for (int f = 0; f < p->n_fields; f++) {
+        const struct profile_field *const is = &p->fields[f];
+        table_head_add(&head, "%s_mean [%s]", is->name, is->unit);
+        table_head_add(&head, "%s_std [%s]", is->name, is->unit);
+        table_head_add(&head, "%s_error [%s]", is->name, is->unit);
+    }
     for (int i = 0; i < p->n; i++) {
         double *const row = table + n_columns * i;
         row[0] = p->x[i];
@@ -290,11 +277,9 @@ int profile_write(const struct profile *p, const char *path)
             row[3 + PER_FIELD * f] = block_means_error(p->blocks, at);
         }
     }
-    const int failed =
-        table_write(path, n_columns, (const char *const *)names, p->n, table);
-    for (int i = 0; i < n_columns; i++)
-        free(names[i]);
-    free(names);
+    const int failed = table_write(path, n_columns,
+                                   (const char *const *)head.name, p->n, table);
+    table_head_clear(&head);
     free(table);
     return failed;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* pictures_part.c -- what gnuplot draws of a run: a picture of its last state
+/* pictures.c -- what gnuplot draws of a run: a picture of its last state
  * and an animation. Both are drawn only where there is a gnuplot. */
 #include "record/recorder_part.h"
 
@@ -16,7 +16,7 @@ struct pictures {
     struct animation *animation; /* NULL: off */
 };
 
-static void pictures_part_release(void *part)
+static void pictures_release(void *part)
 {
     struct pictures *const p = part;
 
@@ -24,18 +24,18 @@ static void pictures_part_release(void *part)
     free(p);
 }
 
-static void *pictures_part_create(const struct recorder_view *v, int *failed)
+static void *pictures_create(const struct recorder_view *v, int *failed)
 {
     struct pictures *const p = alloc_zeroed(1, sizeof *p);
 
     p->view = *v;
-    p->at_end = v->settings->output.picture &&
+    p->at_end = v->of->output->picture &&
                 (v->drawn != v->sim || v->sim->processes == NULL);
-    if (v->sim->particles == NULL || !v->settings->output.animation) return p;
+    if (v->sim->particles == NULL || !v->of->output->animation) return p;
     p->animation = animation_create(v->folder);
     if (p->animation != NULL) return p;
     *failed = 1;
-    pictures_part_release(p);
+    pictures_release(p);
     return NULL;
 }
 
@@ -44,7 +44,7 @@ static struct picture picture_of(const struct recorder_view *v)
 {
     const struct snapshot *const s = v->whole;
 
-    return (struct picture){.title = v->settings->title,
+    return (struct picture){.title = v->of->title,
                             .time = s->t,
                             .mesh = v->drawn->mesh,
                             .eps = s->eps,
@@ -68,7 +68,7 @@ static int add_frame(void *part, double t)
     return p->animation != NULL && animation_add(p->animation, &now) != 0;
 }
 
-static int pictures_part_draw(void *part)
+static int pictures_draw(void *part)
 {
     const struct pictures *const p = part;
     const struct picture last = picture_of(&p->view);
@@ -81,25 +81,15 @@ static int pictures_part_draw(void *part)
     return p->animation != NULL && animation_draw(p->animation, &last) != 0;
 }
 
-static void pictures_part_visit(void *part, struct state *s)
+static void pictures_visit(void *part, struct state *s)
 {
     struct pictures *const p = part;
 
     if (p->animation != NULL) animation_state(p->animation, s);
 }
 
-static const struct key keys[] = {
-    {"output.animation", KEY_BOOL, "", "", "false",
-     "bed.gif, an animation of the particles at these times", "", "",
-     .at = KEY_AT(output_options, animation)},
-    {"output.picture", KEY_BOOL, "", "", "true",
-     "bed.png, a picture of the last state, where there is a gnuplot", "", "",
-     .at = KEY_AT(output_options, picture)},
-    KEY_END};
-
-const struct recorder_part pictures_part = {.keys = keys,
-                                            .create = pictures_part_create,
-                                            .free = pictures_part_release,
-                                            .fields = add_frame,
-                                            .finish = pictures_part_draw,
-                                            .state = pictures_part_visit};
+const struct recorder_part recorder_pictures = {.create = pictures_create,
+                                                .free = pictures_release,
+                                                .fields = add_frame,
+                                                .finish = pictures_draw,
+                                                .state = pictures_visit};

@@ -8,7 +8,7 @@
  * the number of its faces, and for each face the number of its points and the
  * points.
  */
-#include "output/poly/vtk_cells.h"
+#include "output/vtk.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,24 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* outlines_record.c -- clumps, closed surfaces and blocks for display: each
+/* outlines.c -- clumps, closed surfaces and blocks for display: each
  * ball of a clump as a point in body_clumps.pvd, triangles in
  * body_surfaces.pvd. */
+#include "record/recorder_part.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "record/field_output.h"
-#include "record/recorder_part.h"
-#include "record/bodies_record.h"
 #include "output/series.h"
-#include "output/polygons/vtk_polygons.h"
-#include "output/vtk.h"
+#include "resolved/solid_bodies.h"
 
 struct outlines {
     const struct solid_bodies *bodies;
-    struct folder *folder;            /* borrowed */
     struct series *clumps, *surfaces; /* NULL: there are none */
-    struct vtk_file *writer;
     int n_balls, n_triangles;
     double *x[3], *d;           /* [m] of the balls */
     double *corner;             /* [m] of the triangles, 9 each */
@@ -26,13 +22,12 @@ struct outlines {
     int *number, *end;          /* [-] points of the triangles */
 };
 
-static void outlines_record_release(void *record)
+static void outlines_release(void *record)
 {
     struct outlines *const r = record;
 
     series_free(r->clumps);
     series_free(r->surfaces);
-    vtk_file_free(r->writer);
     for (int k = 0; k < 3; k++)
         free(r->x[k]);
     free(r->d);
@@ -50,7 +45,7 @@ static int balls_of(const struct body_outline *o)
     return o->n_triangles == 0 ? o->n_balls : 0;
 }
 
-static void outlines_record_count(struct outlines *r)
+static void outlines_count(struct outlines *r)
 {
     for (int i = 0; i < r->bodies->ps->n; i++) {
         const struct body_outline *const o = r->bodies->shape[i].outline;
@@ -60,7 +55,7 @@ static void outlines_record_count(struct outlines *r)
     }
 }
 
-static void outlines_record_make_room(struct outlines *r)
+static void outlines_make_room(struct outlines *r)
 {
     for (int k = 0; k < 3; k++)
         r->x[k] = alloc_doubles(r->n_balls);
@@ -76,30 +71,27 @@ static void outlines_record_make_room(struct outlines *r)
         r->end[t] = 3 * (t + 1);
 }
 
-static void *outlines_record_create(const struct recorder_view *v, int *failed)
+static void *outlines_create(const struct recorder_view *v, int *failed)
 {
-    const struct solid_bodies *const b = bodies_record_of(v->sim);
+    const struct solid_bodies *const b = recorder_bodies_of(v->sim);
     if (b == NULL || b->turn == NULL) return NULL;
     struct outlines *const r = alloc_zeroed(1, sizeof *r);
     r->bodies = b;
-    r->folder = v->folder;
-    r->writer = vtk_file_create();
-    outlines_record_count(r);
-    outlines_record_make_room(r);
-    if (r->n_balls > 0)
-        r->clumps = field_output_series(v->folder, "body_clumps", "vtp");
+    outlines_count(r);
+    outlines_make_room(r);
+    if (r->n_balls > 0) r->clumps = series_in(v->folder, "body_clumps", "vtp");
     if (r->n_triangles > 0)
-        r->surfaces = field_output_series(v->folder, "body_surfaces", "vtp");
+        r->surfaces = series_in(v->folder, "body_surfaces", "vtp");
     if ((r->n_balls == 0 || r->clumps != NULL) &&
         (r->n_triangles == 0 || r->surfaces != NULL))
         return r;
     *failed = 1;
-    outlines_record_release(r);
+    outlines_release(r);
     return NULL;
 }
 
 /* Where the balls and the triangles are now. */
-static void outlines_record_place(struct outlines *r)
+static void outlines_place(struct outlines *r)
 {
     const struct particles *const ps = r->bodies->ps;
     int ball = 0, triangle = 0;
@@ -131,37 +123,29 @@ static int add_clumps(struct outlines *r, double t)
         {.name = "diameter", .components = 1, .values = r->d, .single = 1},
         {.name = "body", .components = 1, .ints = r->of_ball}};
     const double *const x[3] = {r->x[0], r->x[1], r->x[2]};
-    const char *const path = series_next(r->clumps);
-
-    return folder_list(r->folder, path) != 0 ||
-           vtk_write_particles(r->writer, path, r->n_balls, x, t, 2, arrays) !=
-               0 ||
-           series_add(r->clumps, t) != 0;
+    return series_add_particles(r->clumps, r->n_balls, x, t, 2, arrays);
 }
 
-static int outlines_record_add_surfaces(struct outlines *r, double t)
+static int outlines_add_surfaces(struct outlines *r, double t)
 {
     const struct vtk_polygons shape = {3 * r->n_triangles, r->n_triangles,
                                        r->corner, r->number, r->end};
     const struct vtk_array of = {
         .name = "body", .components = 1, .ints = r->of_triangle};
-    const char *const path = series_next(r->surfaces);
 
-    return folder_list(r->folder, path) != 0 ||
-           vtk_write_polygons(r->writer, path, &shape, t, 1, &of) != 0 ||
-           series_add(r->surfaces, t) != 0;
+    return series_add_polygons(r->surfaces, &shape, t, 1, &of);
 }
 
-static int outlines_record_add(void *record, double t)
+static int outlines_add(void *record, double t)
 {
     struct outlines *const r = record;
 
-    outlines_record_place(r);
+    outlines_place(r);
     return (r->clumps != NULL && add_clumps(r, t) != 0) ||
-           (r->surfaces != NULL && outlines_record_add_surfaces(r, t) != 0);
+           (r->surfaces != NULL && outlines_add_surfaces(r, t) != 0);
 }
 
-static void outlines_record_visit(void *record, struct state *s)
+static void outlines_visit(void *record, struct state *s)
 {
     struct outlines *const r = record;
 
@@ -171,7 +155,7 @@ static void outlines_record_visit(void *record, struct state *s)
     state_end(s);
 }
 
-const struct recorder_part outlines_record = {.create = outlines_record_create,
-                                              .free = outlines_record_release,
-                                              .fields = outlines_record_add,
-                                              .state = outlines_record_visit};
+const struct recorder_part recorder_outlines = {.create = outlines_create,
+                                                .free = outlines_release,
+                                                .fields = outlines_add,
+                                                .state = outlines_visit};

@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* surfaces.c -- what is written of surfaces and walls.
+ *
+ * DIR/surfaces.csv has a row with each row of history.csv: of each surface the
+ * force and the torque, as means since the row before, and the work that it has
+ * done so far. DIR/surfaces.pvd shows them as polygons, DIR/walls.pvd the faces
+ * at the boundary with what the fluid does to them.
+ */
+#include "record/recorder_part.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "dem/surfaces/dem_surface.h"
+#include "fluid/forces/wall_stress.h"
+#include "mesh/measures.h"
+#include "output/pictures/picture.h"
+#include "output/series.h"
+#include "output/surfaces/outline.h"
+#include "output/surfaces/section.h"
+
+/* --- forces and torques on them ------------------------------------------- */
+
+enum { EACH = 7 }; /* columns a surface */
+
+struct surface_table {
+    const struct simulation *sim;
+    struct table *table;
+    struct dem_surface *before; /* as they were in the row before */
+    double t;                   /* [s] of that row; negative: there is none */
+    double *row;
+};
+
+static struct table *surface_table_create_table(const struct simulation *sim,
+                                                struct folder *folder)
+{
+    static const char *const what[EACH] = {
+        "force_x [N]",    "force_y [N]",    "force_z [N]", "torque_x [N m]",
+        "torque_y [N m]", "torque_z [N m]", "work [J]"};
+    struct table_head head = {0};
+
+    table_head_add(&head, "time [s]");
+    for (int c = 0; c < EACH * sim->n_surfaces; c++)
+        table_head_add(&head, "%s_%s", sim->surface_names[c / EACH],
+                       what[c % EACH]);
+    return folder_table(folder, "surfaces.csv", &head);
+}
+
+static void surface_table_release(void *part)
+{
+    struct surface_table *const t = part;
+
+    table_free(t->table);
+    free(t->before);
+    free(t->row);
+    free(t);
+}
+
+static void *surface_table_create(const struct recorder_view *v, int *failed)
+{
+    if (v->sim->n_surfaces == 0) return NULL;
+    struct surface_table *const t = alloc_zeroed(1, sizeof *t);
+
+    t->sim = v->sim;
+    t->t = -1.0;
+    t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
+    t->row = alloc_doubles(1 + EACH * v->sim->n_surfaces);
+    t->table = surface_table_create_table(v->sim, v->folder);
+    if (t->table != NULL) return t;
+    *failed = 1;
+    surface_table_release(t);
+    return NULL;
+}
+
+/* The rows so far, and the sums at the last of them. */
+static void surface_table_visit(void *part, struct state *s)
+{
+    struct surface_table *const t = part;
+    struct dem_surface *const all = t->before;
+    const int n = t->sim->n_surfaces;
+
+    state_begin(s, "surface_table");
+    table_state(t->table, s);
+    state_real(s, "t", "s", &t->t);
+    state_reals_of(s, "impulse", "N s", all->impulse, sizeof *all, n, 3);
+    state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, n, 3);
+    state_end(s);
+}
+
+static int surface_table_add_row(void *part)
+{
+    struct surface_table *const t = part;
+    const double passed = t->t >= 0.0 ? t->sim->t - t->t : 0.0;
+    const double per = passed > 0.0 ? 1.0 / passed : 0.0;
+
+    t->row[0] = t->t = t->sim->t;
+    for (int s = 0; s < t->sim->n_surfaces; s++) {
+        const struct dem_surface now = dem_surface(t->sim->dem, s);
+        const struct dem_surface *const old = &t->before[s];
+        double *const row = &t->row[1 + EACH * s];
+        for (int k = 0; k < 3; k++) {
+            row[k] = per * (now.impulse[k] - old->impulse[k]);
+            row[3 + k] = per * (now.angular[k] - old->angular[k]);
+        }
+        row[6] = now.work;
+        t->before[s] = now;
+    }
+    return table_add(t->table, t->row);
+}
+
+const struct recorder_part recorder_surface_table = {
+    .create = surface_table_create,
+    .free = surface_table_release,
+    .row = surface_table_add_row,
+    .last_row = surface_table_add_row,
+    .state = surface_table_visit};
+
+/* --- as polygons -----------------------------------------------------------
+ */
+
+struct surface_fields {
+    const struct simulation *sim;
+    const struct snapshot *last; /* borrowed; its time is that of the picture */
+    struct folder *folder;       /* borrowed */
+    struct series *series;
+    struct outline outline;
+};
+
+static void surface_fields_release(void *part)
+{
+    struct surface_fields *const p = part;
+
+    series_free(p->series);
+    outline_release(&p->outline);
+    free(p);
+}
+
+static void *surface_fields_create(const struct recorder_view *v, int *failed)
+{
+    if (v->sim->n_surfaces == 0) return NULL;
+    struct surface_fields *const p = alloc_zeroed(1, sizeof *p);
+
+    p->sim = v->sim;
+    p->last = v->whole;
+    p->folder = v->folder;
+    p->series = series_in(v->folder, "surfaces", "vtp");
+    if (p->series != NULL) return p;
+    *failed = 1;
+    surface_fields_release(p);
+    return NULL;
+}
+
+static int surface_fields_any_moves(const struct simulation *sim)
+{
+    int moves = 0;
+
+    for (int k = 0; k < sim->n_surfaces; k++)
+        moves |= motion_is_any(&sim->surfaces[k].motion);
+    return moves;
+}
+
+static void surface_fields_draw(struct surface_fields *p, double t)
+{
+    const struct simulation *const sim = p->sim;
+    const struct mesh *const m = sim->mesh;
+
+    outline_draw(&p->outline, sim->surfaces, sim->n_surfaces, m->lo, m->hi, t);
+}
+
+/* Where they cut the middle of the depth, for the picture of the end. gnuplot
+ * draws no file without a point, so one that is nowhere ends it. */
+static int put_section(void *part)
+{
+    struct surface_fields *const p = part;
+    const struct mesh *const m = p->sim->mesh;
+
+    surface_fields_draw(p, p->last->t);
+    if (folder_make(p->folder, "picture") != 0) return 1;
+    struct file *const f = picture_open(p->folder, "picture/walls.txt");
+    if (f == NULL) return 1;
+
+    fprintf(file_stream(f), "# x [m]  y [m], two points a segment\n");
+    section_write(file_stream(f), &p->outline, 0.5 * (m->lo[2] + m->hi[2]));
+    fprintf(file_stream(f), "nan nan\n");
+    return file_commit(f);
+}
+
+/* Writes them once, if none of them moves. */
+static int surface_fields_add(void *part, double t)
+{
+    struct surface_fields *const p = part;
+    const struct outline *const o = &p->outline;
+
+    if (series_count(p->series) > 0 && !surface_fields_any_moves(p->sim))
+        return 0;
+    surface_fields_draw(p, t);
+    const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
+                                       o->corner, o->end};
+    const struct vtk_array of = {
+        .name = "surface", .components = 1, .ints = o->of};
+    return series_add_polygons(p->series, &shape, t, 1, &of);
+}
+
+static void surface_fields_visit(void *part, struct state *s)
+{
+    struct surface_fields *const p = part;
+    series_state(p->series, s);
+}
+
+const struct recorder_part recorder_surfaces = {.create = surface_fields_create,
+                                                .free = surface_fields_release,
+                                                .fields = surface_fields_add,
+                                                .finish = put_section,
+                                                .state = surface_fields_visit};
+
+/* --- the walls -------------------------------------------------------------
+ */
+
+/* On faces that the fluid flows through the stress is zero. */
+struct walls {
+    const struct simulation *sim;
+    struct series *series;
+    struct vtk_polygons shape;
+    double *x;          /* [m] 3 a point */
+    int *corner, *end;  /* of the polygons */
+    int *patch;         /* [-] number of each face's patch */
+    double *p, *shear;  /* [Pa], 3 [Pa] */
+    double *y_plus, *u; /* [-], 3 [m/s] */
+};
+
+static void set_shape(struct walls *w)
+{
+    const struct mesh *const m = w->sim->mesh;
+    const int n = m->n_faces - m->n_internal;
+    int points = 0;
+
+    for (int f = m->n_internal; f < m->n_faces; f++)
+        points += mesh_face_corners(m, f, 0, NULL);
+    w->x = alloc_doubles(3 * points);
+    w->corner = alloc_ints(points);
+    w->end = alloc_ints(n);
+    points = 0;
+    for (int i = 0; i < n; i++) {
+        const int f = m->n_internal + i,
+                  count = mesh_face_corners(m, f, 0, NULL);
+        mesh_face_corners(m, f, count, (double(*)[3])(w->x + 3L * points));
+        for (int k = 0; k < count; k++, points++)
+            w->corner[points] = points;
+        w->end[i] = points;
+    }
+    w->shape = (struct vtk_polygons){points, n, w->x, w->corner, w->end};
+}
+
+static void walls_take(struct walls *w)
+{
+    const struct fluid *const fl = w->sim->fluid;
+    const struct mesh *const m = fl->mesh;
+
+    fluid_boundary_velocity(fl, w->u);
+    for (int i = 0; i < m->n_patches; i++)
+        for (int j = 0; j < m->patches[i].n; j++) {
+            const int b = m->patches[i].first + j - m->n_internal;
+            const struct wall_stress s =
+                wall_stress_is_wall(fl, i) ? wall_stress(fl, i, j)
+                                           : (struct wall_stress){.area = 0.0};
+            w->patch[b] = i;
+            w->p[b] = fl->p_face[m->n_internal + b];
+            w->y_plus[b] = s.y_plus;
+            memcpy(&w->shear[3 * b], s.shear, sizeof s.shear);
+        }
+}
+
+static int walls_add_fields(void *memory, double t)
+{
+    struct walls *const w = memory;
+    const struct vtk_array arrays[] = {
+        {.name = "patch", .components = 1, .ints = w->patch},
+        {.name = "pressure", .components = 1, .values = w->p, .single = 1},
+        {.name = "wall_shear_stress",
+         .components = 3,
+         .values = w->shear,
+         .single = 1},
+        {.name = "y_plus", .components = 1, .values = w->y_plus, .single = 1},
+        {.name = "velocity", .components = 3, .values = w->u, .single = 1}};
+
+    walls_take(w);
+    return series_add_polygons(w->series, &w->shape, t, 5, arrays);
+}
+
+static void walls_release(void *memory)
+{
+    struct walls *const w = memory;
+
+    series_free(w->series);
+    free(w->x);
+    free(w->corner);
+    free(w->end);
+    free(w->patch);
+    free(w->p);
+    free(w->shear);
+    free(w->y_plus);
+    free(w->u);
+    free(w);
+}
+
+static void *walls_create(const struct recorder_view *v, int *failed)
+{
+    if (v->sim->fluid == NULL || !v->of->output->walls) return NULL;
+    const int n = v->sim->mesh->n_faces - v->sim->mesh->n_internal;
+    struct walls *const w = alloc_zeroed(1, sizeof *w);
+
+    w->sim = v->sim;
+    set_shape(w);
+    w->patch = alloc_ints(n);
+    w->p = alloc_doubles(n);
+    w->y_plus = alloc_doubles(n);
+    w->shear = alloc_doubles(3 * n);
+    w->u = alloc_doubles(3 * n);
+    w->series = series_in(v->folder, "walls", "vtp");
+    if (w->series != NULL) return w;
+    *failed = 1;
+    walls_release(w);
+    return NULL;
+}
+
+static void walls_visit(void *part, struct state *s)
+{
+    series_state(((struct walls *)part)->series, s);
+}
+
+const struct recorder_part recorder_walls = {
+    .create = walls_create,
+    .fields = walls_add_fields,
+    .free = walls_release,
+    .state = walls_visit,
+};
