@@ -28,15 +28,27 @@ START_TEST(xs11_2_13_terminal_ratio_solves_its_quadratic)
 }
 END_TEST
 
-/* Creeping flow gives A1, very fast flow A2: the two limits of [XS11 2.13]. */
+/* Creeping flow gives A1, very fast flow A2: the two limits of [XS11 2.13],
+ * which A2 meets like A2 (A1 - A2) / (0.06 Re). A2 has another power from 0.85
+ * on: 0.8 0.85^1.28 and, above, 0.86^2.65. */
 START_TEST(xs11_2_14_terminal_ratio_runs_from_a1_to_a2)
 {
-    ck_assert_double_eq_tol(drag_terminal_ratio(0.0, 0.5), 0.056720,
-                            1e-6); /* 0.5^4.14 */
-    ck_assert_double_eq_tol(drag_terminal_ratio(1e9, 0.5), 0.329436,
-                            1e-6); /* 0.8 0.5^1.28 */
-    ck_assert_double_eq_tol(drag_terminal_ratio(1e9, 0.9), 0.756385,
-                            1e-6); /* 0.9^2.65 */
+    static const struct {
+        double eps_f, A1, A2;
+    } by_hand[] = {{0.4, 0.02251792, 0.24758639}, /* 0.4^4.14, 0.8 0.4^1.28 */
+                   {0.85, 0.51026332, 0.64974989},
+                   {0.86, 0.53557906, 0.67053414},
+                   {0.95, 0.80867818, 0.87290615}};
+
+    for (int i = 0; i < 4; i++) {
+        const double eps_f = by_hand[i].eps_f;
+        ck_assert_double_eq_tol(drag_terminal_ratio(0.0, eps_f), by_hand[i].A1,
+                                1e-8);
+        ck_assert_double_eq_tol(drag_terminal_ratio(1e10, eps_f), by_hand[i].A2,
+                                1e-8);
+        ck_assert_double_eq_tol(drag_terminal_ratio(5e8, eps_f), by_hand[i].A2,
+                                2e-8);
+    }
     ck_assert_double_eq_tol(drag_terminal_ratio(10.0, 1.0), 1.0, 1e-14);
 }
 END_TEST

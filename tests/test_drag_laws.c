@@ -197,6 +197,24 @@ START_TEST(ew18_a_5_whole_force_times_eps_is_the_drag)
 }
 END_TEST
 
+/* g as printed, with its Re^-0.343 and the exponent (1 + 4 eps_s) / 2. */
+START_TEST(ew18_a_6_is_the_printed_sum)
+{
+    for (double eps = 0.4; eps < 1.0; eps += 0.1)
+        for (double Re = 1e-3; Re < 2e3; Re *= 10.0) {
+            const double s = 1.0 - eps;
+            const double g =
+                10.0 * s / (eps * eps) + eps * eps * (1.0 + 1.5 * sqrt(s)) +
+                0.413 * Re / (24.0 * eps * eps) *
+                    (1.0 / eps + 3.0 * s * eps + 8.4 * pow(Re, -0.343)) /
+                    (1.0 +
+                     pow(10.0, 3.0 * s) * pow(Re, -(1.0 + 4.0 * s) / 2.0));
+            ck_assert_double_eq_tol(drag_beetstra_factor(eps, Re) / g, 1.0,
+                                    1e-13);
+        }
+}
+END_TEST
+
 /* Slow flow: Carman's bed is in it, 10 s / eps^2, and 1 is left for one sphere.
  * The bed has 180 where Ergun has 150. */
 START_TEST(ew18_a_6_slow_flow_in_a_bed_is_carmans)
@@ -405,6 +423,7 @@ FACTS("drag_laws")
     FACT(ew18_a_4_one_sphere_has_schiller_and_naumanns_drag);
     FACT(ew18_a_5_a_lone_slow_sphere_has_stokes_drag);
     FACT(ew18_a_5_whole_force_times_eps_is_the_drag);
+    FACT(ew18_a_6_is_the_printed_sum);
     FACT(ew18_a_6_slow_flow_in_a_bed_is_carmans);
     FACT(resolved_simulations_agree_on_slow_flow_in_an_array);
     FACT(ls_5_27_huilin_gidaspow_has_no_jump);

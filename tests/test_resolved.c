@@ -113,12 +113,51 @@ START_TEST(ew18_4_the_fluid_inside_moves_with_the_body)
 }
 END_TEST
 
+/* Half a radius below the surface of the sphere, which was at x. */
+static int is_deep(const struct pool *p, const double x[3], int c)
+{
+    const double *const centre = &p->mesh->centre[3 * c];
+    double r2 = 0.0;
+
+    for (int k = 0; k < 3; k++)
+        r2 += gsl_pow_2(centre[k] - x[k]);
+    return r2 < gsl_pow_2(0.25 * p->bodies->ps->d[0]);
+}
+
+/* The sum over the faces of each cell is what the pressure is solved to,
+ * 1e-10. Deep in a body the fluxes are those of its velocity but for the
+ * pressure there, 3e-4; without the body's part in them nothing flows in one
+ * that moves. One that is fixed in a flow, and one that begins to move. */
 START_TEST(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it)
 {
     struct pool p;
+    double largest = 0.0, apart = 0.0;
 
-    array_drag(0.216, 12, 1.0, 20, middle, &p);
-    ck_assert_double_le(p.fluid->report.mass_residual, 1e-7);
+    if (_i == 0) {
+        array_drag(0.216, 12, 1.0, 20, middle, &p);
+    } else {
+        pool_one_sphere(&p, 0.5, 12, 1e-2, 0.002, 0.0, middle, BODY_FREE, 1e3);
+        p.bodies->ps->vx[0] = 1.0;
+        ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+        pool_run(&p, 5);
+    }
+    const struct mesh *const m = p.mesh;
+    const double U = p.bodies->ps->vx[0];
+    for (int f = 0; f < m->n_internal; f++)
+        largest = fmax(largest, fabs(p.fluid->phi[f]));
+    for (int f = 0; f < m->n_internal; f++)
+        if (is_deep(&p, middle, m->owner[f]) &&
+            is_deep(&p, middle, m->neighbour[f]))
+            apart = fmax(apart, fabs(p.fluid->phi[f] - U * m->S[3 * f]));
+    for (int c = 0; c < m->n_cells; c++) {
+        double out = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            out += m->owner[f] == c ? p.fluid->phi[f] : -p.fluid->phi[f];
+        }
+        ck_assert_double_le(fabs(out), 1e-8 * largest);
+    }
+    ck_assert_double_le(apart, 1e-3 * largest);
     pool_free(&p);
 }
 END_TEST
@@ -403,7 +442,8 @@ FACTS("resolved")
     FACT(ew18_4_the_drag_does_not_depend_on_the_step);
     FACT(ew18_4_the_drag_does_not_depend_on_the_place_in_the_cell);
     FACT(ew18_4_the_fluid_inside_moves_with_the_body);
-    FACT(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it);
+    FACT_FOR_EACH(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it,
+                  2);
     FACT_FOR_EACH(
         ew18_4_couettes_profile_is_exact_for_a_wall_anywhere_in_a_cell, N_TOPS);
     FACT(ew18_4_poiseuilles_profile_is_of_second_order);
