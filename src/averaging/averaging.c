@@ -29,7 +29,7 @@ struct averaging {
 const struct key averaging_keys[] = {
     {"averaging", KEY_GROUP, "", "", "",
      "from particles to fields on the mesh and back", "SX15 4-9", "particles",
-     .mark = KEY_AFTER_BED},
+     .mark = KEY_AFTER_BED, .divided = KEY_DIVIDED_ALL},
     {"averaging.method", KEY_NAME, "", "", NULL,
      "how a particle is spread over the cells",
      "XS11 3.1-3.6, SX15 5, LS section 5.4, EW18 17-21", "", AT(method),

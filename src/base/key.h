@@ -50,6 +50,9 @@ enum key_mark {
     KEY_AFTER_BED = 2   /* it comes after the bed, which settles without it */
 };
 
+#define KEY_DIVIDED ""
+#define KEY_DIVIDED_ALL "*"
+
 struct key {
     const char *path; /* "fluid.density"; <patch> stands for any side of
                          the box; keys of a list's groups follow its name */
@@ -77,7 +80,10 @@ struct key {
     size_t size; /* of KEY_LIST: of the struct of one of its groups; the member
                     is a struct key_list, and the rows of the groups have their
                     places in that struct */
-    unsigned mark; /* of enum key_mark */
+    unsigned mark;       /* of enum key_mark */
+    const char *divided; /* KEY_DIVIDED: several machines can share it, as they
+                            can KEY_DIVIDED_ALL with all keys in its group; else
+                            why they cannot; NULL: as its group */
 };
 /* The place of a member, for a row. */
 #define KEY_AT(type, member) (offsetof(struct type, member) + 1)

@@ -10,7 +10,8 @@
 
 const struct key coupling_keys[] = {
     {"exchange", KEY_GROUP, "", "", "", "forces between the phases",
-     "XS11 2.6, 3.13", "fluid averaging", .mark = KEY_AFTER_BED},
+     "XS11 2.6, 3.13", "fluid averaging", .mark = KEY_AFTER_BED,
+     .divided = KEY_DIVIDED_ALL},
     {"exchange.drag", KEY_NAME, "", "", NULL, "drag law",
      "XS11 2.11, LS 5.25-5.27", "", AT(law), .models = drag_laws},
     {"exchange.treatment", KEY_NAME, "", "", "semi-implicit",

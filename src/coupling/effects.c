@@ -68,7 +68,8 @@ void effects_measure_scale(struct simulation *sim)
 
 const struct key effects_keys[] = {
     {"effects", KEY_GROUP, "", "", "",
-     "further effects; each is on only where it is named", "", ""},
+     "further effects; each is on only where it is named", "", "",
+     .divided = KEY_DIVIDED},
     KEY_END};
 
 const struct effect *const effects[] = {&gravity_effect,

@@ -43,7 +43,7 @@ static const struct key keys[] = {
     {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
      "acceleration by gravity: the weight of the particles", "XS11 2.1",
      "particles|bodies", .at = KEY_AT(effects_options, gravity),
-     .given = KEY_AT(effects_options, has_gravity)},
+     .given = KEY_AT(effects_options, has_gravity), .divided = KEY_DIVIDED},
     {0}};
 
 const struct effect gravity_effect = {

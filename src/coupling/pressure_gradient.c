@@ -114,7 +114,8 @@ static const struct key keys[] = {
     {"effects.pressure_gradient", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the pressure gradient, with buoyancy, on the particles",
      "LS 5.1, XS11 2.6", "fluid particles averaging exchange",
-     .given = KEY_AT(effects_options, pressure_gradient)},
+     .given = KEY_AT(effects_options, pressure_gradient),
+     .divided = KEY_DIVIDED},
     {0}};
 
 const struct effect pressure_gradient_effect = {

@@ -7,7 +7,7 @@
 
 const struct key fluid_keys[] = {
     {"fluid", KEY_GROUP, "", "", "", "the fluid; left out: particles alone",
-     "XS11 2.7, 2.8", "", .mark = KEY_AFTER_BED},
+     "XS11 2.7, 2.8", "", .mark = KEY_AFTER_BED, .divided = KEY_DIVIDED_ALL},
     {"fluid.density", KEY_REAL, "kg/m^3", "> 0", NULL,
      "density of the fluid, rho_f", "XS11 2.8", "", AT(rho)},
     {"fluid.viscosity", KEY_REAL, "Pa s", ">= 0", NULL, "dynamic viscosity, mu",

@@ -49,7 +49,7 @@ static const struct model *const motions[] = {
 const struct key bodies_setup_keys[] = {
     {"bodies", KEY_GROUP, "", "", KEY_OPTIONAL,
      "bodies of many cells, with the flow around them resolved", "EW18 1-4",
-     "fluid"},
+     "fluid", .divided = "bodies are not divided yet"},
     {"bodies.method", KEY_NAME, "", "", "hold", "how they hold the fluid",
      "LS 5.17-5.21", "", AT(method), .models = body_methods},
     {"bodies.spheres", KEY_LIST, "", "", "",

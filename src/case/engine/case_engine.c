@@ -21,15 +21,17 @@
 const struct key case_engine_keys[] = {
     {"engine", KEY_NAME, "", "one | distributed", "one",
      "one: this machine; distributed: several processes, by build/winnow-mpi",
-     "", "", .at = KEY_AT(settings, engine)},
+     "", "", .at = KEY_AT(settings, engine), .divided = KEY_DIVIDED},
     {"ranks", KEY_COUNTS, "-", ">= 1", "",
      "processes in x, y, z; left out: as many as there are, side by side "
      "across gravity",
-     "", "", .at = KEY_AT(settings, ranks), .mark = KEY_MAY_CHANGE},
+     "", "", .at = KEY_AT(settings, ranks), .mark = KEY_MAY_CHANGE,
+     .divided = KEY_DIVIDED},
     {"layers", KEY_INT, "-", ">= 1, <= 16", "",
      "layers of neighbours' cells around those of a rank; left out: as many as "
      "the schemes read",
-     "", "", .at = KEY_AT(settings, layers), .mark = KEY_MAY_CHANGE},
+     "", "", .at = KEY_AT(settings, layers), .mark = KEY_MAY_CHANGE,
+     .divided = KEY_DIVIDED},
     KEY_END};
 
 static int is_distributed(const struct settings *s)
@@ -73,61 +75,23 @@ int case_engine_check_run(const struct settings *s)
                           "distributed)");
 }
 
-/* Keys that are known, and by a full stop at the end all that begin so. */
-static const char known[] =
-    " title cites engine ranks layers mesh mesh.size mesh.cells mesh.grading "
-    "mesh.periodic fluid fluid. particles particles.contact particles.step "
-    "particles.skin particles.unsafe_step particles.expected_overlap "
-    "particles.max_overlap particles.integrator particles.list "
-    "particles.grains particles.grains. particles.materials "
-    "particles.materials. particles.pairs particles.pairs. particles.walls "
-    "particles.walls. particles.bed particles.place particles.place. "
-    "particles.overlaps particles.sizes particles.sizes. averaging "
-    "averaging. exchange exchange. effects effects.gravity "
-    "effects.pressure_gradient output output.end output.every "
-    "output.history output.checkpoint output.picture output.animation "
-    "output.profiles output.profiles. output.probes output.probes. "
-    "particles.bed.count particles.bed.diameter particles.bed.seed "
-    "particles.bed.jitter particles.bed.settle particles.bed.sizes ";
-
-/* Keys that are not, by how they begin, and why; the last one is the rest. */
-static const struct {
-    const char *key, *why;
-} reasons[] = {
-    {"particles.surfaces", "LAMMPS of this version has no triangulated and no "
-                           "moving walls"},
-    {"particles.prescribed", "its particles all move freely"},
-    {"particles.bed.file", "all ranks settle the bed together"},
-    {"particles.insert", "new particles are not handed out to the ranks yet"},
-    {"particles.sinks", "particles that leave are not counted over the ranks "
-                        "yet"},
-    {"mesh.polymesh", "only boxes are divided so far"},
-    {"mesh.shear", "only boxes are divided so far"},
-    {"bodies", "bodies are not divided yet"},
-    {"effects.virtual_mass", "it acts within the integrator, which is LAMMPS'"},
-    {"effects.energy_budget", "it is kept in the contact loop, which is "
-                              "LAMMPS'"},
-    {"effects.capillary", "cohesion is not told to LAMMPS"},
-    {"effects.van_der_waals", "cohesion is not told to LAMMPS"},
-    {"effects.electrostatic", "cohesion is not told to LAMMPS"},
-    {"", "it has not been divided among ranks yet"}};
-
-static int begins(const char *text, const char *with)
+/* What the row of a path, or else of the group that it is in, says of several
+ * machines: KEY_DIVIDED, why they refuse it, or NULL, as of a new key. */
+static const char *divided_of(const struct key *const *tables, const char *path)
 {
-    return strncmp(text, with, strlen(with)) == 0;
-}
+    char group[SCHEMA_TEXT];
+    const struct key *const own = schema_find(tables, path);
+    const char *said = own != NULL ? own->divided : NULL;
 
-/* 1 if the list has the path, or how it begins, up to a full stop. */
-static int is_known(const char *path)
-{
-    char word[160];
-
-    for (size_t n = strlen(path); n > 0; n--) {
-        const int whole = path[n] == '\0' || path[n - 1] == '.';
-        snprintf(word, sizeof word, " %.*s ", (int)n, path);
-        if (whole && strstr(known, word) != NULL) return 1;
+    snprintf(group, sizeof group, "%s", path);
+    for (char *dot; said == NULL && (dot = strrchr(group, '.')) != NULL;) {
+        *dot = '\0';
+        const struct key *const row = schema_find(tables, group);
+        if (row != NULL && row->divided != NULL &&
+            strcmp(row->divided, KEY_DIVIDED) != 0)
+            said = row->divided;
     }
-    return 0;
+    return said;
 }
 
 static int refuse_key(const struct settings *s, const char *path,
@@ -140,7 +104,7 @@ static int refuse_key(const struct settings *s, const char *path,
 }
 
 /* The first key that the case has and the engine has not; `about` is how those
- * begin that are asked for. */
+ * begin that are asked for, but for cohesion, which is always. */
 static int check_keys(const struct settings *s, const char *about)
 {
     const struct key *tables[CASE_FILE_TABLES];
@@ -148,14 +112,19 @@ static int check_keys(const struct settings *s, const char *about)
     case_file_tables(tables);
     SCHEMA_EACH (row, tables) {
         const char *const path = row->path;
-        int i = 0;
         if (row->type == KEY_PATCH || strchr(path, '<') != NULL ||
-            is_known(path) || !settings_has(s, path))
+            !settings_has(s, path))
             continue;
-        while (!begins(path, reasons[i].key))
-            i++;
-        if (begins(path, about) || strstr(reasons[i].why, "cohesion") != NULL)
-            return refuse_key(s, path, reasons[i].why);
+        const char *const said = divided_of(tables, path);
+        if (said != NULL && (strcmp(said, KEY_DIVIDED) == 0 ||
+                             strcmp(said, KEY_DIVIDED_ALL) == 0))
+            continue;
+        if (strncmp(path, about, strlen(about)) == 0 ||
+            (said != NULL && strstr(said, "cohesion") != NULL))
+            return refuse_key(s, path,
+                              said != NULL
+                                  ? said
+                                  : "it has not been divided among ranks yet");
     }
     return 0;
 }

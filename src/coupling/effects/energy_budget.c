@@ -22,7 +22,8 @@ static void *energy_budget_create(struct simulation *sim,
 static const struct key keys[] = {
     {"effects.energy_budget", KEY_GROUP, "", "", KEY_OPTIONAL,
      "energy of the particles, and its loss by each mechanism, in history.csv",
-     "LS 4.16", "particles"},
+     "LS 4.16", "particles",
+     .divided = "it is kept in the contact loop, which is LAMMPS'"},
     {0}};
 
 const struct effect energy_budget_effect = {

@@ -169,7 +169,8 @@ static void virtual_mass_added_mass(const struct effect_scales *k,
 static const struct key keys[] = {
     {"effects.virtual_mass", KEY_GROUP, "", "", KEY_OPTIONAL,
      "inertia of the fluid that is accelerated with a particle", "LS 5.3",
-     "fluid particles averaging exchange"},
+     "fluid particles averaging exchange",
+     .divided = "it acts within the integrator, which is LAMMPS'"},
     {"effects.virtual_mass.coefficient", KEY_REAL, "-", ">= 0", "0.5",
      "C; 1/2 for a sphere", "LS 5.3", ""},
     {0}};
