@@ -1,9 +1,8 @@
 #!/bin/sh
 # An effect that is off costs nothing. For each effect of coupling/effects a
-# program is linked from whose list its descriptor is left out, so that the
-# linker takes nothing of its file either; the same bed in it and in the whole
-# program, which has the effect and does not name it, must allocate the same
-# arrays, enter the same functions and run the same pieces of code, counted in
+# program is linked from whose list its descriptor is left out; the same bed in it
+# and in the whole program, which has the effect and does not name it, must allocate
+# the same arrays, enter the same functions and run the same pieces of code, counted in
 # the rooms coupling and dem. With the effect named more functions are entered, and no fewer
 # arrays allocated (whole_drag needs none): the count sees it.
 #

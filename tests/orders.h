@@ -12,8 +12,7 @@
 #undef I /* a moment of inertia, to those who include this */
 
 #include "coupling/effects/lubrication.h"
-#include "coupling/effects/saffman.h"
-#include "coupling/effects/spin.h"
+#include "coupling/effects/lift.h"
 #include "dem/dem_method.h"
 #include "spheres.h"
 #include "suspension.h"

@@ -80,16 +80,26 @@ rooms() {
     }' | wrong 'room includes one it may not know'
 }
 
-# An exported name begins with its module: its own file, or a header of its
-# room that several files stand behind.
+# An exported name begins with its module: its own file, a part of it ("--- magnus"),
+# or a header of its room that several files stand behind.
 names() {
+    parts=$(awk '/^\/[*] --- [a-z ]* -/ {
+        gsub(/^.* --- | -+ .*$/, ""); gsub(/ /, "_"); print FILENAME "/" $0 }' $modules)
     # shellcheck disable=SC2086
-    nm -A -g --defined-only $objects | awk -v headers="$headers" '
+    nm -A -g --defined-only $objects | awk -v headers="$headers" -v parts="$parts" '
     BEGIN { # behind[room]: a pattern of its headers, those of its folders too
         n = split(headers, h, " |\n")
         for (i = 1; i <= n; i++) {
             m = split(h[i], part, "[/.]")
             behind[part[2]] = behind[part[2]] part[m - 1] "|"
+        }
+        n = split(parts, h, "\n")
+        for (i = 1; i <= n; i++) { # src/room/file.c/part
+            word = h[i]
+            sub(/.*\//, "", word)
+            sub(/[.]c\/.*/, "", h[i])
+            sub(/^src\//, "", h[i])
+            inside[h[i]] = inside[h[i]] word "|"
         }
     }
     { # build/.../src/room/[folder/]file.o:0000 T name
@@ -98,7 +108,8 @@ names() {
         n = split(path, part, "[/:]")
         if (path ~ /^(main|commands)[.]o/) next
         sub(/\.o$/, "", part[n - 1])
-        own = "^(" behind[part[1]] part[n - 1] ")(s?_.*|s?)$"
+        sub(/\.o:.*/, "", path)
+        own = "^(" behind[part[1]] inside[path] part[n - 1] ")(s?_.*|s?)$"
         if ($3 !~ own) print $1 " " $3
     }' | wrong 'exported name without its module'
 }
@@ -127,7 +138,8 @@ variables() {
 # Headers that are longer than 80 lines, until they are made shorter: loops that
 # several modules compile, and the parts of one large struct.
 long_headers='averaging/averaging.h averaging/diffusion.h base/key.h base/parallel_ranges.h case/settings.h
-coupling/coupling.h dem/bed.h dem/cohesion/attraction_sweep.h dem/contact.h
+coupling/coupling.h coupling/drag.h coupling/effect.h coupling/effects.h
+coupling/effects/lift.h coupling/simulation.h dem/bed.h dem/cohesion/attraction_sweep.h dem/contact.h
 dem/dem.h dem/fast/bodies.h dem/fast/chunk.h dem/fast/contact_sweep.h
 dem/fast/neighbours.h dem/fast/sweep_buffers.h dem/fast/sweep_energy.h
 dem/fast/sweep_rolling.h fluid/fluid.h fluid/piso.h linear/face_loops.h mesh/mesh.h study/curve.h study/outcome.h

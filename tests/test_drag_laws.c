@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/drag_laws/beetstra.h"
-#include "coupling/drag_laws/coefficient.h"
-#include "coupling/drag_laws/di_felice.h"
-#include "coupling/drag_laws/fluidization.h"
-
+#include "coupling/drag_laws/factor.h"
 #include "coupling/drag.h"
+
 #include "facts.h"
 #include "suspension.h"
 

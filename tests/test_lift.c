@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lift of a shear and of a spin, and the torque of the fluid. */
-#include "coupling/effects/saffman.h"
-#include "coupling/effects/spin.h"
+#include "coupling/effects/lift.h"
 
 #include "base/vector.h"
 #include "facts.h"

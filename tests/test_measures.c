@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build.h"
 #include "case/case_file.h"
-#include "coupling/effect_columns.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "facts.h"
 

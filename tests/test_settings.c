@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/case_file.h"
-#include "case/case_file.h"
 #include "case/models.h"
 #include "case/settings.h"
 
@@ -77,7 +76,7 @@ static struct settings *read_case(const char *text,
                                   char said[CAPTURE_TEXT])
 {
     const struct key *tables[CASE_FILE_TABLES] = {
-        case_file_keys,      mesh_keys,      fluid_keys,
+        case_file_keys, mesh_keys,      fluid_keys,
         particles_keys, averaging_keys, coupling_keys,
         effects_keys,   output_keys,    effect_keys};
 

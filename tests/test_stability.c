@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The limits of the coupled step: the formulas compared with the program. */
-#include "coupling/stability/stability.h"
+#include "coupling/stability.h"
 
 #include "coupling/reaction.h"
 #include "facts.h"

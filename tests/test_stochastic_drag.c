@@ -2,7 +2,7 @@
 #include "coupling/effects/stochastic_drag.h"
 
 #include "base/random/random.h"
-#include "coupling/effect_count.h"
+#include "coupling/effect.h"
 #include "facts.h"
 #include "suspension.h"
 

@@ -21,7 +21,7 @@
 #include "case/case_file.h"
 #include "case/command.h"
 #include "record/recorder.h"
-#include "coupling/breakdown.h"
+#include "coupling/simulation.h"
 #include "case/particles/case_population.h"
 #include "record/progress.h"
 #include "case/resume/resume.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* breakdown.c -- the message when a computation breaks down. */
-#include "coupling/breakdown.h"
+#include "coupling/simulation.h"
 
 #include <float.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
-#include "coupling/effect_mover.h"
+#include "coupling/effect.h"
 #include "mesh/measures.h"
 
 enum { OVERLAP_TEXT = 256 };

@@ -9,7 +9,7 @@
 #include "base/clock.h"
 #include "base/number.h"
 #include "coupling/effects.h"
-#include "coupling/effect_mover.h"
+#include "coupling/effect.h"
 #include "coupling/processes.h"
 #include "coupling/transfer.h"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/drag.h"
 
-#include <gsl/gsl_math.h>
+#include "base/model.h"
+
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
-
-#include "base/model.h"
 
 double drag_reynolds(double rho_f, double mu, double d, double u_r)
 {
@@ -187,6 +187,49 @@ double drag_released(double rho_s, double eps_s, double rho_f, double mu,
     gsl_odeiv2_driver_free(driver);
     return status == GSL_SUCCESS ? u[0] : NAN;
 }
+
+/* --- coefficient ---------------------------------------------------------- */
+
+double coefficient_of_force(double F, double rho_f, double d, double eps,
+                            double u_r)
+{
+    const double U = eps * u_r;
+
+    return 8.0 * F / (M_PI * rho_f * d * d * U * fabs(U)); /* [EW18 26] */
+}
+
+double coefficient_reynolds(double eps, double rho_f, double mu, double d,
+                            double u_r)
+{
+    return drag_reynolds(rho_f, mu, d, eps * fabs(u_r)); /* [EW18 27, A.1] */
+}
+
+/* --- fluidization --------------------------------------------------------- */
+
+/* Minimum fluidization. [EW18 22] is
+ *
+ *   (1 - eps) (rho_s - rho_f) g = beta u_mf,
+ *
+ * printed with the densities the other way round and without saying of which
+ * velocity beta is the coefficient. u_mf is superficial, so beta is Ergun's
+ * pressure drop over it, beta = 150 (1 - eps)^2 mu / (eps^3 d^2) +
+ * 1.75 (1 - eps) rho_f u_mf / (eps^3 d).
+ */
+
+/* With a = beta of slow flow and b u_mf the rest, the positive root of
+ * b u^2 + a u = w, without the difference of two large numbers. */
+double fluidization_velocity(double eps_mf, double rho_f, double rho_s,
+                             double mu, double d, double g)
+{
+    const double s = 1.0 - eps_mf, e3 = eps_mf * eps_mf * eps_mf;
+    const double a = 150.0 * s * s * mu / (e3 * d * d);
+    const double b = 1.75 * s * rho_f / (e3 * d);
+    const double w = s * (rho_s - rho_f) * g;
+
+    return w > 0.0 ? 2.0 * w / (a + sqrt(a * a + 4.0 * b * w)) : 0.0;
+}
+
+/* --- all laws ------------------------------------------------------------- */
 
 const struct drag_law *const drag_laws[] = {&drag_syamlal_obrien,
                                             &drag_gidaspow,

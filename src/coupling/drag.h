@@ -13,7 +13,37 @@
 #ifndef COUPLING_DRAG_H
 #define COUPLING_DRAG_H
 
-#include "coupling/drag_law.h"
+#include "base/model.h"
+
+/* The descriptor of a drag law. */
+
+/* One correlation. resistance: eps_f [-], rho_f [kg/m^3], mu [Pa s], d [m],
+ * u_r [m/s] -> beta / eps_s [kg/(m^3 s)]. */
+struct drag_law {
+    MODEL_MEMBERS;           /* base/model.h */
+    double eps_min, eps_max; /* [-] fluid fractions of its data, */
+    double Re_min, Re_max;   /* [-] and eps_f rho_f d u_r / mu; `winnow check`
+                                warns outside of them */
+    double (*resistance)(double eps_f, double rho_f, double mu, double d,
+                         double u_r);
+    /* A law with keys of its own (base/model.h), one of the tables above, has
+     * this function instead. Their numbers are those of the case; in the
+     * descriptor, those with which the law is tested. */
+    const struct key *own_keys;
+    double own[MODEL_NUMBERS];
+    double (*resistance_with)(const double *own, double eps_f, double rho_f,
+                              double mu, double d, double u_r);
+};
+
+/* beta / eps_s [kg/(m^3 s)] by the law. */
+static inline double drag_resistance(const struct drag_law *law, double eps_f,
+                                     double rho_f, double mu, double d,
+                                     double u_r)
+{
+    return law->resistance != NULL
+               ? law->resistance(eps_f, rho_f, mu, d, u_r)
+               : law->resistance_with(law->own, eps_f, rho_f, mu, d, u_r);
+}
 
 /* All laws, ended by NULL; drag_law_named: NULL if unknown. */
 extern const struct drag_law drag_syamlal_obrien, drag_gidaspow,
@@ -65,5 +95,28 @@ double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re);
  * [XS11 4.1] */
 double drag_released(double rho_s, double eps_s, double rho_f, double mu,
                      double d, double u_f, double t);
+
+/* A force on a sphere as a drag coefficient.
+ *
+ * EW18 measures a force by the superficial slip, eps times the interstitial
+ * slip u_r [m/s]; F [N] is the whole force along it.
+ */
+
+/* C_d = 8 F / (pi rho_f d^2 eps^2 u_r^2) [-] [EW18 26]; it has the sign of F
+ * and u_r. */
+double coefficient_of_force(double F, double rho_f, double d, double eps,
+                            double u_r);
+
+/* Re_p = rho_f d eps |u_r| / mu [-] [EW18 27, A.1]. */
+double coefficient_reynolds(double eps, double rho_f, double mu, double d,
+                            double u_r);
+
+/* Minimum fluidization. */
+
+/* The superficial velocity u_mf [m/s] at which Ergun's pressure drop carries
+ * the weight of a bed of the fluid fraction eps_mf less its buoyancy [EW18 22];
+ * g [m/s^2]. 0 for a bed that is not heavier than the fluid. */
+double fluidization_velocity(double eps_mf, double rho_f, double rho_s,
+                             double mu, double d, double g);
 
 #endif

@@ -1,7 +1,7 @@
 /* effect.h -- optional effects of a case.
  * Chapter "The coupled loop".
  *
- * An effect is one file with one descriptor. An effect that a case does not
+ * An effect is one descriptor. An effect that a case does not
  * name allocates nothing, and the time loop, which goes through the list of
  * created effects, does not call it. Its keys are one table, whose first row is
  * its own name; its parameters are given as numbers in the order of the rows (a
@@ -69,6 +69,56 @@ struct effect {
     /* Adds the mass that it lets accelerate with a particle. */
     void (*added_mass)(const struct effect_scales *k, struct added_mass *sum);
     struct effect_cost cost;
+};
+
+/* An effect that a case names, while the case runs. */
+
+struct effect;
+
+/* The forces that an effect has exerted. */
+struct effect_tally {
+    double sum;     /* [N] of their sizes, over particles and steps */
+    double largest; /* [N] on one particle */
+    double weight;  /* [-] number of these */
+    double seconds; /* [s] wall-clock time in its hooks */
+};
+
+/* An active effect: its descriptor and its state. */
+struct effect_state {
+    const struct effect *effect;
+    void *memory; /* released by effect->free; may be NULL */
+    struct effect_tally tally;
+};
+
+/* The number of events that an effect has counted. */
+
+struct effect_count {
+    const char *name; /* as in summary.json */
+    long value;       /* [-] in the run so far */
+};
+enum { EFFECT_COUNTS = 4 }; /* of one effect, at most */
+
+/* Columns of history.csv that an effect adds. */
+
+struct effect_columns {
+    const char *const *names; /* with units, "mixing [-]"; ended by NULL */
+    /* Their values now; returns how many. */
+    int (*row)(void *memory, const struct simulation *sim, double *values);
+};
+
+/* What an effect moves that is neither fluid nor particle. */
+
+struct effect_mover {
+    /* Moves it by a step, after fluid and particles; non-zero if the
+     * computation broke down. failure: how it did, or NULL if it did not. */
+    int (*move)(void *memory, struct simulation *sim);
+    const char *(*failure)(const void *memory);
+    /* Moves the particles by so many steps, and itself with them, in place of
+     * dem_run; `move` then has nothing left to do. Non-zero as dem_run. NULL:
+     * it does not move with the particles. */
+    int (*move_particles)(void *memory, struct simulation *sim, int steps);
+    /* Adds its momentum [N s] to the sum that is conserved in a closed box. */
+    void (*momentum)(const void *memory, double total[3]);
 };
 
 #endif

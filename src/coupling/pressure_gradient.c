@@ -1,5 +1,74 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* pressure_gradient.c -- the pressure on the surface of a particle,
+/* pressure_gradient.c -- the two forces on a particle that need no flow around
+ * it: its weight, and the mean pressure on its surface. */
+#include "base/alloc.h"
+#include "coupling/coupling.h"
+#include "coupling/effect_scales.h"
+#include "coupling/effects.h"
+#include "coupling/simulation.h"
+
+#include <gsl/gsl_math.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+/* --- gravity -------------------------------------------------------------- */
+
+/* The weight of the particles, m g [XS11 2.1].
+ *
+ * The weight of the fluid balances the hydrostatic part of the pressure, which
+ * fluid.h leaves out. That part acts on the whole volume; where the phases do
+ * not share the pressure (pressure_shared in fluid.h is 0), reaction.c takes
+ * the difference, eps_s rho_f g, from the force F on the fluid: F gets
+ * -(1 - eps) rho_f g.
+ */
+
+static void *gravity_create(struct simulation *sim, const double *parameters)
+{
+    for (int k = 0; k < 3; k++)
+        sim->gravity[k] = parameters[k];
+    return NULL;
+}
+
+static void gravity_before_particles(void *memory, struct simulation *sim)
+{
+    (void)memory;
+    for (int i = 0; i < sim->particles->n; i++) {
+        double f[3];
+        for (int k = 0; k < 3; k++) {
+            f[k] = sim->particles->m[i] * sim->gravity[k];
+            sim->held_force[3 * i + k] += f[k];
+        }
+        effects_report(sim, f, 1.0);
+    }
+}
+
+static struct effect_estimate gravity_estimate(const struct effect_scales *k)
+{
+    return (struct effect_estimate){k->weight / k->force, "", 0};
+}
+
+static const struct key gravity_keys[] = {
+    {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
+     "acceleration by gravity: the weight of the particles", "XS11 2.1",
+     "particles|bodies", .at = KEY_AT(effects_options, gravity),
+     .given = KEY_AT(effects_options, has_gravity), .divided = KEY_DIVIDED},
+    {0}};
+
+const struct effect gravity_effect = {
+    .name = "gravity",
+    .what = "weight of the particles",
+    .equations = "XS11 2.1",
+    .function = "gravity_before_particles",
+    .keys = {gravity_keys},
+    .create = gravity_create,
+    .before_particles = gravity_before_particles,
+    .estimate = gravity_estimate,
+    .cost = {7.0, 0.0, 0.0},
+};
+
+/* --- pressure gradient ---------------------------------------------------- */
+
+/* The pressure on the surface of a particle,
  *
  *   f_i = -V_p (grad p + rho_f g)       [LS 5.1, XS11 2.6, first term]
  *
@@ -11,14 +80,6 @@
  * and the reaction of f_i acts on it like the drag, in the next step [SX15 2b,
  * EW18 11].
  */
-#include "coupling/effect_scales.h"
-#include "coupling/effects.h"
-
-#include <gsl/gsl_math.h>
-#include <stdlib.h>
-
-#include "base/alloc.h"
-#include "coupling/coupling.h"
 
 struct pressure_gradient {
     double *gradient; /* [Pa/m] at the particles, 3 each */
@@ -110,7 +171,7 @@ pressure_gradient_estimate(const struct effect_scales *k)
         "", 0};
 }
 
-static const struct key keys[] = {
+static const struct key pressure_gradient_keys[] = {
     {"effects.pressure_gradient", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the pressure gradient, with buoyancy, on the particles",
      "LS 5.1, XS11 2.6", "fluid particles averaging exchange",
@@ -123,7 +184,7 @@ const struct effect pressure_gradient_effect = {
     .what = "force of the pressure gradient and buoyancy",
     .equations = "LS 5.1, XS11 2.6, XS11 2.8",
     .function = "pressure_gradient_before_particles",
-    .keys = {keys},
+    .keys = {pressure_gradient_keys},
     .create = pressure_gradient_create,
     .before_particles = pressure_gradient_before_particles,
     .free = pressure_gradient_free,

@@ -9,13 +9,12 @@
 #define COUPLING_SIMULATION_H
 
 #include "averaging/averaging.h"
-#include "coupling/active_effect.h"
 #include "coupling/effect.h"
-#include "fluid/fluid.h"
-#include "mesh/mesh.h"
 #include "dem/dem.h"
 #include "dem/particles.h"
 #include "dem/placement_region.h"
+#include "fluid/fluid.h"
+#include "mesh/mesh.h"
 
 struct coupling;
 struct population;
@@ -75,5 +74,17 @@ struct simulation {
 /* Visits all parts that decide the next step (state.h); a simulation that is
  * loaded was built from the same case. Non-zero after a message. */
 int simulation_state(struct simulation *sim, struct state *s);
+
+/* Why a computation broke down. */
+
+/* Where, when, what, and a remedy, in one paragraph. */
+enum { BREAKDOWN_TEXT = 512 };
+void breakdown_describe(const struct simulation *sim,
+                        char text[BREAKDOWN_TEXT]);
+
+/* 1 if an overlap is deeper than expected; breakdown_warn: says so, once in a
+ * run, as *told says. */
+int breakdown_overlaps(const struct simulation *sim);
+void breakdown_warn(int *told, const struct simulation *sim);
 
 #endif

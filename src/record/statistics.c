@@ -27,7 +27,7 @@
 #include "base/statistics/moments.h"
 #include "base/statistics/temperature.h"
 #include "coupling/coupling.h"
-#include "coupling/drag_laws/coefficient.h"
+#include "coupling/drag.h"
 #include "output/table.h"
 #include "record/history_sums.h"
 

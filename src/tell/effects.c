@@ -17,7 +17,7 @@
 #include "case/fill.h"
 #include "coupling/drag.h"
 #include "coupling/effects.h"
-#include "coupling/stability/stability.h"
+#include "coupling/stability.h"
 #include "dem/attraction.h"
 
 /* What was measured in beds of gas and of water: the share of the slip by which

@@ -12,7 +12,7 @@
 #include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/number.h"
-#include "coupling/population/replacement.h"
+#include "coupling/replacement.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/grain_table.h"
 #include "dem/population/population.h"

@@ -31,4 +31,24 @@ static inline double drag_by_factor(double (*F)(double eps_f, double Re),
     return 18.0 * rho_f * eps_f * u_r / d * eps_f * F(eps, fast) / fast;
 }
 
+/* Drag after Di Felice. */
+
+/* The exponent chi [-] of the fluid fraction [EW18 A.3]. */
+double drag_di_felice_exponent(double Re);
+
+/* Drag [N] without the mean pressure gradient [EW18 A.2]: u_r [m/s] is the
+ * interstitial slip, of which the superficial one, eps u_r, is squared. */
+double drag_di_felice_force(double eps, double rho_f, double mu, double d,
+                            double u_r);
+
+/* Drag after Beetstra and others. */
+
+/* The factor g [-] to Stokes' law [EW18 A.6]; Re with the superficial slip. */
+double drag_beetstra_factor(double eps, double Re);
+
+/* 3 pi mu d u_r g [N], u_r [m/s] interstitial [EW18 A.5]: the whole force,
+ * with the part of the mean pressure gradient. */
+double drag_beetstra_force(double eps, double rho_f, double mu, double d,
+                           double u_r);
+
 #endif

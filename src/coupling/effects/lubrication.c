@@ -1,14 +1,180 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lubrication.c -- forces between particles that are close, as effects: the
+ * liquid between them, and the attractions of dem/cohesion. */
 #include "coupling/effects/lubrication.h"
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "coupling/effect_scales.h"
+#include "coupling/effects.h"
+#include "dem/attraction.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/cohesion/electrostatic.h"
+#include "dem/cohesion/van_der_waals.h"
+#include "dem/dem_internal.h"
+#include "dem/link_cells.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
-#include "coupling/effect_scales.h"
-#include "coupling/effects.h"
-#include "coupling/effects/pair_share.h"
-#include "dem/attraction.h"
+/* --- pair share ----------------------------------------------------------- */
+
+/* Measures a force between close particles.
+ *
+ * The loops of the particles add up the forces of all laws. For the report of
+ * an effect, the force of its law alone is computed again after every eighth
+ * step: for each particle the strongest one of all partners and walls.
+ */
+enum { MEASURED = 8 }; /* [-] one step in so many, for the cost */
+
+struct pair_share {
+    const struct attraction *attraction; /* borrowed */
+    struct link_cells *cells;
+    double *strongest; /* [N] force on each particle */
+};
+
+/* The memory of an effect with this law; NULL if the particles do not have
+ * it. */
+static void *pair_share_create(struct simulation *sim,
+                               const struct attraction_law *law)
+{
+    const struct dem_options *const o = &sim->dem->options;
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
+    const struct attraction *found = NULL;
+
+    for (int k = 0; k < o->n_attractions; k++)
+        if (o->attractions[k].law == law) found = &o->attractions[k];
+    if (found == NULL) return NULL;
+    struct pair_share *const self = alloc_zeroed(1, sizeof *self);
+    self->attraction = found;
+    self->cells = link_cells_create(sim->particles->capacity, &box);
+    self->strongest = alloc_doubles(sim->particles->capacity);
+    return self;
+}
+
+static void pair_share_free(void *memory)
+{
+    struct pair_share *const self = memory;
+
+    if (self == NULL) return;
+    link_cells_free(self->cells);
+    free(self->strongest);
+    free(self);
+}
+
+static void position(const struct particles *ps, int i, double x[3])
+{
+    x[0] = ps->x[i];
+    x[1] = ps->y[i];
+    x[2] = ps->z[i];
+}
+
+static void pair_share_sort(struct pair_share *self, const struct particles *ps)
+{
+    double widest = 0.0, x[3];
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    link_cells_clear(self->cells, widest + self->attraction->range);
+    for (int i = 0; i < ps->n; i++) {
+        position(ps, i, x);
+        link_cells_add(self->cells, i, x);
+    }
+}
+
+/* The force [N] between i and j; x [m] from j to i. */
+static double pair_share_force(const struct pair_share *self,
+                               const struct simulation *sim, int i, int j,
+                               const double x[3])
+{
+    const struct attraction *const a = self->attraction;
+    const struct particles *const ps = sim->particles;
+    const double R = 0.5 * ps->d[i], S = 0.5 * ps->d[j], r = vector_length(x);
+    const double v[3] = {ps->vx[i] - ps->vx[j], ps->vy[i] - ps->vy[j],
+                         ps->vz[i] - ps->vz[j]};
+    const int *const of = ps->material;
+    double F = 0.0;
+
+    if (r - R - S > a->range) return 0.0;
+    if (a->law->pair != NULL)
+        F += a->law->pair(a, of != NULL ? of[i] : 0, of != NULL ? of[j] : 0, R,
+                          S, r - R - S);
+    if (a->law->damping != NULL)
+        F += attraction_damp(
+            a, R * S / (R + S), r - R - S, -vector_dot(v, x) / r,
+            1.0 / ps->m[i] + 1.0 / ps->m[j], sim->dem->options.step);
+    return fabs(F);
+}
+
+/* Raises the strongest force of i by those of the walls of the box. */
+static void pair_share_add_walls(struct pair_share *self,
+                                 const struct simulation *sim, int i)
+{
+    const struct attraction *const a = self->attraction;
+    const struct particles *const ps = sim->particles;
+    const double R = 0.5 * ps->d[i], v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    double x[3];
+
+    position(ps, i, x);
+    for (int w = 0; w < 6; w++) {
+        const double gap = box_domain_gap(&self->cells->box, w, x) - R;
+        const double closing = w % 2 ? v[w / 2] : -v[w / 2];
+        double F = 0.0;
+        if (self->cells->box.periodic[w / 2] || gap > a->range) continue;
+        if (a->law->wall != NULL) F += a->law->wall(a, R, gap);
+        if (a->law->damping != NULL)
+            F += attraction_damp(a, R, gap, closing, 1.0 / ps->m[i],
+                                 sim->dem->options.step);
+        self->strongest[i] = fmax(self->strongest[i], fabs(F));
+    }
+}
+
+/* Raises the strongest forces of i and of its partners with a larger index. */
+static void pair_share_add_partners(struct pair_share *self,
+                                    const struct simulation *sim, int i)
+{
+    const struct particles *const ps = sim->particles;
+    int cell[LINK_CELLS_AROUND];
+    double x[3], y[3];
+
+    position(ps, i, x);
+    const int n = link_cells_around(self->cells, x, cell);
+    for (int c = 0; c < n; c++)
+        for (int j = self->cells->head[cell[c]]; j >= 0;
+             j = self->cells->next[j]) {
+            if (j <= i) continue;
+            position(ps, j, y);
+            for (int k = 0; k < 3; k++)
+                y[k] = box_domain_nearest(&self->cells->box, k, x[k] - y[k]);
+            const double F = pair_share_force(self, sim, i, j, y);
+            self->strongest[i] = fmax(self->strongest[i], F);
+            self->strongest[j] = fmax(self->strongest[j], F);
+        }
+}
+
+/* The hook after a step. */
+static void pair_share_after_step(void *memory, struct simulation *sim)
+{
+    struct pair_share *const self = memory;
+    const int n = sim->particles->n;
+
+    if (self == NULL || sim->steps % MEASURED != 1) return;
+    memset(self->strongest, 0, (size_t)n * sizeof *self->strongest);
+    pair_share_sort(self, sim->particles);
+    for (int i = 0; i < n; i++) {
+        pair_share_add_walls(self, sim, i);
+        pair_share_add_partners(self, sim, i);
+    }
+    for (int i = 0; i < n; i++) {
+        const double f[3] = {self->strongest[i], 0.0, 0.0};
+        effects_report(sim, f, 1.0);
+    }
+}
+
+/* --- lubrication ---------------------------------------------------------- */
 
 double lubrication_coefficient(double mu, double R_star, double z, double z_min,
                                double z_out)
@@ -61,7 +227,7 @@ lubrication_estimate(const struct effect_scales *k)
         "of the speed of an impact is lost, 10/St", 0};
 }
 
-static const struct key keys[] = {
+static const struct key lubrication_keys[] = {
     {"effects.lubrication", KEY_GROUP, "", "", KEY_OPTIONAL,
      "lubrication force between close particles and at walls", "Cox67",
      "fluid particles"},
@@ -83,7 +249,7 @@ const struct effect lubrication_effect = {
     .what = "lubrication force between close particles",
     .equations = "Cox67",
     .function = "lubrication_coefficient",
-    .keys = {keys},
+    .keys = {lubrication_keys},
     .create = lubrication_create,
     .after_step = pair_share_after_step,
     .free = pair_share_free,
@@ -91,4 +257,198 @@ const struct effect lubrication_effect = {
     .wrong = lubrication_wrong,
     .estimate = lubrication_estimate,
     .cost = {35.0, 1.0, 81.0},
+};
+
+/* --- cohesion ------------------------------------------------------------- */
+
+/* The attractions of dem/cohesion as effects.
+ * Chapter "Materials, rolling and cohesion". */
+
+/* They act within the steps of the particles, and while a bed settles:
+ * therefore the particles are created with them (.attraction), and what create
+ * makes only measures them. */
+static void *create_electrostatic(struct simulation *sim,
+                                  const double *parameters)
+{
+    (void)parameters;
+    return pair_share_create(sim, &electrostatic);
+}
+
+static void *create_van_der_waals(struct simulation *sim,
+                                  const double *parameters)
+{
+    (void)parameters;
+    return pair_share_create(sim, &van_der_waals);
+}
+
+static void *create_capillary(struct simulation *sim, const double *parameters)
+{
+    (void)parameters;
+    return pair_share_create(sim, &capillary);
+}
+
+/* The force of two that touch, F [N] if the effect is not named: then it has no
+ * strength, and F is that of ordinary materials. */
+static struct effect_estimate cohesion_touching(const struct effect_scales *k,
+                                                double F, const char *remark)
+{
+    const double R = 0.5 * k->d;
+
+    if (k->pair == NULL)
+        return (struct effect_estimate){fabs(F) / k->force, remark, 1};
+    return (struct effect_estimate){
+        fabs(k->pair->law->pair(k->pair, 0, 0, R, R, 0.0)) / k->force,
+        "of two particles that touch", 0};
+}
+
+static struct effect_estimate
+estimate_electrostatic(const struct effect_scales *k)
+{
+    const double q = 1e-5 * M_PI * k->d * k->d;
+    return cohesion_touching(k, electrostatic_force(q, q, 1.0, k->d),
+                             "if they touch and are charged to 1e-5 C/m^2");
+}
+
+static struct effect_estimate
+estimate_van_der_waals(const struct effect_scales *k)
+{
+    return cohesion_touching(
+        k, van_der_waals_force(1e-19, 1e-7, 4e-10),
+        "if they touch by asperities of 0.1 um, A = 1e-19 J");
+}
+
+static struct effect_estimate estimate_capillary(const struct effect_scales *k)
+{
+    return cohesion_touching(k, capillary_force(0.072, 0.5 * k->d),
+                             "if they touch and are wet");
+}
+
+static struct attraction electrostatic_of(const double *p,
+                                          const struct attraction_scene *scene)
+{
+    return (struct attraction){.law = &electrostatic,
+                               .strength = p[0],
+                               .range = p[1],
+                               .charge = scene->charge};
+}
+
+static const char *electrostatic_wrong(const double *p,
+                                       const struct attraction_scene *scene)
+{
+    (void)p;
+    return scene->charged ? NULL
+                          : "no material has a charge: give "
+                            "particles.grains.charge [C]";
+}
+
+static const struct key electrostatic_keys[] = {
+    {"effects.electrostatic", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "force between charged particles; walls have no charge", "LS 4.13",
+     "particles", .divided = "cohesion is not told to LAMMPS"},
+    {"effects.electrostatic.permittivity", KEY_REAL, "-", ">= 1", "1.0",
+     "relative permittivity of the medium, eps_r", "LS 4.13", ""},
+    {"effects.electrostatic.range", KEY_REAL, "m", "> 0", NULL,
+     "longest gap between two surfaces at which it acts", "", ""},
+    {0}};
+
+const struct effect cohesion_electrostatic = {
+    .name = "electrostatic",
+    .what = "force between electric charges",
+    .equations = "LS 4.13",
+    .function = "electrostatic_force",
+    .keys = {electrostatic_keys},
+    .create = create_electrostatic,
+    .after_step = pair_share_after_step,
+    .free = pair_share_free,
+    .attraction = electrostatic_of,
+    .wrong = electrostatic_wrong,
+    .estimate = estimate_electrostatic,
+    .cost = {52.0, 0.0, 98.0},
+};
+
+static struct attraction van_der_waals_of(const double *p,
+                                          const struct attraction_scene *scene)
+{
+    (void)scene;
+    return (struct attraction){.law = &van_der_waals,
+                               .strength = p[0],
+                               .closest = p[1],
+                               .range = p[2]};
+}
+
+static const char *van_der_waals_wrong(const double *p,
+                                       const struct attraction_scene *scene)
+{
+    (void)scene;
+    return p[1] < p[2] ? NULL
+                       : "the range must be longer than the closest gap, "
+                         "min_gap";
+}
+
+static const struct key van_der_waals_keys[] = {
+    {"effects.van_der_waals", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "attraction between close particles and to walls", "LS 4.14", "particles",
+     .given = KEY_AT(effects_options, van_der_waals),
+     .divided = "cohesion is not told to LAMMPS"},
+    {"effects.van_der_waals.hamaker", KEY_REAL, "J", "> 0", NULL,
+     "Hamaker's constant A", "LS 4.14", ""},
+    {"effects.van_der_waals.min_gap", KEY_REAL, "m", "> 0", "4e-10",
+     "gap below which the force is constant", "", ""},
+    {"effects.van_der_waals.range", KEY_REAL, "m", "> 0", NULL,
+     "longest gap between two surfaces at which it acts", "", ""},
+    {0}};
+
+const struct effect cohesion_van_der_waals = {
+    .name = "van_der_waals",
+    .what = "van der Waals attraction",
+    .equations = "LS 4.14",
+    .function = "van_der_waals_force",
+    .keys = {van_der_waals_keys},
+    .create = create_van_der_waals,
+    .after_step = pair_share_after_step,
+    .free = pair_share_free,
+    .attraction = van_der_waals_of,
+    .wrong = van_der_waals_wrong,
+    .estimate = estimate_van_der_waals,
+    .cost = {30.0, 0.0, 54.0},
+};
+
+static struct attraction capillary_of(const double *p,
+                                      const struct attraction_scene *scene)
+{
+    (void)scene;
+    return (struct attraction){.law = &capillary,
+                               .strength = p[0] * cos(p[1]),
+                               .range = p[2],
+                               .harmonic = p[3] != 0.0};
+}
+
+static const struct key capillary_keys[] = {
+    {"effects.capillary", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "liquid bridges between particles and to walls", "LS 4.15", "particles",
+     .given = KEY_AT(effects_options, capillary),
+     .divided = "cohesion is not told to LAMMPS"},
+    {"effects.capillary.tension", KEY_REAL, "N/m", "> 0", NULL,
+     "surface tension of the liquid, gamma", "LS 4.15", ""},
+    {"effects.capillary.angle", KEY_REAL, "rad", ">= 0, < 1.5707963", "0.0",
+     "angle of contact, theta", "LS 4.15", ""},
+    {"effects.capillary.range", KEY_REAL, "m", ">= 0", "0.0",
+     "gap at which a bridge breaks; 0: bridges exist at contact only", "", ""},
+    {"effects.capillary.harmonic", KEY_BOOL, "", "", "false",
+     "R* of unequal spheres: the harmonic mean instead of the mean", "LS 4.15",
+     ""},
+    {0}};
+
+const struct effect cohesion_capillary = {
+    .name = "capillary",
+    .what = "attraction by liquid bridges",
+    .equations = "LS 4.15",
+    .function = "capillary_force",
+    .keys = {capillary_keys},
+    .create = create_capillary,
+    .after_step = pair_share_after_step,
+    .free = pair_share_free,
+    .attraction = capillary_of,
+    .estimate = estimate_capillary,
+    .cost = {30.0, 0.0, 42.0},
 };

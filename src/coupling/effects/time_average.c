@@ -73,7 +73,7 @@ static int time_average_fields(const void *memory, struct effect_field *f)
     return 2;
 }
 
-static const struct key keys[] = {
+static const struct key time_average_keys[] = {
     {"effects.time_average", KEY_GROUP, "", "", KEY_OPTIONAL,
      "exponential moving averages of eps_f and eps_s u_s, written with the "
      "fluid",
@@ -88,7 +88,7 @@ const struct effect time_average_effect = {
     .what = "exponential moving averages of the averaged fields",
     .equations = "SX15 11-14",
     .function = "time_average_update",
-    .keys = {keys},
+    .keys = {time_average_keys},
     .create = time_average_create,
     .after_step = time_average_after_step,
     .fields = time_average_fields,

@@ -26,7 +26,6 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
-#include "coupling/effects/effect_force.h"
 
 struct virtual_mass {
     double C; /* [-] */

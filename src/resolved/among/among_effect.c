@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/among/among_effect.h"
 
-#include "coupling/effect_mover.h"
+#include "coupling/effect.h"
 #include "coupling/simulation.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"

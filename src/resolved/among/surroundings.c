@@ -9,7 +9,7 @@
 #include "base/alloc.h"
 #include "base/statistics/filter.h"
 #include "base/vector.h"
-#include "coupling/drag_laws/coefficient.h"
+#include "coupling/drag.h"
 #include "resolved/body_cells.h"
 #include "resolved/cell_window.h"
 #include "resolved/mark.h"

@@ -16,8 +16,8 @@
  * where C is the added mass and s the share of its reaction that the fluid
  * receives in the same step.
  */
-#ifndef COUPLING_STABILITY_STABILITY_H
-#define COUPLING_STABILITY_STABILITY_H
+#ifndef COUPLING_STABILITY_H
+#define COUPLING_STABILITY_H
 
 #include "coupling/effect_scales.h"
 

@@ -13,8 +13,8 @@
  *
  * is conserved as in a run without insertion and removal.
  */
-#ifndef COUPLING_POPULATION_REPLACEMENT_H
-#define COUPLING_POPULATION_REPLACEMENT_H
+#ifndef COUPLING_REPLACEMENT_H
+#define COUPLING_REPLACEMENT_H
 
 #include "coupling/simulation.h"
 

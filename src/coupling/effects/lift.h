@@ -1,5 +1,34 @@
-/* spin.h -- forces and torque of the fluid on a particle that spins.
- * Chapter "Further forces".
+/* lift.h -- forces and torque of the fluid on a particle in a shear, or that
+ * spins.  Chapter "Further forces". */
+#ifndef COUPLING_EFFECTS_LIFT_H
+#define COUPLING_EFFECTS_LIFT_H
+
+/* Saffman's lift in a shear.
+ *
+ *   Re_G = d^2 |curl u| / nu                                        [LS 5.5]
+ *   F = 1.615 mu d |w| sqrt(Re_G),  along w x curl u                [LS 5.6]
+ *
+ * w = u - v. 1.615 is 6.46/4 of Saffman's correction of 1968; LS rounds it to
+ * 1.61. In the vector form F = 1.615 d^2 sqrt(rho mu/|curl u|) w x curl u. It
+ * holds for Re << sqrt(Re_G) << 1; Mei's factor (1992) carries it to Re = 100
+ * and 0.005 < alpha < 0.4, alpha = d |curl u|/(2 |w|).
+ */
+
+/* Re_G [-] of a shear G [1/s] [LS 5.5]. */
+double saffman_reynolds(double d, double nu, double G);
+
+/* The force [N] with the printed coefficient 1.61 [LS 5.6]. */
+double saffman_force(double mu, double d, double u_r, double Re_G);
+
+/* Mei's factor [-]. */
+double saffman_factor(double Re, double alpha);
+
+/* The force F [N] on a sphere of diameter d [m] for a slip w [m/s] and a curl
+ * [1/s], in a fluid of rho [kg/m^3] and mu [Pa s]. */
+void saffman_lift(double rho, double mu, double d, const double w[3],
+                  const double curl[3], double F[3]);
+
+/* Forces and torque of the fluid on a particle that spins.
  *
  *   F = (1/2) rho A C_LR |w| w x Omega / |Omega|                    [LS 5.7]
  *
@@ -14,8 +43,6 @@
  * with Re_r = rho d^2 |Omega|/mu; the first is the exact T = -pi mu d^3 Omega,
  * the second Dennis, Singh and Ingham (1980), to Re_r = 1000.
  */
-#ifndef COUPLING_EFFECTS_SPIN_H
-#define COUPLING_EFFECTS_SPIN_H
 
 /* Re_r = rho d^2 |Omega| / mu [-]. */
 double spin_reynolds(double rho, double mu, double d, double Omega);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/stability/stability.h"
+#include "coupling/stability.h"
 
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_math.h>

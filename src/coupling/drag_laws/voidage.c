@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* voidage.c -- laws of one sphere, or of a packed bed, times a power of the
+ * fluid fraction (factor.h). */
+#include "coupling/drag_laws/factor.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stddef.h>
+
+/* --- Di Felice ------------------------------------------------------------ */
+
+/* The drag of one sphere at the superficial slip, times a power
+ * of the fluid fraction that depends on Re,
+ *
+ *   F_d = (1/2) C_d rho_f (pi d^2 / 4) (eps_f u_r)^2 eps_f^-chi   [EW18 A.2]
+ *
+ * [DiFelice94]. This is the drag without the mean pressure gradient: in slow
+ * flow a suspension then settles with eps_f^4.7 of the speed of one sphere,
+ * and measured is 4.65.
+ *
+ * EW18 prints the square of the interstitial slip instead, and uses the result
+ * as the whole force. The law "di-felice-printed" is that one; it is larger by
+ * 1 / eps_f, and settles with the power 5.7.
+ */
+
+double drag_di_felice_exponent(double Re)
+{
+    const double a = 1.5 - log10(Re);
+
+    return Re > 0.0 ? 3.7 - 0.65 * exp(-0.5 * a * a) : 3.7; /* [EW18 A.3] */
+}
+
+/* [EW18 A.2, A.4] over Stokes' law. */
+static double di_felice_factor(double eps_f, double Re)
+{
+    return drag_sphere(Re) * pow(eps_f, -drag_di_felice_exponent(Re));
+}
+
+static double di_felice(double eps_f, double rho_f, double mu, double d,
+                        double u_r)
+{
+    return drag_by_factor(di_felice_factor, eps_f, rho_f, mu, d, u_r);
+}
+
+double drag_di_felice_force(double eps, double rho_f, double mu, double d,
+                            double u_r)
+{
+    return M_PI / 6.0 * d * d * d * di_felice(eps, rho_f, mu, d, u_r) * u_r;
+}
+
+const struct drag_law drag_di_felice = {
+    .name = "di-felice",
+    .what = "one sphere at the superficial slip, times a power of eps_f",
+    .equations = "EW18 A.1-A.4",
+    .function = "di_felice",
+    .eps_min = 0.4,
+    .eps_max = 1.0,
+    .Re_max = 1e4,
+    .resistance = di_felice,
+};
+
+/* The whole force is (1/2) C_d rho_f (pi d^2 / 4) u_r^2 eps_f^-chi, so its
+ * drag is eps_f times that: 1 / eps_f times Di Felice's. */
+static double di_felice_printed_factor(double eps_f, double Re)
+{
+    return di_felice_factor(eps_f, Re) / eps_f;
+}
+
+static double di_felice_printed(double eps_f, double rho_f, double mu, double d,
+                                double u_r)
+{
+    return drag_by_factor(di_felice_printed_factor, eps_f, rho_f, mu, d, u_r);
+}
+
+const struct drag_law drag_di_felice_printed = {
+    .name = "di-felice-printed",
+    .what = "as EW18 prints Di Felice's law: 1 / eps_f times it",
+    .equations = "EW18 A.1-A.4",
+    .function = "di_felice_printed",
+    .eps_min = 0.4,
+    .eps_max = 1.0,
+    .Re_max = 1e4,
+    .resistance = di_felice_printed,
+};
+
+/* --- Rong ----------------------------------------------------------------- */
+
+/* Di Felice's form with an exponent that depends on the fluid
+ * fraction too, fitted to lattice-Boltzmann simulations of packings [Rong13]:
+ * the drag of one sphere at the superficial slip times eps_f^-chi. The drag
+ * coefficient is DallaValle's. */
+
+/* chi = 2.65 (eps_f + 1) - (5.3 - 3.5 eps_f) eps_f^2 exp(-(1.5 - log10 Re)^2 /
+ * 2) [Rong13]. */
+static double rong_exponent(double eps_f, double Re)
+{
+    const double a = 1.5 - log10(Re);
+    const double bell = Re > 0.0 ? exp(-0.5 * a * a) : 0.0;
+
+    return 2.65 * (eps_f + 1.0) - (5.3 - 3.5 * eps_f) * eps_f * eps_f * bell;
+}
+
+static double rong_factor(double eps_f, double Re)
+{
+    const double root = 0.63 * sqrt(Re) + 4.8; /* C_d Re = root^2 */
+
+    return root * root / 24.0 * pow(eps_f, -rong_exponent(eps_f, Re));
+}
+
+static double rong(double eps_f, double rho_f, double mu, double d, double u_r)
+{
+    return drag_by_factor(rong_factor, eps_f, rho_f, mu, d, u_r);
+}
+
+const struct drag_law drag_rong = {
+    .name = "rong",
+    .what = "packings of spheres, from resolved flow; the form of Di Felice",
+    .equations = "Rong13",
+    .function = "rong",
+    .eps_min = 0.37,
+    .eps_max = 1.0,
+    .Re_max = 3e3,
+    .resistance = rong,
+};
+
+/* --- Huilin and Gidaspow -------------------------------------------------- */
+
+/* Ergun's packed bed and Wen and Yu's suspension, blended
+ * about eps_f = 0.8 by an arcus tangens [Huilin03]: Gidaspow's law without its
+ * jump. */
+
+/* beta_Ergun and beta_WenYu of [LS 5.27], over eps_s 18 mu eps_f / d^2. */
+static double ergun_factor(double eps_f, double Re)
+{
+    return (150.0 * (1.0 - eps_f) + 1.75 * Re) / (18.0 * eps_f * eps_f);
+}
+
+static double wen_yu_factor(double eps_f, double Re)
+{
+    return drag_sphere(Re) * pow(eps_f, -3.65);
+}
+
+/* phi_gs = atan(150 x 1.75 (0.2 - eps_s)) / pi + 1/2, the weight of Wen and
+ * Yu's law [Huilin03]. */
+static double huilin_gidaspow_factor(double eps_f, double Re)
+{
+    const double phi = atan(262.5 * (eps_f - 0.8)) / M_PI + 0.5;
+
+    return (1.0 - phi) * ergun_factor(eps_f, Re) +
+           phi * wen_yu_factor(eps_f, Re);
+}
+
+static double huilin_gidaspow(double eps_f, double rho_f, double mu, double d,
+                              double u_r)
+{
+    return drag_by_factor(huilin_gidaspow_factor, eps_f, rho_f, mu, d, u_r);
+}
+
+const struct drag_law drag_huilin_gidaspow = {
+    .name = "huilin-gidaspow",
+    .what = "Gidaspow's law with its two branches blended",
+    .equations = "LS 5.25-5.27",
+    .function = "huilin_gidaspow",
+    .eps_min = 0.35,
+    .eps_max = 1.0,
+    .Re_max = 2e3,
+    .resistance = huilin_gidaspow,
+};

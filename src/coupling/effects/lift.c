@@ -1,0 +1,359 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lift.c -- lift in a shear and of a particle that spins, and the torque that
+ * slows its spin: forces that need the curl of the flow. */
+#include "coupling/effects/lift.h"
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "coupling/coupling.h"
+#include "coupling/effect_scales.h"
+#include "coupling/effects.h"
+#include "fluid/deferred/boundary_reach.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* --- vorticity ------------------------------------------------------------ */
+
+/* Curl u of the fluid, at the particles.
+ *
+ * The lift forces and the torque of the fluid need it. The gradient in the
+ * cells is that of the case (fluid.gradient), and the interpolation to the
+ * particles the adjoint of the averaging, as for the other derivatives of the
+ * flow.
+ */
+struct vorticity {
+    double *u_b;      /* [m/s] at the boundary, 3 a face */
+    double *gradient; /* [1/s] of u, 9 a cell */
+    double *curl;     /* [1/s] 3 a cell */
+    double *at;       /* [1/s] interpolated to the particles, 3 each */
+};
+
+/* `name` is that of the attached array `at` (particles.h); borrowed. */
+static struct vorticity *vorticity_create(struct simulation *sim,
+                                          const char *name)
+{
+    const struct mesh *const m = sim->mesh;
+    struct vorticity *const v = alloc_zeroed(1, sizeof *v);
+
+    v->u_b = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    v->gradient = alloc_doubles(9 * m->n_cells);
+    v->curl = alloc_doubles(3 * m->n_cells);
+    v->at = alloc_doubles(3 * sim->particles->capacity);
+    particles_attach(sim->particles, name, "1/s", v->at, 3);
+    return v;
+}
+
+/* Hooks of the effects whose memory is a struct vorticity (effect.h): the
+ * second fills curl and at from the velocity of the fluid now. */
+static void vorticity_free(void *memory)
+{
+    struct vorticity *const v = memory;
+
+    if (v == NULL) return;
+    free(v->u_b);
+    free(v->gradient);
+    free(v->curl);
+    free(v->at);
+    free(v);
+}
+
+static void vorticity_update(void *memory, struct simulation *sim)
+{
+    struct vorticity *const v = memory;
+    const struct fluid *const fl = sim->fluid;
+
+    fluid_boundary_velocity(fl, v->u_b);
+    boundary_reach_gradient(fl, fl->u, v->u_b, v->gradient);
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double *const g =
+            &v->gradient[9 * c]; /* d u_k/d x_j at 3 k + j */
+        v->curl[3 * c] = g[7] - g[5];
+        v->curl[3 * c + 1] = g[2] - g[6];
+        v->curl[3 * c + 2] = g[3] - g[1];
+    }
+    averaging_gather(sim->averaging, 3, v->curl, v->at);
+}
+
+/* The spin of particle i against half of the curl [rad/s]. */
+static void vorticity_relative_spin(const struct vorticity *v,
+                                    const struct particles *ps, int i,
+                                    double Omega[3])
+{
+    const double *const curl = &v->at[3 * i];
+
+    Omega[0] = ps->wx[i] - 0.5 * curl[0];
+    Omega[1] = ps->wy[i] - 0.5 * curl[1];
+    Omega[2] = ps->wz[i] - 0.5 * curl[2];
+}
+
+/* --- saffman -------------------------------------------------------------- */
+
+static const double coefficient = 1.615; /* [-] 6.46/4, Saffman 1968 */
+
+double saffman_reynolds(double d, double nu, double G)
+{
+    return d * d * G / nu; /* [LS 5.5] */
+}
+
+double saffman_force(double mu, double d, double u_r, double Re_G)
+{
+    return 1.61 * mu * d * u_r * sqrt(Re_G); /* [LS 5.6], as printed */
+}
+
+/* For a vanishing slip alpha is infinite and the force 0: the lift of the shear
+ * alone is left out, as in [LS 5.6]. */
+double saffman_factor(double Re, double alpha)
+{
+    if (!(alpha < HUGE_VAL)) return 1.0;
+    if (Re > 40.0) return 0.0524 * sqrt(alpha * Re);
+    const double tail = 0.3314 * sqrt(alpha);
+    return (1.0 - tail) * exp(-0.1 * Re) + tail;
+}
+
+void saffman_lift(double rho, double mu, double d, const double w[3],
+                  const double curl[3], double F[3])
+{
+    const double speed = vector_length(w), G = vector_length(curl);
+    double k = 0.0;
+
+    if (G > 0.0 && mu > 0.0)
+        k = coefficient * d * d * sqrt(rho * mu / G) *
+            saffman_factor(rho * speed * d / mu, 0.5 * d * G / speed);
+    if (mu == 0.0) /* beyond Re = 40 it cancels */
+        k = coefficient * 0.0524 * M_SQRT1_2 * rho * d * d * d;
+    vector_cross(w, curl, F);
+    for (int a = 0; a < 3; a++)
+        F[a] *= k; /* [LS 5.6] */
+}
+
+static void *saffman_create(struct simulation *sim, const double *parameters)
+{
+    (void)parameters;
+    return vorticity_create(sim, "saffman_vorticity");
+}
+
+/* The lift for the slip at the start of the sub-step. */
+static void saffman_before_substep(void *memory, struct simulation *sim)
+{
+    const struct vorticity *const v = memory;
+    const struct fluid_options *const o = &sim->fluid->options;
+    const struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        double w[3], F[3];
+        coupling_slip(sim, i, w);
+        saffman_lift(o->rho, o->mu, ps->d[i], w, &v->at[3 * i], F);
+        effect_force_add(sim, i, F);
+    }
+}
+
+static struct effect_estimate saffman_estimate(const struct effect_scales *k)
+{
+    const double w[3] = {k->slip, 0.0, 0.0}, curl[3] = {0.0, 0.0, k->shear};
+    double F[3];
+
+    saffman_lift(k->rho_f, k->mu, k->d, w, curl, F);
+    return (struct effect_estimate){fabs(F[1]) / k->force, "", 0};
+}
+
+static const struct key saffman_keys[] = {
+    {"effects.saffman", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "lift on a particle that slips in a shear flow, with Mei's factor",
+     "LS 5.5, 5.6", "fluid particles averaging exchange"},
+    {0}};
+
+const struct effect saffman_effect = {
+    .name = "saffman",
+    .what = "lift on a particle that slips in a shear flow",
+    .equations = "LS 5.5, 5.6",
+    .function = "saffman_lift",
+    .keys = {saffman_keys},
+    .create = saffman_create,
+    .before_particles = vorticity_update,
+    .before_substep = saffman_before_substep,
+    .free = vorticity_free,
+    .estimate = saffman_estimate,
+    .cost = {46.0, 63.0, 0.0},
+};
+
+/* --- spin ----------------------------------------------------------------- */
+
+double spin_reynolds(double rho, double mu, double d, double Omega)
+{
+    return rho * d * d * Omega / mu;
+}
+
+/* Re_r/Re = d |Omega|/|w| is the coefficient at small Re; without viscosity the
+ * limit is left. */
+double spin_lift_coefficient(double Re, double Re_r)
+{
+    if (!(Re < HUGE_VAL)) return 0.45;
+    return 0.45 +
+           (Re_r / Re - 0.45) * exp(-0.05684 * pow(Re_r, 0.4) * pow(Re, 0.3));
+}
+
+double spin_force(double rho, double C_LR, double d, double u_r)
+{
+    return 0.5 * rho * 0.25 * M_PI * d * d * C_LR * fabs(u_r) *
+           u_r; /* [LS 5.7] */
+}
+
+void spin_lift(double rho, double mu, double d, const double w[3],
+               const double Omega[3], double F[3])
+{
+    const double speed = vector_length(w), spin = vector_length(Omega);
+    double size = 0.0;
+
+    if (speed > 0.0 && spin > 0.0)
+        size =
+            spin_force(rho,
+                       spin_lift_coefficient(rho * speed * d / mu,
+                                             spin_reynolds(rho, mu, d, spin)),
+                       d, speed) /
+            (speed * spin);
+    vector_cross(w, Omega, F);
+    for (int a = 0; a < 3; a++)
+        F[a] *= size;
+}
+
+double spin_torque_factor(double Re_r)
+{
+    return Re_r <= 32.0 ? 64.0 * M_PI : 12.9 * sqrt(Re_r) + 128.4;
+}
+
+/* T/(I Omega) with T = (1/2) rho (d/2)^5 (factor/Re_r) Omega^2 and I = m d^2/10
+ * = pi rho_s d^5/60. */
+double spin_decay_rate(double rho, double mu, double d, double rho_s,
+                       double Omega)
+{
+    if (mu == 0.0) return 0.0;
+    const double factor = spin_torque_factor(spin_reynolds(rho, mu, d, Omega));
+    return 15.0 / 16.0 * factor * mu / (M_PI * rho_s * d * d);
+}
+
+/* --- magnus --------------------------------------------------------------- */
+
+/* Magnus's lift on a particle that spins [LS 5.7] (spin.h). */
+
+static void *magnus_create(struct simulation *sim, const double *parameters)
+{
+    (void)parameters;
+    return vorticity_create(sim, "magnus_vorticity");
+}
+
+/* The lift for slip and spin at the start of the sub-step. */
+static void magnus_before_substep(void *memory, struct simulation *sim)
+{
+    const struct vorticity *const v = memory;
+    const struct fluid_options *const o = &sim->fluid->options;
+    const struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        double w[3], Omega[3], F[3];
+        coupling_slip(sim, i, w);
+        vorticity_relative_spin(v, ps, i, Omega);
+        spin_lift(o->rho, o->mu, ps->d[i], w, Omega, F);
+        effect_force_add(sim, i, F);
+    }
+}
+
+static struct effect_estimate magnus_estimate(const struct effect_scales *k)
+{
+    const double Re = k->rho_f * k->slip * k->d / k->mu;
+    const double Re_r = spin_reynolds(k->rho_f, k->mu, k->d, k->spin);
+    const double F =
+        spin_force(k->rho_f, spin_lift_coefficient(Re, Re_r), k->d, k->slip);
+
+    return (struct effect_estimate){Re > 0.0 && Re_r > 0.0 ? F / k->force : 0.0,
+                                    "with the spin that collisions leave", 0};
+}
+
+static const struct key magnus_keys[] = {
+    {"effects.magnus", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "lift on a particle that rotates", "LS 5.7",
+     "fluid particles averaging exchange"},
+    {0}};
+
+const struct effect magnus_effect = {
+    .name = "magnus",
+    .what = "lift on a particle that rotates",
+    .equations = "LS 5.7",
+    .function = "spin_lift",
+    .keys = {magnus_keys},
+    .create = magnus_create,
+    .before_particles = vorticity_update,
+    .before_substep = magnus_before_substep,
+    .free = vorticity_free,
+    .estimate = magnus_estimate,
+    .cost = {89.0, 65.0, 0.0},
+};
+
+/* --- fluid torque --------------------------------------------------------- */
+
+/* The torque of the fluid on a particle that spins (spin.h).
+ *
+ *   I domega/dt = T,   omega - curl u/2 = Omega ~ exp(-r t)
+ *
+ * r is taken from the start of a sub-step of the drag, and the exponential is
+ * stable for any sub-step. The reaction does not act on the fluid: averaged
+ * over the cell a couple is no force, and the angular momentum of the fluid
+ * below the size of a cell is not in the equations.
+ */
+
+static void *fluid_torque_create(struct simulation *sim,
+                                 const double *parameters)
+{
+    (void)parameters;
+    return vorticity_create(sim, "fluid_torque_vorticity");
+}
+
+static void fluid_torque_before_substep(void *memory, struct simulation *sim)
+{
+    const struct vorticity *const v = memory;
+    const struct fluid_options *const o = &sim->fluid->options;
+    struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        double *const spin[3] = {&ps->wx[i], &ps->wy[i], &ps->wz[i]};
+        const double rho_s = ps->m[i] / particles_volume(ps, i);
+        double Omega[3];
+        vorticity_relative_spin(v, ps, i, Omega);
+        const double rate = spin_decay_rate(o->rho, o->mu, ps->d[i], rho_s,
+                                            vector_length(Omega));
+        for (int k = 0; k < 3; k++)
+            *spin[k] += Omega[k] * expm1(-rate * sim->substep);
+    }
+}
+
+static struct effect_estimate
+fluid_torque_estimate(const struct effect_scales *k)
+{
+    const double rate =
+        spin_decay_rate(k->rho_f, k->mu, k->d, k->rho_s, k->spin);
+
+    return (struct effect_estimate){
+        k->spin > 0.0 ? -expm1(-rate * k->tau) : 0.0,
+        "of a spin is lost in a relaxation time", 1};
+}
+
+static const struct key fluid_torque_keys[] = {
+    {"effects.fluid_torque", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "torque of the fluid, which slows the rotation of a particle", "LS 5.7",
+     "fluid particles averaging exchange"},
+    {0}};
+
+const struct effect fluid_torque_effect = {
+    .name = "fluid_torque",
+    .what = "torque of the fluid on a particle that rotates",
+    .equations = "",
+    .function = "spin_decay_rate",
+    .keys = {fluid_torque_keys},
+    .create = fluid_torque_create,
+    .before_particles = vorticity_update,
+    .before_substep = fluid_torque_before_substep,
+    .free = vorticity_free,
+    .estimate = fluid_torque_estimate,
+    .cost = {36.0, 66.0, 0.0},
+};
