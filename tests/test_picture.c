@@ -107,9 +107,9 @@ START_TEST(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
         if (p.pressure)
             scratch_write(
                 scratch_path(name, "history.csv"),
-                kind & 1 ? "time [s],bed_weight [Pa],pressure_drop [Pa]\n"
+                kind & 1 ? "time [s],buoyant_weight [Pa],pressure_drop [Pa]\n"
                            "0,100,0\n0.5,100,80\n1,100,101\n"
-                         : "time [s],bed_weight [Pa],pressure_drop [Pa]\n");
+                         : "time [s],buoyant_weight [Pa],pressure_drop [Pa]\n");
         remove(png);
         ck_assert_int_eq(picture_draw(odd), !here);
         ck_assert_int_eq(scratch_exists(png), here);

@@ -15,7 +15,17 @@
 
 /* What a row of the history adds: two numbers with errors by blocks, and the
  * mean squares of speeds. */
-enum { DROP, LEAN, N_BLOCKED, WEIGHT = N_BLOCKED, SPEED, LEVEL, UPRIGHT, N };
+enum {
+    DROP,
+    LEAN,
+    N_BLOCKED,
+    WEIGHT = N_BLOCKED,
+    BUOYANT,
+    SPEED,
+    LEVEL,
+    UPRIGHT,
+    N
+};
 
 /* All rows are kept, for a run that is resumed may get a later end, and its
  * second half is then another one. */
@@ -24,7 +34,7 @@ struct second_half {
     double end; /* [s] */
     int rows, capacity;
     double *time;     /* [s] */
-    double (*row)[N]; /* [Pa, -, Pa, m^2/s^2, m^2/s^2, m^2/s^2] */
+    double (*row)[N]; /* [Pa, -, Pa, Pa, m^2/s^2, m^2/s^2, m^2/s^2] */
 };
 
 struct second_half *second_half_create(const struct simulation *sim, double end)
@@ -92,6 +102,7 @@ void second_half_add(struct second_half *h)
     row[DROP] = history_pressure_drop(h->sim);
     if (h->sim->particles == NULL) return;
     row[WEIGHT] = history_bed_weight(h->sim);
+    row[BUOYANT] = history_buoyant_weight(h->sim);
     put_bed(h, row);
 }
 
@@ -173,8 +184,10 @@ static void second_half_summarize(const void *part, struct summary *to)
     find_errors(h, error);
     summary_begin(to, "second_half");
     summary_number(to, "mean_pressure_drop", second_half_mean(h, DROP));
-    if (h->sim->particles != NULL)
+    if (h->sim->particles != NULL) {
         summary_number(to, "bed_weight", second_half_mean(h, WEIGHT));
+        summary_number(to, "buoyant_weight", second_half_mean(h, BUOYANT));
+    }
     summary_number(to, "mean_pressure_drop_error", error[DROP]);
     if (h->sim->particles != NULL) {
         summary_number(to, "particle_velocity_rms",
@@ -194,9 +207,9 @@ static void second_half_print(const void *part)
     const struct second_half *const h = part;
 
     if (first(h) == h->rows || h->sim->particles == NULL) return;
-    printf("pressure drop %.1f Pa (mean of the second half), weight of the "
-           "bed %.1f Pa%s\n",
-           second_half_mean(h, DROP), second_half_mean(h, WEIGHT),
+    printf("pressure drop %.1f Pa (mean of the second half), buoyant weight of "
+           "the bed %.1f Pa%s\n",
+           second_half_mean(h, DROP), second_half_mean(h, BUOYANT),
            h->sim->mesh->shape != NULL ? " over the mean section" : "");
 }
 

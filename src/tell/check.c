@@ -146,18 +146,27 @@ static void print_contacts(const struct settings *s,
     text_line("particle steps in one step", k->dem_steps, "-", "");
 }
 
+/* The pressure drop of a bed that a stream carries is its weight less its
+ * buoyancy, for pressures are without the weight of the fluid. */
 static void print_weight(const struct settings *s, const struct case_scales *k)
 {
-    const double rho_s = s->particles.grains.density;
-    double lo[3], size[3];
+    const double *const g = s->effects.gravity;
+    const double rho_f = s->has.fluid ? s->fluid.rho : 0.0;
+    double lo[3], size[3], area = 1.0;
+    int up = 0;
 
-    case_mesh_ends(s, lo, size);
     if (settings_mesh(s) != NULL) return; /* it has no one section */
     if (!s->effects.has_gravity || !s->particles.has_bed) return;
-    text_line("weight of the bed over its area",
-              k->volume * rho_s * fabs(s->effects.gravity[1]) /
-                  (size[0] * size[2]),
-              "Pa", "the pressure drop of a fluidized bed");
+    case_mesh_ends(s, lo, size);
+    for (int i = 0; i < 3; i++)
+        if (fabs(g[i]) > fabs(g[up])) up = i;
+    for (int i = 0; i < 3; i++)
+        if (i != up) area *= size[i] - lo[i];
+    text_line(rho_f > 0.0 ? "buoyant weight of the bed over its area"
+                          : "weight of the bed over its area",
+              k->volume * (s->particles.grains.density - rho_f) * fabs(g[up]) /
+                  area,
+              "Pa", rho_f > 0.0 ? "the pressure drop of a fluidized bed" : "");
 }
 
 /* Where whole steps do not give the time between two rows or pictures. */
