@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "averaging/kernel/kernel.h"
+#include "averaging/averaging.h"
 #include "fluid/fluid.h"
 
 enum { CELLS = 12, FACE = 5 };

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "averaging/kernel/kernel.h"
+#include "averaging/averaging.h"
 #include "fluid/fluid.h"
 
 enum { CELLS = 40, GRAINS = 200, STEPS = 100 };

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/diffusion.h"
-#include "averaging/schemes/diffusion_steps.h"
 
 #include <gsl/gsl_math.h>
 #include <omp.h>

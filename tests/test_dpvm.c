@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/poly/poly.h"
-#include "averaging/more/dpvm.h"
+#include "averaging/averaging.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-#include "averaging/averaging.h"
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"

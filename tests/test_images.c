@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/more/images.h"
+#include "averaging/averaging.h"
 
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-#include "averaging/averaging.h"
 #include "averaging/diffusion.h"
-#include "averaging/kernel/kernel.h"
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"

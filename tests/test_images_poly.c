@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/poly/poly.h"
-#include "averaging/poly/images_poly.h"
+#include "averaging/averaging.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "averaging/averaging.h"
 #include "averaging/poly/gaussian_moments.h"
 #include "base/vector.h"
 #include "facts.h"

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/kernel/kernel.h"
+#include "averaging/averaging.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
 #include "facts.h"

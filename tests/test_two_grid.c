@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/more/two_grid.h"
+#include "averaging/averaging.h"
 
 #include <math.h>
 
-#include "averaging/averaging.h"
 #include "facts.h"
 #include "cloud.h"
 

@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "averaging/averaging_wall.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/interpolation.h"
@@ -88,7 +87,7 @@ struct averaging *averaging_create(const struct averaging_method *method,
                                    const struct particles *ps,
                                    const struct averaging_options *o)
 {
-    const struct averaging_options full = completed(o);
+    struct averaging_options full = completed(o);
 
     if (method->needs_bandwidth && !(full.bandwidth > 0.0)) {
         fprintf(stderr,
@@ -99,7 +98,7 @@ struct averaging *averaging_create(const struct averaging_method *method,
     }
     struct averaging *const a = alloc_zeroed(1, sizeof *a);
 
-    a->method = averaging_variant(method, mesh);
+    a->method = full.method = averaging_variant(method, mesh);
     a->fields = full.fields;
     a->cells = cell_of_particle_create(mesh, ps);
     a->state = a->method->create(a->cells, &full);

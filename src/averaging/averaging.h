@@ -16,10 +16,10 @@
 #ifndef AVERAGING_AVERAGING_H
 #define AVERAGING_AVERAGING_H
 
-#include "averaging/averaging_method.h"
+#include "base/model.h"
+#include "dem/particles.h"
 #include "linear/cg.h"
 #include "mesh/mesh.h"
-#include "dem/particles.h"
 
 struct interpolation;
 
@@ -70,6 +70,8 @@ struct averaging_report {
 extern const struct averaging_method pcm_method, dpvm_method, dpvm_cube_method,
     two_grid_method, kernel_method, kernel_gaussian_method, images_method,
     diffusion_method;
+/* The variant of images for a mesh that is no box. */
+extern const struct averaging_method images_poly_method;
 extern const struct averaging_method *const averaging_methods[];
 const struct averaging_method *averaging_method_named(const char *name);
 
@@ -100,9 +102,9 @@ void averaging_spread(struct averaging *, int m, const double *q,
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
 
-/* Tells the averaging that there are solids inside the mesh (averaging_wall.h),
- * borrowed; and the field that is to be interpolated, with values inside these
- * solids: without them the field itself. */
+/* Tells the averaging that there are solids inside the mesh, borrowed; and the
+ * field that is to be interpolated, with values inside these solids: without
+ * them the field itself. */
 void averaging_set_wall(struct averaging *a, struct averaging_wall *wall);
 const double *averaging_extended(struct averaging *a, int m,
                                  const double *field);
@@ -128,9 +130,80 @@ averaging_variant(const struct averaging_method *method,
 double averaging_sigma(double delta_05);
 double averaging_bandwidth(double delta_05);
 
+/* [XS11 3.6], the bell: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
+double kernel_bell(double zeta);
+
+/* [EW18 19] at the distance r [m]: W [1/m^3]. */
+double images_kernel(double r, double sigma);
+
 /* The number of diffusion steps needed to avoid undershoots, if the options
  * have fewer; else 0. Needs only an outline of the mesh. */
 int averaging_check(const struct averaging_method *, const struct mesh *,
                     const struct averaging_options *);
+
+/* The descriptor of an averaging method.
+ *
+ * It is included by the methods (pcm.c, kernel.c, ...) and by the list of them;
+ * all other files include averaging.h.
+ */
+
+struct averaging_options;
+struct averaging_report;
+struct cell_of_particle;
+
+/* One row of the table of methods. state is the result of create, which returns
+ * NULL after a message that names the wrong option. h is borrowed; the method
+ * is o->method. */
+struct averaging_method {
+    MODEL_MEMBERS;           /* base/model.h */
+    int needs_bandwidth;     /* 1: requires options.bandwidth */
+    double reach_b, reach_d; /* [-] radius of the neighbourhood of a cell, in
+                                bandwidths and in diameters */
+    double uniform_widths;   /* [-] bandwidth over the width of the largest cell
+                                from which on the field of a uniform bed is
+                                uniform to about 2 %; 0: any */
+    double gaussian;         /* [-] b of the Gaussian exp(-r^2 / b^2) with the
+                                same variance, over the bandwidth; 0: none */
+    int has_own_grid;        /* 1: has a grid of its own, with cells of a
+                             bandwidth */
+    const struct key *own_keys; /* of its tables, the one whose numbers are in
+                                   options.own (base/model.h); NULL: none */
+    const void *variety; /* for create, of methods that have it in common: the
+                            kernel, the body; else NULL */
+    void *(*create)(const struct cell_of_particle *h,
+                    const struct averaging_options *o);
+    void (*free)(void *state);
+    void (*bind)(void *state, struct averaging_report *r); /* or NULL */
+    void (*spread)(void *state, int m, const double *q, double *field,
+                   struct averaging_report *r);
+    void (*gather)(void *state, int m, const double *field, double *q,
+                   struct averaging_report *r);
+    double (*capped_fraction)(const void *state, int i); /* or NULL: 1 */
+    /* The variant for polyhedral meshes; NULL if the same functions work there.
+     */
+    const struct averaging_method *polyhedral;
+};
+
+/* Keys of several methods: the bandwidth, and delta_05 in its place. */
+extern const struct key averaging_bandwidth_keys[];
+extern const struct key averaging_delta_keys[];
+
+/* Solids inside the mesh that particles cannot be in.
+ *
+ * A method of averaging takes account of the walls of the mesh, not of other
+ * solids: what it puts into the cells of these is moved out again, and a field
+ * is continued into them before it is interpolated. The two are adjoint, so
+ * that the sums of averaging.h are conserved.
+ */
+
+struct averaging_wall {
+    /* Moves the densities of the closed cells to open ones; sum V field stays.
+     */
+    void (*move_out)(const struct averaging_wall *self, int m, double *field);
+    /* The same field with values in the closed cells; borrowed, until the next
+     * call. */
+    const double *(*extend)(struct averaging_wall *self, int m,
+                            const double *field);
+};
 
 #endif

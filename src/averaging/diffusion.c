@@ -3,16 +3,17 @@
 
 #include <assert.h>
 #include <gsl/gsl_math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/diffusion_matrix.h"
 #include "averaging/more/bandwidth.h"
 #include "averaging/more/separable.h"
 #include "base/alloc.h"
+#include "base/model.h"
 #include "linear/chebyshev.h"
 #include "linear/csr.h"
 
@@ -261,3 +262,77 @@ const struct averaging_method diffusion_method = {
 
 const struct model *const bandwidth_rules[] = {
     &bandwidth_uniform, &bandwidth_cells, &bandwidth_grains, NULL};
+
+/* Coefficient of the flux through internal face f: g (phi_N - phi_P) [m]. */
+static double diffusion_coefficient(const struct mesh *m, int f)
+{
+    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double Sd = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
+    return SS / Sd;
+}
+
+/* A = diag + factor times the Laplacian of [SX15 5a]; only internal faces have
+ * a flux [SX15 5c]. D: one more factor for each face, or NULL. */
+void diffusion_matrix_fill(struct csr *A, const struct mesh *m,
+                           const double *diag, double factor, const double *D)
+{
+    for (int c = 0; c < m->n_cells; c++)
+        A->diag[c] = diag != NULL ? diag[c] : 0.0;
+    for (int f = 0; f < m->n_internal; f++) {
+        const double g =
+            factor * diffusion_coefficient(m, f) * (D != NULL ? D[f] : 1.0);
+        A->a[A->upper[f]] = A->a[A->lower[f]] = -g;
+        A->diag[m->owner[f]] += g;
+        A->diag[m->neighbour[f]] += g;
+    }
+}
+
+/* The keys and the descriptors of diffusion.c.
+ * Chapter "Averaging". */
+
+#define AT(member) .at = KEY_AT(averaging_options, member)
+#define REGION(member) .at = KEY_AT(averaging_region, member)
+
+const struct key diffusion_keys[] = {
+    {"averaging.scheme", KEY_NAME, "", "", "exponential",
+     "time scheme of the diffusion", "SX15 5", "", AT(scheme)},
+    {"averaging.tolerance", KEY_REAL, "-", ">= 1e-15, < 1", "1e-6",
+     "relative residual of the diffusion solver; with an implicit scheme about "
+     "the relative error of the exchanged momentum",
+     "", "", AT(tolerance)},
+    {"averaging.bandwidth_variation", KEY_NAME, "", "", "uniform",
+     "how the bandwidth of the diffusion varies in space", "SX15 section 2.2.3",
+     "", AT(vary)},
+    {"averaging.regions", KEY_LIST, "", "", KEY_OPTIONAL,
+     "boxes with a bandwidth of their own, each { low, high, bandwidth }",
+     "SX15 section 2.2.3", "", AT(regions),
+     .size = sizeof(struct averaging_region)},
+    {"averaging.regions.low", KEY_VECTOR, "m", "", NULL, "lowest corner", "",
+     "", REGION(low)},
+    {"averaging.regions.high", KEY_VECTOR, "m", "", NULL, "highest corner", "",
+     "", REGION(high)},
+    {"averaging.regions.bandwidth", KEY_REAL, "m", ">= 0", NULL,
+     "its bandwidth; 0: what pcm gives stays", "", "", REGION(bandwidth)},
+    KEY_END};
+
+const struct diffusion_scheme diffusion_exponential = {
+    .name = "exponential",
+    .what = "the matrix exponential; no steps",
+    .equations = "",
+    .function = "diffusion_apply_exponential",
+    .directly = 1,
+};
+
+const struct diffusion_scheme diffusion_series = {
+    .name = "series",
+    .what = "the same, always by its series",
+    .equations = "",
+    .function = "chebyshev_apply",
+};
+
+const struct diffusion_scheme *const diffusion_schemes[] = {
+    &diffusion_exponential,    &diffusion_series, &diffusion_crank_nicolson,
+    &diffusion_implicit_euler, &diffusion_sdirk2, NULL};
+
+MODEL_NAMED(diffusion_scheme)

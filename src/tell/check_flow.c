@@ -12,7 +12,6 @@
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/averaging_method.h"
 #include "averaging/kernel/weights.h"
 #include "base/text.h"
 #include "base/vector.h"

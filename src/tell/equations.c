@@ -9,8 +9,6 @@
 
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
-#include "averaging/kernel/kernel.h"
-#include "averaging/more/images.h"
 #include "coupling/drag.h"
 #include "coupling/drag_laws/factor.h"
 #include "coupling/effects/basset.h"

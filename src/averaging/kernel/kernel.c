@@ -1,6 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/kernel/kernel.h"
-
+/* kernel.c -- a particle spread over the cells around it.
+ * Chapter "Averaging".
+ *
+ *     w_ic = K(|x_i - x_c| / b) V_c / sum_m K(|x_i - x_m| / b) V_m       (8.7)
+ *     field_c = (1 / V_c) sum_i w_ic q_i             [XS11 3.2, 3.5a, 3.7, 3.8]
+ *     q_i = sum_c w_ic field_c                                     [XS11 3.9]
+ *
+ * The weights of a particle sum to one over the cells, so nothing is lost at a
+ * wall or anywhere else, whatever K is [XS11 3.4]. A particle with no cell
+ * centre within b is assigned to its own cell. [XS11] advises b of 1.5 to 2.5
+ * mean cell sizes.
+ *
+ * As printed, the weights have no V_c: the cells of [XS11] are equal, and it
+ * cancels. K V_c is the integral of K over the cell by the midpoint rule, and
+ * without V_c small cells beside large ones would seem fuller (8.7).
+ *
+ *     bell      K = (1 - zeta^2)^4 for |zeta| < 1, else 0           [XS11 3.6]
+ *     gaussian  K = exp(-zeta^2) for |zeta| < 3, else 0       [SX15 6 and 4.1]
+ */
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,10 +32,19 @@ enum { GAUSSIAN_REACH = 3 }; /* [-] of b */
  * rounded [-]. */
 static const double rounding = 1e-9; /* [-] of the largest */
 
+/* Writes the kernel of a particle for the cells near its cell, and returns the
+ * sum of it. o is its offset from the centre of its cell [m]. */
+struct kernel_values {
+    double (*of)(double per_b2 /* [1/m^2] */, const double o[3],
+                 const struct neighbourhood *near, double *w);
+};
+
 struct kernel {
     const struct cell_of_particle *h; /* borrowed */
     struct weights *weights;
-    double b; /* [m] */
+    struct kernel_values values;
+    double b;        /* [m] */
+    const double *V; /* [m^3] of the cells; NULL: all are equal and cancel */
 };
 
 /* [XS11 3.6] as a function of zeta^2. */
@@ -44,52 +70,49 @@ static int normalise(int n, double sum, double *restrict w)
     return 1;
 }
 
-/* The bell of particle i in the cells around its cell, and the sum of it. */
-static double bell_weights(const struct kernel *k, int i,
-                           const struct neighbourhood *near, double *restrict w)
+/* K as a function of zeta^2, which is known where this is inlined: only then
+ * does the compiler vectorise the loop. */
+static inline __attribute__((always_inline)) double
+values_of(double (*K)(double zeta2), double per_b2, const double o[3],
+          const struct neighbourhood *near, double *restrict w)
 {
     const double *const restrict dx = near->dx;
     const double *const restrict dy = near->dy;
     const double *const restrict dz = near->dz;
-    const double *const o = &k->h->offset[3 * i];
     const double x = o[0], y = o[1], z = o[2];
-    const double per_b2 = 1.0 / (k->b * k->b);
     double sum = 0.0;
 
 #pragma omp simd reduction(+ : sum)
     for (int e = 0; e < near->n; e++) {
         const double rx = dx[e] - x, ry = dy[e] - y, rz = dz[e] - z;
-        w[e] = bell((rx * rx + ry * ry + rz * rz) * per_b2);
+        w[e] = K((rx * rx + ry * ry + rz * rz) * per_b2);
         sum += w[e];
     }
     return sum;
 }
 
-/* The same with the Gaussian. */
-static double gaussian_weights(const struct kernel *k, int i,
-                               const struct neighbourhood *near,
-                               double *restrict w)
+static double bell_weights(double per_b2, const double o[3],
+                           const struct neighbourhood *near, double *w)
 {
-    const double *const o = &k->h->offset[3 * i];
-    const double per_b2 = 1.0 / (k->b * k->b);
-    double sum = 0.0;
+    return values_of(bell, per_b2, o, near, w);
+}
 
-    for (int e = 0; e < near->n; e++) {
-        const double rx = near->dx[e] - o[0], ry = near->dy[e] - o[1],
-                     rz = near->dz[e] - o[2];
-        const double zeta2 = (rx * rx + ry * ry + rz * rz) * per_b2;
-        const double far = GAUSSIAN_REACH * GAUSSIAN_REACH;
-        w[e] = zeta2 < far ? exp(-zeta2) : 0.0;
-        sum += w[e];
-    }
-    return sum;
+static inline double gaussian(double zeta2)
+{
+    return zeta2 < GAUSSIAN_REACH * GAUSSIAN_REACH ? exp(-zeta2) : 0.0;
+}
+
+static double gaussian_weights(double per_b2, const double o[3],
+                               const struct neighbourhood *near, double *w)
+{
+    return values_of(gaussian, per_b2, o, near, w);
 }
 
 /* (8.7): the kernel times the volume of the cell [m^3], and the sum of it. */
 static double times_volume(const struct kernel *k,
                            const struct neighbourhood *near, double *restrict w)
 {
-    const double *const V = &k->h->mesh->V[near->cell];
+    const double *const V = &k->V[near->cell];
     double sum = 0.0;
 
     for (int e = 0; e < near->n; e++)
@@ -98,30 +121,14 @@ static double times_volume(const struct kernel *k,
 }
 
 /* Where all volumes are equal they cancel, as in the printed [XS11 3.5b]. */
-static int bell_alike(const void *state, int i,
-                      const struct neighbourhood *near, double *w)
+static int kernel_weigh(const void *state, int i,
+                        const struct neighbourhood *near, double *w)
 {
-    return normalise(near->n, bell_weights(state, i, near, w), w);
-}
+    const struct kernel *const k = state;
+    const double sum =
+        k->values.of(1.0 / (k->b * k->b), &k->h->offset[3 * i], near, w);
 
-static int bell_by_volume(const void *state, int i,
-                          const struct neighbourhood *near, double *w)
-{
-    bell_weights(state, i, near, w);
-    return normalise(near->n, times_volume(state, near, w), w);
-}
-
-static int gaussian_alike(const void *state, int i,
-                          const struct neighbourhood *near, double *w)
-{
-    return normalise(near->n, gaussian_weights(state, i, near, w), w);
-}
-
-static int gaussian_by_volume(const void *state, int i,
-                              const struct neighbourhood *near, double *w)
-{
-    gaussian_weights(state, i, near, w);
-    return normalise(near->n, times_volume(state, near, w), w);
+    return normalise(near->n, k->V != NULL ? times_volume(k, near, w) : sum, w);
 }
 
 static int kernel_has_equal_cells(const struct mesh *m)
@@ -135,35 +142,20 @@ static int kernel_has_equal_cells(const struct mesh *m)
     return most - least <= rounding * most;
 }
 
-static void *kernel_create_with(const struct cell_of_particle *h,
-                                const struct averaging_options *o, double reach,
-                                int (*weigh)(const void *, int,
-                                             const struct neighbourhood *,
-                                             double *))
+static void *kernel_create(const struct cell_of_particle *h,
+                           const struct averaging_options *o)
 {
+    const struct kernel_values *const values = o->method->variety;
     struct kernel *const k = alloc_zeroed(1, sizeof *k);
 
     k->h = h;
     k->b = o->bandwidth;
-    k->weights = weights_create(h, reach * k->b, STENCIL_TO_CENTRE, o->fields,
-                                (struct weights_rule){weigh, k, NULL});
+    k->values = *values;
+    k->V = kernel_has_equal_cells(h->mesh) ? NULL : h->mesh->V;
+    k->weights =
+        weights_create(h, o->method->reach_b * k->b, STENCIL_TO_CENTRE,
+                       o->fields, (struct weights_rule){kernel_weigh, k, NULL});
     return k;
-}
-
-static void *kernel_create(const struct cell_of_particle *h,
-                           const struct averaging_options *o)
-{
-    return kernel_create_with(h, o, 1.0,
-                              kernel_has_equal_cells(h->mesh) ? bell_alike
-                                                              : bell_by_volume);
-}
-
-static void *gaussian_create(const struct cell_of_particle *h,
-                             const struct averaging_options *o)
-{
-    return kernel_create_with(
-        h, o, GAUSSIAN_REACH,
-        kernel_has_equal_cells(h->mesh) ? gaussian_alike : gaussian_by_volume);
 }
 
 static void kernel_free(void *state)
@@ -200,6 +192,7 @@ const struct averaging_method kernel_method = {
     .uniform_widths = 1.5,
     .needs_bandwidth = 1,
     .reach_b = 1.0,
+    .variety = &(const struct kernel_values){bell_weights},
     .create = kernel_create,
     .free = kernel_free,
     .spread = kernel_spread,
@@ -216,7 +209,8 @@ const struct averaging_method kernel_gaussian_method = {
     .uniform_widths = 0.75,
     .needs_bandwidth = 1,
     .reach_b = GAUSSIAN_REACH,
-    .create = gaussian_create,
+    .variety = &(const struct kernel_values){gaussian_weights},
+    .create = kernel_create,
     .free = kernel_free,
     .spread = kernel_spread,
     .gather = kernel_gather,

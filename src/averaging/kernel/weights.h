@@ -11,7 +11,7 @@
 #ifndef AVERAGING_KERNEL_WEIGHTS_H
 #define AVERAGING_KERNEL_WEIGHTS_H
 
-#include "averaging/averaging_method.h"
+#include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/kernel/stencil.h"
 

@@ -1,15 +1,119 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/more/dpvm.h"
-
+/* dpvm.c -- a particle divided among the cells that it overlaps.
+ * Chapter "Further averaging methods".
+ *
+ *     w_ic = |body_i and cell c| / sum_m |body_i and cell m|
+ *
+ * dpvm  the body is the sphere itself: the divided particle volume method
+ *       [SX15 section 1, LS section 5.4]. The solid fraction of a cell never
+ *       exceeds 1 unless particles overlap.
+ * cube  the body is the cube around the sphere [EW18 section 2.4]: cheaper,
+ *       and a little smoother.
+ *
+ * Exact for cells of any shape, also where they are smaller than the particle:
+ * overlap.h for boxes, graded or periodic, facets.h for all others. The weights
+ * are normalised, so the part of a body beyond a wall is distributed in the
+ * same proportions.
+ */
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/poly/facets.h"
-#include "averaging/more/overlap.h"
-#include "averaging/more/stored_weights.h"
 #include "averaging/kernel/weights.h"
+#include "averaging/more/overlap.h"
+#include "averaging/poly/facets.h"
 #include "base/alloc.h"
+
+/* --- weights that are computed once and stored
+ * --------------------------------
+ *
+ * The weights of a particle are few and take long to compute: they are computed
+ * once after the particles have moved, and those that are not 0 are stored,
+ * particle after particle in the order of their cells. */
+
+struct stored_weights {
+    int *start;        /* [-] the weights of particle h->particle[a] are */
+    int *index_offset; /* [-] start[a] .. start[a + 1] - 1 of the cells */
+    double *w;         /* [-] and of the weights */
+    int capacity;      /* [-] of these two */
+    int unsupported;   /* [-] particles assigned to their own cell alone */
+};
+
+/* For as many particles as there may be at most. */
+static struct stored_weights stored_weights_of(int capacity)
+{
+    return (struct stored_weights){.start = alloc_ints(capacity + 1)};
+}
+
+static void stored_weights_release(struct stored_weights *k)
+{
+    free(k->start);
+    free(k->index_offset);
+    free(k->w);
+}
+
+/* Makes room for n more weights after the first `used`. */
+static void stored_weights_make_room(struct stored_weights *k, int used, int n)
+{
+    if (used + n <= k->capacity) return;
+    k->capacity = 2 * (used + n);
+    k->index_offset =
+        alloc_grown(k->index_offset, used, k->capacity, sizeof(int));
+    k->w = alloc_grown(k->w, used, k->capacity, sizeof(double));
+}
+
+/* Appends the weights that are not 0 after the first `used`, and returns how
+ * many there are then. */
+static int stored_weights_append(struct stored_weights *k, int used, int n,
+                                 const int *index_offset, const double *w)
+{
+    stored_weights_make_room(k, used, n);
+    for (int e = 0; e < n; e++) {
+        if (w[e] == 0.0) continue;
+        k->index_offset[used] = index_offset[e];
+        k->w[used++] = w[e];
+    }
+    return used;
+}
+
+/* Computes the weights of all particles in the cells near theirs by the
+ * function weigh of the rule. */
+static void stored_weights_fill(struct stored_weights *k,
+                                const struct cell_of_particle *h,
+                                const struct weights *weights,
+                                const struct weights_rule *rule)
+{
+    double *const w = alloc_doubles(weights_stencil(weights)->largest);
+    int used = 0;
+
+    k->unsupported = 0;
+    for (int c = 0; c < h->mesh->n_cells; c++) {
+        const struct neighbourhood near = weights_around(weights, c);
+        for (int a = h->start[c]; a < h->start[c + 1]; a++) {
+            int n = near.n;
+            if (!rule->weigh(rule->state, h->particle[a], &near, w)) {
+                w[0] = n = 1;
+                k->unsupported++;
+            }
+            k->start[a] = used;
+            used = stored_weights_append(k, used, n, near.index_offset, w);
+        }
+    }
+    k->start[h->n] = used;
+    free(w);
+}
+
+/* Those of particle h->particle[a]. */
+static struct weight_list stored_weights_list(const struct stored_weights *k,
+                                              int a)
+{
+    const int first = k->start[a];
+    return (struct weight_list){k->start[a + 1] - first,
+                                &k->index_offset[first], &k->w[first]};
+}
+
+/* --- the volumes that cells have of a body
+ * -------------------------------------------------------------------------- */
 
 struct dpvm;
 
@@ -183,15 +287,15 @@ static void find_cells(struct dpvm *d)
     d->weights = weights_create(d->h, now, STENCIL_TO_CELL, d->fields, d->rule);
 }
 
-static void *dpvm_create_with(const struct cell_of_particle *h,
-                              const struct averaging_options *o,
-                              struct body body)
+static void *dpvm_create(const struct cell_of_particle *h,
+                         const struct averaging_options *o)
 {
     const int is_box = h->mesh->shape == NULL;
+    const struct body *const body = o->method->variety;
     struct dpvm *const d = alloc_zeroed(1, sizeof *d);
 
     d->h = h;
-    d->body = body;
+    d->body = *body;
     d->fields = o->fields;
     d->rule = (struct weights_rule){
         is_box ? dpvm_weights : dpvm_weights_anywhere, d, dpvm_list};
@@ -202,18 +306,6 @@ static void *dpvm_create_with(const struct cell_of_particle *h,
         d->facets = facets_create(h->mesh);
     find_cells(d);
     return d;
-}
-
-static void *dpvm_create(const struct cell_of_particle *h,
-                         const struct averaging_options *o)
-{
-    return dpvm_create_with(h, o, sphere);
-}
-
-static void *cube_create(const struct cell_of_particle *h,
-                         const struct averaging_options *o)
-{
-    return dpvm_create_with(h, o, cube);
 }
 
 static void dpvm_free(void *state)
@@ -259,6 +351,7 @@ const struct averaging_method dpvm_method = {
     .equations = "SX15 section 1, LS section 5.4",
     .function = "dpvm_weights",
     .reach_d = 0.5,
+    .variety = &sphere,
     .create = dpvm_create,
     .free = dpvm_free,
     .bind = dpvm_bind,
@@ -273,7 +366,8 @@ const struct averaging_method dpvm_cube_method = {
     .equations = "EW18 section 2.4",
     .function = "dpvm_weights",
     .reach_d = 0.5 * M_SQRT3,
-    .create = cube_create,
+    .variety = &cube,
+    .create = dpvm_create,
     .free = dpvm_free,
     .bind = dpvm_bind,
     .spread = dpvm_spread,

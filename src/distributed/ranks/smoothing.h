@@ -9,7 +9,7 @@
 #ifndef DISTRIBUTED_RANKS_SMOOTHING_H
 #define DISTRIBUTED_RANKS_SMOOTHING_H
 
-#include "averaging/averaging_method.h"
+#include "averaging/averaging.h"
 #include "distributed/ranks/halo.h"
 
 /* The context of the method, which averaging_options.parts is. */

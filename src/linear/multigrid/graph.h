@@ -1,6 +1,17 @@
 /* graph.h -- cells and the links between them, and the coarser graphs whose
  * cells are aggregates of cells.
  * Chapter "Linear solvers".
+ *
+ * Pairwise aggregation of cells, by geometry alone.
+ *
+ *
+ * One coarsening takes the directions x, y, z in turn and joins cells in pairs
+ * along the links closest to that direction, in the order of their numbers; a
+ * cell without a partner joins a neighbouring pair. Only strong links are used,
+ * those whose S/d is at least 0.4 of the largest of either cell. Flat cells are
+ * therefore joined across their large faces first, until they are about as long
+ * as wide (semi-coarsening), because the smoother alone converges slowly in
+ * that direction.
  */
 #ifndef LINEAR_MULTIGRID_GRAPH_H
 #define LINEAR_MULTIGRID_GRAPH_H
@@ -37,18 +48,6 @@ double graph_depth(const struct graph *g, int i);
  * same way: through a periodic side they may not. */
 struct graph *graph_aggregated(const struct graph *g, const int *root,
                                double *offset, int *parent, int *bundle);
-
-/* Pairwise aggregation of cells, by geometry alone.
- *
- *
- * One coarsening takes the directions x, y, z in turn and joins cells in pairs
- * along the links closest to that direction, in the order of their numbers; a
- * cell without a partner joins a neighbouring pair. Only strong links are used,
- * those whose S/d is at least 0.4 of the largest of either cell. Flat cells are
- * therefore joined across their large faces first, until they are about as long
- * as wide (semi-coarsening), because the smoother alone converges slowly in
- * that direction.
- */
 
 /* The next coarser graph, with parent and bundle as in graph_aggregated. */
 struct graph *graph_coarsened(struct graph *g, int *parent, int *bundle);

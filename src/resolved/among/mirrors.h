@@ -10,7 +10,7 @@
 #ifndef RESOLVED_AMONG_MIRRORS_H
 #define RESOLVED_AMONG_MIRRORS_H
 
-#include "averaging/averaging_wall.h"
+#include "averaging/averaging.h"
 #include "resolved/solid_bodies.h"
 
 struct mirrors;

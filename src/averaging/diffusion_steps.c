@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/schemes/diffusion_steps.h"
-
+/* diffusion_steps.c -- the diffusion by implicit steps in pseudo-time.
+ * Chapter "Averaging".
+ *
+ * With K the mesh Laplacian of [SX15 5a] times -V:
+ *
+ *   crank-nicolson  as [SX15]: second order; undershoots if the steps are few
+ *   implicit-euler  first order; never undershoots
+ *   sdirk2          second order, L-stable; two stages a step
+ */
 #include <gsl/gsl_math.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -8,7 +15,6 @@
 
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
-#include "averaging/diffusion_matrix.h"
 #include "base/alloc.h"
 #include "base/number.h"
 #include "linear/cg_many.h"
