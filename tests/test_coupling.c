@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/cell_of_particle.h"
-#include "averaging/kernel/kernel.h"
+#include "averaging/averaging.h"
 #include "coupling/coupling.h"
 
 #include <omp.h>
