@@ -173,6 +173,10 @@ book: $B/winnow $(STEPS) ## the chapters as pages: build/book/index.html
 	sh chapters/tools/browser.sh $B/book
 	sh tests/live.sh $B
 
+pdf: ## the course as one PDF, build/course.pdf; asks for pandoc and Chromium
+	sh chapters/tools/book.sh $B/book.plain plain
+	sh chapters/tools/pdf.sh $B/book.plain $B/course.pdf
+
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /make \1: /p' Makefile
 
@@ -242,6 +246,6 @@ $B/tests/fuzz $B/tests/test_crafted: $B/tests/winnow_main.o
 .PHONY: install uninstall distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \
         commands-slow sanitized-slow style-slow cylinder-slow bare-slow solutions results text pages \
-        validate validate-bed bench figures fuzz replay weave book help clean tests always
+        validate validate-bed bench figures fuzz replay weave book pdf help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

@@ -3,14 +3,12 @@
 #
 #   sh chapters/tools/book.sh [build/book [plain]]
 #
-# Plain pages, of which only links and form are looked at, have listings without
-# colours, which take pandoc longer than all else.
+# In plain pages, of which only links and form are looked at, no step runs.
 set -eu
 out=${1:-build/book}
-colours=
-[ "${2:-}" != plain ] || colours=--no-highlight
+plain=${2:-}
 tools=$(cd "$(dirname "$0")" && pwd)
-anchors=$out/anchors.txt
+anchors=$out/anchors.txt functions=$out/functions.txt plan=$out/plan.txt
 steps=
 [ ! -d chapters/steps ] || steps=chapters/steps
 # The pages in the order of the plan, README.md; then what it does not name.
@@ -24,7 +22,7 @@ pages=$({
 command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
 rm -rf "$out"
 mkdir -p "$out/figures"
-cp "$tools/book.css" "$tools/live.js" "$tools/math.woff2" "$tools/math-licence.txt" "$out"
+cp "$tools/book.css" "$tools/live.js" "$tools/book.js" "$tools/math.woff2" "$tools/math-licence.txt" "$out"
 find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
     cp "$figure" "$out/figures"
 done
@@ -43,6 +41,25 @@ for page in $pages; do
     esac
 done >"$anchors"
 
+# Where each function is defined, and what stands at the side of each page.
+# shellcheck disable=SC2046 # one word a file
+awk -f "$tools/c.awk" -f /dev/stdin $(find src -name '*.c' | LC_ALL=C sort) >"$functions" <<'END'
+FNR == 1 {
+    cut(FILENAME)
+    for (i = 1; i <= items[FILENAME]; i++)
+        if (kind[FILENAME, i] == "function") print name[FILENAME, i], FILENAME
+}
+END
+sed -n 's/^## \(Course\|Manual\|Journal\)$/part \1/p; s/^### \(.*\)/group \1/p
+    s/^| \[[^]]*\](\([^)]*[.]md\)).*/chapters\/\1/p' chapters/README.md |
+    while read -r line; do
+        case $line in chapters/*) ;; *) echo "$line" && continue ;; esac
+        echo "page $(name "$line") $(title "$line")"
+        case $line in */steps/README.md) for step in chapters/steps/step-*.md; do
+            echo "page $(name "$step") $(title "$step")"
+        done ;; esac
+    done >"$plan"
+
 render() { # page, page before, page after
     [ ! -f "$out/$(name "$1").html" ] ||
         { echo "book: $1: a page of this name is there already" >&2; exit 1; }
@@ -50,7 +67,7 @@ render() { # page, page before, page after
     # What cannot be woven, weave.sh has said.
     awk -v places=1 -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
         "$1" 2>/dev/null |
-        pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none $colours \
+        pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none --no-highlight \
             --template "$tools/page.html" --toc --toc-depth 2 \
             --lua-filter "$tools/cite.lua" \
             --lua-filter "$tools/book.lua" -M anchors="$anchors" \
@@ -58,8 +75,10 @@ render() { # page, page before, page after
             -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
-        awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"
-    case $1 in */step-*) sh "$tools/live.sh" "$out/$(name "$1").html" "$anchors" "${colours:+plain}" ;; esac
+        awk -f "$tools/tidy.awk" |
+        awk -v anchors="$anchors" -v functions="$functions" -f "$tools/colour.awk" -f "$tools/listing.awk" |
+        awk -v plan="$plan" -v page="$(name "$1")" -f "$tools/side.awk" >"$out/$(name "$1").html"
+    case $1 in */step-*) sh "$tools/live.sh" "$out/$(name "$1").html" "$anchors" "$plain" ;; esac
 }
 
 # The contents: README.md up to what is for authors, each row of a table as a link to a
@@ -111,10 +130,10 @@ find src tests cases figures chapters/solutions $steps -name '*.[ch]' -o -name '
     -o -name '*.sh' -o -name '*.gp' -o -name '*.txt' -o -name '*.py' \
     -o -name '*.patch' >"$files"
 sed "s|^|$out/|; s|/[^/]*\$||" "$files" | sort -u | xargs mkdir -p
-awk -v anchors="$anchors" -v out="$out" -f "$tools/c.awk" -f "$tools/source.awk" \
-    "$files"
-rm "$files"
-rm "$anchors"
+awk -v anchors="$anchors" -v functions="$functions" -v out="$out" -f "$tools/c.awk" \
+    -f "$tools/colour.awk" -f "$tools/source.awk" "$files"
+(cd "$out" && awk -v functions="${functions##*/}" -f "$tools/search.awk" ./*.html >search.js)
+rm "$files" "$anchors" "$functions" "$plan"
 cd "$out"
 find . -type f | awk -f "$tools/pages.awk"
 echo "book: $out/index.html"

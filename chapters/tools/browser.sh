@@ -2,7 +2,8 @@
 # Opens every page of the book in a browser, as wide as a phone and as a desk:
 # nothing may be wider than the window, every image and font must load, every formula
 # must take up room, and on a desk none may be wider than its column. Left out with a
-# word where there is no Chromium.
+# word where there is no Chromium. Search must find something, and a page that was left
+# must be offered.
 #
 #   sh chapters/tools/browser.sh build/book
 set -eu
@@ -52,7 +53,25 @@ async function open(page, width) {
     await font.load().catch(() => say('WRONG ' + page + ': no font ' + font.family));
   look(page, width);
 }
+const wait = ms => new Promise(done => setTimeout(done, ms));
+// Search finds a section by a word, and the first page knows where one has read.
+async function serve(folder) {
+  await open(folder + '/09-drag.html', 1200);
+  const box = frame.contentDocument.getElementById('search');
+  box.value = 'richardson zaki';
+  box.dispatchEvent(new Event('input'));
+  await wait(2000);
+  if (!frame.contentDocument.querySelector('#found a')) say('WRONG search finds nothing');
+  frame.contentDocument.getElementById('a-packed-bed').scrollIntoView();
+  frame.contentWindow.dispatchEvent(new Event('scroll')); // no frame is drawn here
+  await wait(1000);
+  await open(folder + '/index.html', 1200);
+  const back = frame.contentDocument.querySelector('a.return');
+  if (!back || !back.href.endsWith('09-drag.html#a-packed-bed'))
+    say('WRONG no place to return to: ' + (back && back.href));
+}
 (async () => {
+  await serve(pages[0].replace(/\/.*/, ''));
   for (const page of pages)
     for (const width of [360, 1200]) await open(page, width);
   say('opened ' + pages.length);

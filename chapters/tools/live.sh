@@ -18,7 +18,7 @@ trap 'rm -rf "$work"' EXIT
 escaped() { sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g' "$@"; }
 
 # shellcheck disable=SC2046 # one word a file
-awk -v anchors="$anchors" -f "$tools/steps.awk" \
+awk -v anchors="$anchors" -f "$tools/colour.awk" -f "$tools/steps.awk" \
     $(find chapters/steps -name '[0-9]*.c' | LC_ALL=C sort | awk -v last="$program" '$0 <= last') >"$work/listing"
 : >"$work/live"
 if [ -z "$plain" ]; then

@@ -1,42 +1,13 @@
 # source.awk -- source files as pages, for the book: OUT/FILE.html of each FILE,
 # named on stdin. The folders are there.
 #
-#   ls src/coupling/drag.[ch] | awk -f c.awk -f source.awk -v anchors=A -v out=OUT
+#   ls src/coupling/drag.[ch] |
+#       awk -v anchors=A -v functions=F -v out=OUT -f c.awk -f colour.awk -f source.awk
 #
 # Each line has an address (#L12), each definition its name (#drag_beta);
 # citations lead to the table of equations, 'Chapter "Drag"' to the chapter.
 
-# Turns what `form` matches into a link, if page_of knows where to.
-function with_links(s,    done, text, name, to) {
-    done = ""
-    while (match(s, /\[(SX15|XS11|LS|EW18) [^]]*\]|Chapter "[^"]+"/)) {
-        text = substr(s, RSTART, RLENGTH)
-        name = text
-        if (text ~ /^Ch/) {
-            gsub(/"/, "", name)
-            gsub(/ /, "-", name)
-            to = page_of[name]
-        } else {
-            gsub(/[][()]/, "", name)
-            sub(/,.*/, "", name)
-            if (name !~ /Algorithm/) sub(/-.*/, "", name)
-            gsub(/[ .]/, "-", name)
-            name = tolower(name)
-            to = name in page_of ? page_of[name] "#" name : ""
-        }
-        done = done substr(s, 1, RSTART - 1) \
-               (to == "" ? text : "<a href=\"" root to "\">" text "</a>")
-        s = substr(s, RSTART + RLENGTH)
-    }
-    return done s
-}
-
-BEGIN {
-    while ((getline line < anchors) > 0) {
-        split(line, w, " ")
-        page_of[w[1]] = w[2]
-    }
-}
+BEGIN { colour_begin() }
 
 # Puts the names of the definitions at the lines where they begin.
 function find_names(file,    i, n, w, seen) {
@@ -57,6 +28,7 @@ function find_names(file,    i, n, w, seen) {
     root = file
     gsub(/[^\/]+\//, "../", root)
     sub(/[^\/]*$/, "", root)
+    in_comment = 0
     cut(file)
     find_names(file)
     print "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />" >page
@@ -67,11 +39,8 @@ function find_names(file,    i, n, w, seen) {
     print "<body class=\"source\">\n<nav class=\"top\"><a href=\"" root \
         "index.html\">Winnow</a> <span>" file "</span></nav>\n<main>\n<pre>" >page
     for (k = 1; k <= lines[file]; k++) {
-        s = source[file, k]
-        gsub(/&/, "\\&amp;", s)
-        gsub(/</, "\\&lt;", s)
-        gsub(/>/, "\\&gt;", s)
-        printf "<span id=\"L%d\">%s%s\n</span>", k, at[k], with_links(s) >page
+        s = file ~ /[.][ch]$/ ? colour_line(source[file, k]) : with_links(escaped(source[file, k]))
+        printf "<span id=\"L%d\">%s%s\n</span>", k, at[k], s >page
         delete source[file, k]
     }
     print "</pre>\n</main>\n</body>\n</html>" >page
