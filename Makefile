@@ -24,7 +24,7 @@ LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 # Built into build/winnow-mpi only: see `distributed` below.
 RANKS := src/distributed/ranks
 SRC   := $(filter-out $(RANKS)/%,$(wildcard src/commands.c src/*/*.c src/*/*/*.c))
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/tell/equation_index_rows.o
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/tell/equation_index_rows.o $B/src/output/pictures/programs.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
@@ -229,6 +229,16 @@ $B/src/tell/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
 	@awk -f chapters/tools/rows.awk $< >$@.new && mv $@.new $@
 $B/src/tell/equation_index_rows.o: $B/src/tell/equation_index_rows.c src/tell/equations.h
+	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
+# The programs of the pictures as lines of C; page.gp where they load it.
+$B/src/output/pictures/programs.c: $(wildcard src/output/pictures/*.gp) src/output/pictures/picture.h
+	@mkdir -p $(@D)
+	@( echo '#include "output/pictures/picture.h"'; cd $(<D); for name in bed flow frames; do \
+	    echo "const char *const picture_$$name[] = {"; \
+	    sed -e "/^load 'page.gp'/{r page.gp" -e 'd;}' $$name.gp | \
+	    sed -e '/SPDX/d' -e 's/[\\"]/\\&/g' -e 's/.*/"&",/'; echo '0};'; \
+	done; ) >$@.new && mv $@.new $@
+$B/src/output/pictures/programs.o: $B/src/output/pictures/programs.c
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints

@@ -4,7 +4,7 @@
 #include "scratch.h"
 
 #include "base/file.h"
-#include "output/manifest/manifest.h"
+#include "output/manifest.h"
 
 #include <sys/wait.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/flow/slice.h"
-#include "output/surfaces/section.h"
+#include "output/pictures/slice.h"
+#include "output/pictures/outline.h"
 
 #include "facts.h"
 
@@ -113,7 +113,7 @@ START_TEST(surfaces_are_cut_where_they_cross_the_plane)
     size_t length;
     FILE *const out = open_memstream(&text, &length);
 
-    section_write(out, &o, 0.0);
+    outline_section(out, &o, 0.0);
     fclose(out);
     ck_assert_str_eq(text, "0 0\n0 1\n\n3.5 0\n2.5 0\n\n");
     free(text);

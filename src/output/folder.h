@@ -5,8 +5,11 @@
  *     char *path = folder_file(f, "history.csv");  before each file
  *     folder_free(f);
  *
- * With an owner of folders (manifest/) no other run can write into the folder,
- * and folder_begin removes the files of an earlier run.
+ * A run takes its folder by a lock on DIR/manifest.txt, which the system
+ * releases however the run ends: a second run is refused, and a run that was
+ * killed leaves no lock. The manifest lists every file before it is made. The
+ * next run removes what is listed there and nothing else, so the files of a run
+ * are mixed only with files of the user.
  */
 #ifndef OUTPUT_FOLDER_H
 #define OUTPUT_FOLDER_H
@@ -25,8 +28,7 @@ struct folder *folder_open(const char *dir);
 void folder_free(struct folder *f);
 
 /* Removes the folders that folder_open made, unless folder_begin was called or
- * a file was made before it; only where folders have an owner. f must still be
- * freed. */
+ * a file was made before it. f must still be freed. */
 void folder_abandon(struct folder *f);
 
 /* Removes the files of the previous run. Non-zero after a message. */
@@ -63,6 +65,9 @@ int folder_list(struct folder *f, const char *path);
  * after a message. The head is cleared. */
 struct table *folder_table(struct folder *f, const char *name,
                            struct table_head *head);
+
+/* The process whose run has locked the folder; 0 if there is none. */
+long folder_process(const char *dir);
 
 /* The path of the folder as the user gave it. */
 const char *folder_name(const struct folder *f);

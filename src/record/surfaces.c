@@ -19,8 +19,7 @@
 #include "mesh/measures.h"
 #include "output/pictures/picture.h"
 #include "output/series.h"
-#include "output/surfaces/outline.h"
-#include "output/surfaces/section.h"
+#include "output/pictures/outline.h"
 
 /* --- forces and torques on them ------------------------------------------- */
 
@@ -183,7 +182,7 @@ static int put_section(void *part)
     if (f == NULL) return 1;
 
     fprintf(file_stream(f), "# x [m]  y [m], two points a segment\n");
-    section_write(file_stream(f), &p->outline, 0.5 * (m->lo[2] + m->hi[2]));
+    outline_section(file_stream(f), &p->outline, 0.5 * (m->lo[2] + m->hi[2]));
     fprintf(file_stream(f), "nan nan\n");
     return file_commit(f);
 }

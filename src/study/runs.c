@@ -13,7 +13,7 @@
 #include "case/checks/case_scales.h"
 #include "case/resume/case_text.h"
 #include "case/resume/read_summary.h"
-#include "output/manifest/ownership.h"
+#include "output/folder.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -352,7 +352,7 @@ static pid_t start_process(const char *const *arguments, const char *log)
  * folder. */
 static int perform_start(struct pool *c, struct worker *w, struct run *r)
 {
-    const long owner = ownership_process(r->folder);
+    const long owner = folder_process(r->folder);
 
     *w = (struct worker){r, 0, 0};
     r->code = RUN_GOES_ON;
@@ -433,7 +433,7 @@ static void check_worker(struct pool *c, struct worker *w)
             remove_from(r, checkpoints[i]);
         return;
     }
-    if (ownership_process(r->folder) != 0) return;
+    if (folder_process(r->folder) != 0) return;
     *w = (struct worker){NULL, 0, 0};
     runs_find_ended(1, r);
     if (r->code != RUN_TO_DO) record_end(c, r, r->code);

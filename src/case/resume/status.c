@@ -20,7 +20,7 @@
 #include "case/resume/resume.h"
 #include "coupling/processes.h"
 #include "output/checkpoint/state_file.h"
-#include "output/manifest/ownership.h"
+#include "output/folder.h"
 
 /* What others wrote is shown without control characters. */
 static void status_line(const char *name, const char *value)
@@ -126,7 +126,7 @@ static double end_of(struct state_file *f)
 /* 1 if the run goes on. */
 static int print_holder(const char *dir)
 {
-    const long process = ownership_process(dir);
+    const long process = folder_process(dir);
 
     if (process > 0)
         printf("%-11s process %ld is running\n", "running", process);

@@ -5,9 +5,7 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "base/text.h"
-#include "output/flow/picture_flow.h"
 #include "output/pictures/gnuplot.h"
-#include "output/pictures/picture_script.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -38,7 +36,7 @@ static int by_depth(const void *a, const void *b)
     return order != 0 ? order : by_speed(a, b);
 }
 
-static void put_row(FILE *out, int n, const double *row)
+void picture_put_row(FILE *out, int n, const double *row)
 {
     char text[NUMBER_LENGTH];
 
@@ -83,7 +81,8 @@ int picture_write_particles(struct folder *folder, const char *name,
     fprintf(file_stream(f), "# x [m]  y [m]  radius [m]  speed [m/s]\n");
     for (int i = 0; i < p->n; i++) {
         const struct disc *const s = &discs[i];
-        put_row(file_stream(f), 4, (double[4]){s->x, s->y, s->r, s->speed});
+        picture_put_row(file_stream(f), 4,
+                        (double[4]){s->x, s->y, s->r, s->speed});
     }
     free(discs);
     return file_commit(f);
@@ -125,7 +124,8 @@ static void put_columns(FILE *out, const struct picture *p)
     for (int j = 0; p->eps && j < b->n[1]; j++)
         for (int i = 0; i < b->n[0]; i++) {
             const double eps = depth_average(p->mesh, p->eps, i, j);
-            put_row(out, 5, (double[5]){x[i], x[i + 1], y[j], y[j + 1], eps});
+            picture_put_row(out, 5,
+                            (double[5]){x[i], x[i + 1], y[j], y[j + 1], eps});
         }
 }
 
@@ -170,8 +170,8 @@ static void put_squares(FILE *out, const struct picture *p)
                                m->lo[2] + 0.5 * width[2]};
             const double eps = picture_sampled(p, point, width[2], n[2]);
             if (eps > 0.0)
-                put_row(out, 5,
-                        (double[5]){x, x + width[0], y, y + width[1], eps});
+                picture_put_row(
+                    out, 5, (double[5]){x, x + width[0], y, y + width[1], eps});
         }
 }
 
@@ -214,6 +214,12 @@ void picture_put_box(FILE *out, const struct picture *p, double fast)
     picture_put_number(out, "fast", fast, "m/s, which 99 of 100 keep below");
 }
 
+void picture_put_program(FILE *out, const char *const *program)
+{
+    for (; *program != NULL; program++)
+        fprintf(out, "%s\n", *program);
+}
+
 static int picture_put_script(struct folder *folder, const struct picture *p)
 {
     struct file *const f = picture_open(folder, "picture/bed.gp");
@@ -225,41 +231,37 @@ static int picture_put_script(struct folder *folder, const struct picture *p)
     fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n", p->n,
             p->eps != NULL, p->pressure);
     fprintf(out, "with_walls = %d\n\n", p->walls);
-    for (const char *const *line = picture_script; *line; line++)
-        fprintf(out, "%s\n", *line);
+    picture_put_program(out, picture_bed);
     return file_commit(f);
 }
 
 int picture_write(struct folder *folder, const struct picture *p)
 {
     if (folder_make(folder, "picture") != 0) return 1;
-    if (picture_flow_fits(p)) return picture_flow_write(folder, p);
+    if (p->u != NULL && p->x[0] == NULL) return picture_flow_write(folder, p);
     return picture_write_particles(folder, "picture/particles.txt", p) ||
            put_void_fraction(folder, p) || picture_put_script(folder, p);
 }
 
-/* Adds the files that gnuplot will write to the manifest; non-zero after a
- * message. */
-static int list_drawn(struct folder *folder)
+int picture_draw(struct folder *folder, const char *below, const char *png,
+                 int *drawn)
 {
-    char *const png = folder_file(folder, "bed.png");
-    char *const log = png ? folder_file(folder, "picture/gnuplot.log") : NULL;
-    const int failed = log == NULL;
+    char above[64], log[64];
 
-    free(png);
-    free(log);
-    return failed;
-}
-
-int picture_draw(struct folder *folder)
-{
-    if (list_drawn(folder) != 0) return 1;
-    char *const below = file_join(folder_name(folder), "picture");
-    const int failed = gnuplot_draw(&(struct gnuplot){.folder = below,
-                                                      .script = "bed.gp",
-                                                      .above = "..",
-                                                      .png = "../bed.png",
-                                                      .log = "gnuplot.log"});
-    free(below);
+    snprintf(above, sizeof above, "../%s", png);
+    snprintf(log, sizeof log, "%s/gnuplot.log", below);
+    char *const listed = folder_file(folder, png);
+    char *const also = listed != NULL ? folder_file(folder, log) : NULL;
+    const int failed = also == NULL;
+    char *const path = file_join(folder_name(folder), below);
+    if (!failed)
+        *drawn = gnuplot_draw(&(struct gnuplot){.folder = path,
+                                                .script = "bed.gp",
+                                                .above = "..",
+                                                .png = above,
+                                                .log = "gnuplot.log"}) == 0;
+    free(listed);
+    free(also);
+    free(path);
     return failed;
 }

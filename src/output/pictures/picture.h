@@ -54,13 +54,25 @@ double picture_speed_scale(const struct picture *p);
 void picture_put_box(FILE *out, const struct picture *p, double fast);
 void picture_put_number(FILE *out, const char *name, double value,
                         const char *unit);
+void picture_put_row(FILE *out, int n, const double *row);
+
+/* The programs for gnuplot, line by line, ended by NULL: NAME.gp with page.gp
+ * where it is loaded. They follow the numbers that they use. */
+extern const char *const picture_bed[], *const picture_flow[],
+                                            *const picture_frames[];
+void picture_put_program(FILE *out, const char *const *program);
+
+/* Files and program of a flow without particles, with the names of the others;
+ * non-zero after a message (picture_flow.c). */
+int picture_flow_write(struct folder *folder, const struct picture *p);
 
 /* Writes the three files; non-zero after a message. */
 int picture_write(struct folder *folder, const struct picture *p);
 
-/* Draws DIR/bed.png from them with gnuplot; the file appears when it is
- * complete. Non-zero after a message that says what to do if gnuplot is missing
- * or fails; the run itself is complete all the same. */
-int picture_draw(struct folder *folder);
+/* Lets gnuplot draw DIR/PNG by DIR/BELOW/bed.gp; the file appears when it is
+ * complete. If gnuplot is missing or fails, a message says what to do, *drawn
+ * is 0, and the run is complete all the same. Non-zero after a message. */
+int picture_draw(struct folder *folder, const char *below, const char *png,
+                 int *drawn);
 
 #endif

@@ -3,8 +3,8 @@
  * The plane is normal to the direction in which there is least to see: one with
  * a single cell, else the shortest. Its axes are x and y where that is z.
  */
-#ifndef OUTPUT_FLOW_SLICE_H
-#define OUTPUT_FLOW_SLICE_H
+#ifndef OUTPUT_PICTURES_SLICE_H
+#define OUTPUT_PICTURES_SLICE_H
 
 #include "mesh/mesh.h"
 

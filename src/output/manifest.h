@@ -5,10 +5,8 @@
  * is made, so after any end the list holds everything that is there; some of it
  * may not be.
  */
-#ifndef OUTPUT_MANIFEST_MANIFEST_H
-#define OUTPUT_MANIFEST_MANIFEST_H
-
-#include <stddef.h>
+#ifndef OUTPUT_MANIFEST_H
+#define OUTPUT_MANIFEST_H
 
 #define MANIFEST_HEAD "winnow manifest 1\n"
 
@@ -24,10 +22,6 @@ struct manifest {
 int manifest_read(struct manifest *m, int file, const char *path);
 void manifest_release(struct manifest *m);
 
-/* An open file with a closing zero, to be freed; NULL with a reason in errno.
- */
-char *manifest_text(int file, size_t *length);
-
 int manifest_has(const struct manifest *m, const char *name);
 
 /* Removes all that is listed below the open folder `here`, called `dir` in
@@ -42,5 +36,24 @@ int manifest_remove(const struct manifest *m, int here, const char *dir,
  * shorter. */
 int manifest_cut(int file, const char *path, long length, int here,
                  const char *dir);
+
+/* --- which files a run writes, by name and by content --------------------- */
+
+/* The folder itself, ".", and those in it; ended by NULL. */
+extern const char *const manifest_folders[];
+
+/* 1 for "fluid/" and the like. */
+int manifest_is_folder(const char *name);
+
+/* 1 for "history.csv.partial": half of a file, of which a link is none. */
+int manifest_is_half(const char *name);
+
+/* What stands at the start of a file of that name, or of half of it, "" if
+ * anything may; NULL if no run writes one. */
+const char *manifest_contents(const char *name);
+
+/* 1 if a run writes such a file into the open folder, and none is there, or an
+ * empty one, or one that begins so. Follows no link. */
+int manifest_is_of_run(int here, const char *name);
 
 #endif

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/surfaces/outline.h"
+#include "output/pictures/outline.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 
 enum { SIDES = 64, ROWS = 16, MOST_CORNERS = 16 };
@@ -19,30 +20,21 @@ void outline_release(struct outline *o)
     *o = (struct outline){0};
 }
 
-static void *outline_longer(void *old, int used, int room, size_t size)
-{
-    void *const made = alloc_zeroed((size_t)room, size);
-
-    if (used > 0) memcpy(made, old, (size_t)used * size);
-    free(old);
-    return made;
-}
-
 static void outline_reserve(struct outline *o, int points)
 {
     if (o->n_points + points > o->point_room) {
         o->point_room = 2 * (o->n_points + points);
-        o->x = outline_longer(o->x, 3 * o->n_points, 3 * o->point_room,
-                              sizeof *o->x);
-        o->corner = outline_longer(o->corner, o->n_points, o->point_room,
-                                   sizeof *o->corner);
+        o->x =
+            alloc_grown(o->x, 3 * o->n_points, 3 * o->point_room, sizeof *o->x);
+        o->corner = alloc_grown(o->corner, o->n_points, o->point_room,
+                                sizeof *o->corner);
     }
     if (o->n_polygons == o->polygon_room) {
         o->polygon_room = 2 * o->n_polygons + 64;
-        o->end = outline_longer(o->end, o->n_polygons, o->polygon_room,
-                                sizeof *o->end);
-        o->of = outline_longer(o->of, o->n_polygons, o->polygon_room,
-                               sizeof *o->of);
+        o->end =
+            alloc_grown(o->end, o->n_polygons, o->polygon_room, sizeof *o->end);
+        o->of =
+            alloc_grown(o->of, o->n_polygons, o->polygon_room, sizeof *o->of);
     }
 }
 
@@ -204,5 +196,39 @@ void outline_draw(struct outline *o, const struct surface *list, int n,
         frame(one->normal, e, f);
         motion_turn(&p, e, turned); /* makes its rotation visible */
         draw_cylinder(o, s, one->radius, at, normal, turned, lo, hi);
+    }
+}
+
+/* The points where the sides of a polygon cross the plane; a convex one has two
+ * of them, or none. */
+static int section_cross(const struct outline *o, int first, int end, double z,
+                         double at[2][2])
+{
+    int n = 0;
+
+    for (int i = first; i < end && n < 2; i++) {
+        const double *const a = &o->x[3 * i];
+        const double *const b = &o->x[3 * (i + 1 < end ? i + 1 : first)];
+        const double u = a[2] - z, v = b[2] - z;
+        if ((u >= 0.0) == (v >= 0.0)) continue;
+        for (int k = 0; k < 2; k++)
+            at[n][k] = a[k] + u / (u - v) * (b[k] - a[k]);
+        n++;
+    }
+    return n;
+}
+
+void outline_section(FILE *out, const struct outline *o, double z)
+{
+    char x[NUMBER_LENGTH], y[NUMBER_LENGTH];
+    double at[2][2];
+    int first = 0;
+
+    for (int p = 0; p < o->n_polygons; first = o->end[p++]) {
+        if (section_cross(o, first, o->end[p], z, at) < 2) continue;
+        for (int i = 0; i < 2; i++)
+            fprintf(out, "%s %s\n", number_rounded(at[i][0], 6, x),
+                    number_rounded(at[i][1], 6, y));
+        fputc('\n', out);
     }
 }

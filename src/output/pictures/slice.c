@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/flow/slice.h"
+#include "output/pictures/slice.h"
 
 #include <math.h>
 #include <stdlib.h>

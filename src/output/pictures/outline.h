@@ -3,10 +3,12 @@
  * A plane is drawn within the box, a cylinder as 64 flat sides as long as the
  * box, triangles as they are, any other shape as a net of its points.
  */
-#ifndef OUTPUT_SURFACES_OUTLINE_H
-#define OUTPUT_SURFACES_OUTLINE_H
+#ifndef OUTPUT_PICTURES_OUTLINE_H
+#define OUTPUT_PICTURES_OUTLINE_H
 
 #include "dem/surfaces/surface.h"
+
+#include <stdio.h>
 
 struct outline {
     int n_points, n_polygons, point_room, polygon_room;
@@ -21,5 +23,9 @@ void outline_release(struct outline *o);
 /* Replaces the contents of o by all surfaces at time t [s]. */
 void outline_draw(struct outline *o, const struct surface *list, int n,
                   const double lo[3], const double hi[3], double t);
+
+/* Writes a segment "x y" for each polygon that crosses the plane z [m], each
+ * followed by an empty line, with a number's shortest text. */
+void outline_section(FILE *out, const struct outline *o, double z);
 
 #endif
