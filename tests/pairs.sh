@@ -63,8 +63,8 @@ generate() {
     for array in c p f m; do
         echo $array
     done | xargs -P $jobs -I{} sh -c "mkdir $work/{} &&
-        awk -v letter={} -v seed=$seed -v folder=$work/{} \
-        -f $parts/array.awk -f $parts/choices.awk -f $parts/case.awk" || return
+        awk -v letter={} -v seed=$seed -v folder=$work/{} -v winnow=$winnow -v parts=$parts \
+        -f $parts/array.awk -f $parts/keys.awk -f $parts/choices.awk -f $parts/case.awk" || return
     for array in c p f m; do
         cat "$work/$array/list" && mv "$work/$array"/*-* "$work"
     done >"$work/list"
@@ -83,7 +83,8 @@ same() { # folder, folder
 # where the step of the loop follows from the end. Prints why it was not resumed.
 second_run() { # name
     name=$1
-    set -- "$winnow" run "$1.cfg" -o "$1.2" -j 2 --quiet
+    # shellcheck disable=SC2046 # words
+    set -- "$winnow" run "$1.cfg" $(cat "$1.set") -o "$1.2" -j 2 --quiet
     PATH=/none "$@" -s output.end=8e-4 >"$name.second" 2>&1 &&
         PATH=/none "$@" --resume >"$name.second" 2>&1 && return
     grep -q 'step_of_the_loop\|before its first step' "$name.second" || cat "$name.second"
@@ -112,12 +113,14 @@ verdict() { # name, code, why
 one() { # name
     cd "$work" || exit
     why=$(sed -n "s/^$1 .* # //p" list)
-    PATH=/none "$winnow" run "$1.cfg" -o "$1.1" -j 1 --quiet >"$1.said" 2>&1
+    overrides=$(cat "$1.set")
+    # shellcheck disable=SC2086 # words
+    PATH=/none "$winnow" run "$1.cfg" $overrides -o "$1.1" -j 1 --quiet >"$1.said" 2>&1
     verdict "$1" $? "$why" >"$1.wrong" 2>&1
     if [ -s "$1.wrong" ]; then
         echo "FAILED $(grep "^$1 " list)"
         sed 's/^/    /' "$1.wrong" "$1.said" | head -20
-        echo "    cd $work && $winnow run $1.cfg -o $1.1 -j 1"
+        echo "    cd $work && $winnow run $1.cfg$overrides -o $1.1 -j 1"
         echo "$1" >>failed
     else
         rm -rf "$1.1" "$1.2" "$1".1.told "$1".2.told "$1.second"

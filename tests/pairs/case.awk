@@ -2,7 +2,7 @@
 # line for it in FOLDER/list: its name, its choices, and behind a # what the
 # program should say against it.
 #
-#   awk -v letter=c -v seed=1 -v folder=. -f array.awk -f choices.awk -f case.awk
+#   awk -v letter=c -v seed=1 -v folder=. -f array.awk -f keys.awk -f choices.awk -f case.awk
 #
 # All boxes are about 12 mm wide, particles 1 mm (or 0.4 mm, where there are
 # many), a run is ten steps of 0.2 ms.
@@ -279,8 +279,7 @@ function put_averaging(    b) {
 
 # The laws that are no choice of their own, one after the other.
 function put_exchange(    i, n) {
-    n = split("di-felice di-felice-printed huilin-gidaspow hill-koch-ladd tenneti " \
-        "rong cello dallavalle haider-levenspiel", word, " ")
+    n = split(values_of("exchange.drag", "syamlal-obrien gidaspow schiller-naumann beetstra"), word, " ")
     if (is("drag", "another")) v["drag"] = word[1 + n_cases % n]
     split("drag treatment slip_integration model coupling", word, " ")
     put("exchange = {")
@@ -377,6 +376,8 @@ function use_row(why,    k) {
     if (letter ~ /[cm]/) { put_averaging(); put_exchange() }
     put_output()
     close(file)
+    print other_keys() >(folder "/" name ".set")
+    close(folder "/" name ".set")
 }
 
 BEGIN {
