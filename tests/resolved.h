@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "dem/dem_method.h"
-#include "resolved/blocks/block_contacts.h"
+#include "resolved/shapes/block_contacts.h"
 #include "resolved/body_motion.h"
 #include "resolved/solid_bodies.h"
 

@@ -142,7 +142,8 @@ coupling/coupling.h coupling/drag.h coupling/effect.h coupling/effects.h
 coupling/effects/lift.h coupling/simulation.h dem/bed.h dem/cohesion/attraction_sweep.h dem/contact.h
 dem/dem.h dem/fast/bodies.h dem/fast/chunk.h dem/fast/contact_sweep.h
 dem/fast/neighbours.h dem/fast/sweep_buffers.h dem/fast/sweep_energy.h
-dem/fast/sweep_rolling.h fluid/fluid.h fluid/piso.h linear/face_loops.h mesh/mesh.h study/curve.h study/outcome.h
+dem/fast/sweep_rolling.h fluid/fluid.h fluid/piso.h linear/face_loops.h mesh/mesh.h resolved/bodies_setup.h
+resolved/body_shape.h resolved/solid_bodies.h study/curve.h study/outcome.h
 study/plan.h'
 
 lengths() {

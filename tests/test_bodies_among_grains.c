@@ -13,9 +13,8 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "facts.h"
-#include "resolved/among/among_effect.h"
-#include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
+#include "resolved/among/among_grains.h"
 
 static const char
     sphere[] =

@@ -6,8 +6,7 @@
 
 #include "facts.h"
 #include "resolved/body_numbers.h"
-#include "resolved/shapes/block_outline.h"
-#include "resolved/shapes/clump.h"
+#include "resolved/shapes/shapes.h"
 
 /* Exact added masses of a sphere, and across a disc that is thin: 8/3 rho R^3
  * [Lamb32], which is 0.85 R/t of the volume. One estimate for all shapes is

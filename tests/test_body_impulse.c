@@ -6,9 +6,8 @@
 
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/body_turn.h"
-#include "resolved/shapes/block_outline.h"
-#include "resolved/shapes/clump.h"
+#include "resolved/body_motion.h"
+#include "resolved/shapes/shapes.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5};
 

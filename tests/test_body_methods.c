@@ -6,7 +6,7 @@
 
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/fraction/fraction_methods.h"
+#include "resolved/solid_bodies.h"
 #include "resolved/squeeze_film.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5};
@@ -363,7 +363,7 @@ START_TEST(ls_4_4_a_sphere_comes_to_rest_on_a_box)
 }
 END_TEST
 
-FACTS("body_methods")
+FACTS("solid_bodies_methods")
 {
     FACT(ls_4_4_a_sphere_comes_to_rest_on_a_box);
     FACT(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag);

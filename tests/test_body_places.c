@@ -8,10 +8,9 @@
 
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/blocks/body_gaps.h"
+#include "resolved/shapes/block_contacts.h"
 #include "resolved/body_exit.h"
-#include "resolved/shapes/block_outline.h"
-#include "resolved/shapes/clump.h"
+#include "resolved/shapes/shapes.h"
 
 /* Two spheres and a clump that touch or nearly touch, with spin and weight, in
  * a periodic box that a gradient drives; all moved by so many cells. */

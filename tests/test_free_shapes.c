@@ -7,11 +7,9 @@
 
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/blocks/block_contacts.h"
-#include "resolved/body_turn.h"
-#include "resolved/shapes/block_outline.h"
-#include "resolved/shapes/closed_surface.h"
-#include "resolved/shapes/contact_points.h"
+#include "resolved/shapes/block_contacts.h"
+#include "resolved/body_motion.h"
+#include "resolved/shapes/shapes.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5}, none[3] = {0.0, 0.0, 0.0},
                     size[3] = {0.4, 0.2, 0.3}; /* of the box */

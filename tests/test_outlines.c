@@ -8,10 +8,9 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/blocks/block_contacts.h"
-#include "resolved/body_turn.h"
-#include "resolved/shapes/clump.h"
-#include "resolved/shapes/closed_surface.h"
+#include "resolved/shapes/block_contacts.h"
+#include "resolved/body_motion.h"
+#include "resolved/shapes/shapes.h"
 #include "resolved/squeeze_film.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5};

@@ -16,10 +16,9 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "output/series.h"
-#include "resolved/among/among_effect.h"
+#include "resolved/bodies_effect.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/among/surroundings.h"
-#include "resolved/bodies_effect.h"
 #include "resolved/body_exit.h"
 
 struct record {

@@ -3,6 +3,7 @@
 
 #include "coupling/effect.h"
 #include "coupling/simulation.h"
+#include "resolved/among/among_grains.h"
 #include "resolved/body_motion.h"
 
 static int bodies_effect_move(void *memory, struct simulation *sim)
@@ -10,7 +11,7 @@ static int bodies_effect_move(void *memory, struct simulation *sim)
     return body_motion_advance(memory, sim->dt);
 }
 
-const char *bodies_effect_trouble(const void *memory)
+static const char *bodies_effect_trouble(const void *memory)
 {
     const struct solid_bodies *const b = memory;
 
@@ -40,12 +41,12 @@ static void bodies_effect_momentum(const void *memory, double total[3])
     body_motion_add_momentum(memory, total);
 }
 
-void bodies_effect_state(void *memory, struct state *s)
+static void bodies_effect_state(void *memory, struct state *s)
 {
     solid_bodies_state(memory, s);
 }
 
-void bodies_effect_free(void *memory)
+static void bodies_effect_free(void *memory)
 {
     solid_bodies_free(memory);
 }
@@ -60,6 +61,55 @@ const struct effect bodies_effect = {
     .equations = "EW18 1-4",
     .function = "hold_fluid",
     .mover = &mover,
+    .state = bodies_effect_state,
+    .free = bodies_effect_free,
+};
+
+/* --- among ---------------------------------------------------------------- */
+
+static void momentum(const void *memory, double total[3])
+{
+    body_motion_add_momentum(memory, total);
+    among_grains_add_momentum(memory, total);
+}
+
+static void before_particles(void *memory, struct simulation *sim)
+{
+    among_grains_set_forces(memory, sim->dt);
+}
+
+static int among_effect_along(void *memory, struct simulation *sim, int steps)
+{
+    return among_grains_run(memory, sim, steps);
+}
+
+static void after_particles(void *memory, struct simulation *sim)
+{
+    (void)sim;
+    among_grains_end(memory);
+}
+
+/* They have moved along with the particles. */
+static int among_effect_move(void *memory, struct simulation *sim)
+{
+    (void)memory, (void)sim;
+    return 0;
+}
+
+static const struct effect_mover among_mover = {
+    .move = among_effect_move,
+    .move_particles = among_effect_along,
+    .failure = bodies_effect_trouble,
+    .momentum = momentum};
+
+const struct effect among_effect = {
+    .name = "bodies",
+    .what = "bodies with the flow around them resolved, among particles",
+    .equations = "EW18 1-4, LS section 5.5",
+    .function = "among_grains_run",
+    .before_particles = before_particles,
+    .mover = &among_mover,
+    .after_particles = after_particles,
     .state = bodies_effect_state,
     .free = bodies_effect_free,
 };

@@ -9,9 +9,7 @@
  * fluid and grains. */
 extern const struct effect bodies_effect;
 
-/* Its functions that serve bodies among particles as well. */
-const char *bodies_effect_trouble(const void *memory);
-void bodies_effect_state(void *memory, struct state *s);
-void bodies_effect_free(void *memory);
+/* The same where there are particles with which they move. */
+extern const struct effect among_effect;
 
 #endif

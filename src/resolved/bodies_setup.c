@@ -51,7 +51,7 @@ const struct key bodies_setup_keys[] = {
      "bodies of many cells, with the flow around them resolved", "EW18 1-4",
      "fluid", .divided = "bodies are not divided yet"},
     {"bodies.method", KEY_NAME, "", "", "hold", "how they hold the fluid",
-     "LS 5.17-5.21", "", AT(method), .models = body_methods},
+     "LS 5.17-5.21", "", AT(method), .models = solid_bodies_methods},
     {"bodies.spheres", KEY_LIST, "", "", "",
      "each { position, diameter }, and what moves it", "EW18 2, 3", "",
      LIST_OF(BODY_SPHERES)},

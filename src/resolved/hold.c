@@ -12,7 +12,7 @@
  * treated otherwise (face_jump.c), by a jump of the pressure gradient: with
  * that, a sphere would be the staircase of its cells.
  */
-#include "resolved/hold.h"
+#include "resolved/solid_bodies.h"
 
 #include <math.h>
 
@@ -175,7 +175,7 @@ static void hold_end(struct immersed *self, struct fluid *fl)
         add_impulse(b, fl, i);
 }
 
-void hold_fluid(struct solid_bodies *b)
+static void hold_fluid(struct solid_bodies *b)
 {
     b->hooks = (struct immersed){.begin = hold_begin,
                                  .add_friction = add_friction,

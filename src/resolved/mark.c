@@ -11,8 +11,6 @@
 #include "resolved/body_exit.h"
 #include "resolved/body_motion.h"
 #include "resolved/body_seal.h"
-#include "resolved/body_turn.h"
-#include "resolved/closed_gap.h"
 
 const double mark_friction_inside = 1e3;
 

@@ -8,12 +8,12 @@
 
 #include "base/alloc.h"
 #include "resolved/body_exit.h"
-#include "resolved/body_turn.h"
+#include "resolved/body_motion.h"
 #include "resolved/mark.h"
 
 const double solid_bodies_immovable = 1e60;
 
-const struct body_method *const body_methods[] = {
+const struct body_method *const solid_bodies_methods[] = {
     &hold_method, &fraction_methods_fictitious, &fraction_methods_piso_ib,
     NULL};
 
@@ -47,7 +47,7 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
-    (o->method != NULL ? o->method : body_methods[0])->set(b);
+    (o->method != NULL ? o->method : solid_bodies_methods[0])->set(b);
     return b;
 }
 

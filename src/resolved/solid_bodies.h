@@ -14,10 +14,19 @@
 #include "base/state.h"
 #include "dem/dem.h"
 #include "fluid/fluid.h"
-#include "resolved/body_options.h"
+#include "resolved/bodies_setup.h"
 #include "resolved/body_seal.h"
 #include "resolved/body_shape.h"
-#include "resolved/hold_link.h"
+
+/* What a body does to a cell. */
+
+/* A cell that a body holds, or, outside of it, one beside a held one. */
+struct hold_link {
+    int cell;
+    double hold; /* [kg/(m^3 s)]; by_fraction: solid fraction [-] */
+    double u[3]; /* [m/s] velocity of the body there */
+    double r[3]; /* [m] the cell's centre, from that of the body */
+};
 
 struct solid_bodies {
     struct immersed hooks; /* first, because the fluid gives it back */

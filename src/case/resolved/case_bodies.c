@@ -17,15 +17,11 @@
 #include "dem/population/insertion.h"
 #include "dem/reference.h"
 #include "dem/surfaces/stl.h"
-#include "resolved/among/among_effect.h"
-#include "resolved/among/among_grains.h"
-#include "resolved/blocks/block_contacts.h"
 #include "resolved/bodies_effect.h"
+#include "resolved/among/among_grains.h"
+#include "resolved/shapes/block_contacts.h"
 #include "resolved/body_numbers.h"
-#include "resolved/shapes/block_outline.h"
-#include "resolved/shapes/closed_surface.h"
-#include "resolved/shapes/clump.h"
-#include "resolved/shapes/contact_points.h"
+#include "resolved/shapes/shapes.h"
 #include "resolved/squeeze_film.h"
 
 /* --- all bodies ----------------------------------------------------------- */
@@ -473,5 +469,5 @@ int case_bodies_add(const struct settings *s, struct simulation *sim)
     return solid_bodies_begin(b, sim->fluid) != 0 ? 2 : 0;
 }
 
-MODELS_KIND(case_bodies_method, body_methods, "body_method",
+MODELS_KIND(case_bodies_method, solid_bodies_methods, "body_method",
             "ways that bodies hold the fluid", "bodies.method", NULL)

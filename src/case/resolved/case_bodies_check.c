@@ -11,7 +11,7 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/particles/case_cohesion.h"
-#include "resolved/blocks/body_gaps.h"
+#include "resolved/shapes/block_contacts.h"
 
 /* Less than 3 cells across by rounding is 3. A sphere of fewer is a few cells
  * and has no shape. */

@@ -8,6 +8,7 @@
 #ifndef RESOLVED_AMONG_SURROUNDINGS_H
 #define RESOLVED_AMONG_SURROUNDINGS_H
 
+#include "dem/surfaces/surface.h"
 #include "resolved/solid_bodies.h"
 
 struct surroundings {
@@ -28,5 +29,14 @@ void surroundings_free(struct surroundings_filter *f);
  */
 void surroundings_bind(struct surroundings_filter *f);
 struct surroundings surroundings_of(struct surroundings_filter *f, int i);
+
+/* The surface of a body as particles touch it.
+ *
+ */
+
+/* Of body i where it is: a sphere, a cylinder without ends where it reaches
+ * through the box, else triangles. */
+struct surface body_surface(const struct solid_bodies *b, int i);
+void body_surface_release(struct surface *s);
 
 #endif

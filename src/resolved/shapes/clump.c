@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/shapes/clump.h"
+#include "resolved/shapes/shapes.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -1,15 +1,18 @@
-/* body_gaps.h -- where balls come near to bodies that are no spheres, and balls
- * of free bodies to walls. Chapter "Resolving the grains".
+/* block_contacts.h -- bodies that are not all spheres, near to others.
+ * Chapter "Resolving the grains". */
+#ifndef RESOLVED_SHAPES_BLOCK_CONTACTS_H
+#define RESOLVED_SHAPES_BLOCK_CONTACTS_H
+
+#include "resolved/solid_bodies.h"
+
+/* Where balls come near to bodies that are no spheres, and balls
+ * of free bodies to walls.
  *
  * A ball is a sphere, one of those that a clump consists of, or a point of a
  * surface, of radius 0. All that is asked of the other body is its distance
  * from the ball's centre and the normal there. What two spheres do to one
  * another, and spheres at walls, is dem's.
  */
-#ifndef RESOLVED_BLOCKS_BODY_GAPS_H
-#define RESOLVED_BLOCKS_BODY_GAPS_H
-
-#include "resolved/solid_bodies.h"
 
 struct body_gap {
     int i, j;    /* [-] the body with the ball; the other, -1: a wall */
@@ -45,5 +48,22 @@ int body_gaps_touch(const struct solid_bodies *b, int i, int j);
 /* How deep a ball is in another body by more than a tenth of its radius, where
  * one of the two can move [m], and these two; 0: nowhere. */
 double body_gaps_deepest(const struct solid_bodies *b, int pair[2]);
+
+/* Contacts of bodies that are not all spheres.
+ *
+ * A ball (body_gaps.h) of the radius R whose centre is at the distance s < R
+ * from the surface of another body: with n the gradient of s and the overlap R
+ * - s,
+ *
+ *   F = (k (R - s) - eta v_n) n, not below 0     [LS 4.3, 4.4]
+ *
+ * and friction mu F against the slip [LS 4.8], without a spring of its own.
+ */
+
+extern const struct body_contacts block_contacts;
+
+/* Changes the velocities of what touches and can move, by the forces of a time
+ * dt [s]. Returns the deepest overlap over the diameter of a ball [-]. */
+double block_contacts_act(struct solid_bodies *b, double dt);
 
 #endif

@@ -1,5 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/fraction/fraction_methods.h"
+/* fraction_methods.c -- two older ways to hold the fluid, by solid fractions.
+ * Chapter "Resolving the grains".
+ *
+ * Both set the velocity in a cell by its solid fraction b after the viscous
+ * step is done, so that what they give depends on nu dt / h^2. They are here to
+ * show that. LS calls the first one a fictitious domain method [LS 5.17-5.20],
+ * the second one PISO-IB [LS 5.21].
+ */
+#include "resolved/solid_bodies.h"
 
 #include <math.h>
 
