@@ -55,7 +55,7 @@ static struct mesh *mesh_named(const char *name)
 
     if (strcmp(name, "warped") == 0) return warped();
     snprintf(dir, sizeof dir, "tests/data/poly/%s", name);
-    struct mesh *const m = poly_read(dir);
+    struct mesh *const m = poly_read(dir, NULL);
     ck_assert_ptr_nonnull(m);
     return m;
 }

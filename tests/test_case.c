@@ -259,6 +259,36 @@ START_TEST(files_that_a_case_names_are_read_once)
 }
 END_TEST
 
+START_TEST(a_mesh_and_the_profile_of_an_inlet_are_read_once)
+{
+    char dir[64], copy[256];
+    int code;
+
+    scratch_make(dir);
+    snprintf(copy, sizeof copy, "cp -R tests/data/poly/one-cell %s/mesh", dir);
+    ck_assert_int_eq(system(copy), 0);
+    put_text(scratch_path(dir, "u.csv"), "x [m], u\n0, 1\n1, 1\n");
+    put_text(
+        scratch_path(dir, "case.cfg"),
+        "mesh = { polymesh = \"mesh\"; };\n"
+        "fluid = { density = 1.0; viscosity = 1e-5; step = 1e-3;\n"
+        "bottom = { inlet = 1.0; profile = \"file\"; file = \"u.csv\"; };\n"
+        "top = { outlet = 0.0; }; defaultFaces = \"slip\"; };\n"
+        "output = { end = 1.0; every = 1.0; };\n");
+    struct settings *const s =
+        read_case(scratch_path(dir, "case.cfg"), NULL, &code);
+    ck_assert_msg(s != NULL, "%s", said);
+    scratch_clear(dir);
+    struct simulation *const sim = build_simulation(s, &code);
+    ck_assert_ptr_nonnull(sim);
+    char *const lines = case_text_lines(s);
+    ck_assert_ptr_null(strstr(lines, "crc32 00000000"));
+    free(lines);
+    build_free(sim);
+    settings_free(s);
+}
+END_TEST
+
 START_TEST(source_with_one_corner_reaches_to_the_end_of_the_box)
 {
     int code;
@@ -720,6 +750,7 @@ FACTS("scene")
     FACT(what_rounding_leaves_of_a_0_is_a_direction_still);
     FACT(sink_without_a_side_requires_a_region);
     FACT(files_that_a_case_names_are_read_once);
+    FACT(a_mesh_and_the_profile_of_an_inlet_are_read_once);
     FACT(source_with_one_corner_reaches_to_the_end_of_the_box);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(profiles_along_other_directions_have_other_names);

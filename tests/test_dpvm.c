@@ -180,9 +180,10 @@ END_TEST
 START_TEST(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere)
 {
     enum { N = 80 };
-    struct mesh *const m = _i == 0   ? warped()
-                           : _i == 1 ? poly_read("tests/data/poly/dual")
-                                     : poly_read("tests/data/poly/cyclic");
+    struct mesh *const m = _i == 0 ? warped()
+                           : _i == 1
+                               ? poly_read("tests/data/poly/dual", NULL)
+                               : poly_read("tests/data/poly/cyclic", NULL);
     struct particles *const ps = particles_create(1);
     double *const share = alloc_doubles(m->n_cells);
     double *const points = alloc_doubles(m->n_cells);

@@ -245,7 +245,7 @@ START_TEST(the_parts_of_a_ball_in_any_cells_add_up_to_it)
     if (_i < 3) {
         char dir[64];
         snprintf(dir, sizeof dir, "tests/data/poly/%s", files[_i]);
-        m = poly_read(dir);
+        m = poly_read(dir, NULL);
     } else {
         m = lattice(5, (const double[3]){0.0, 0.0, 0.0});
         shake(m, _i == 3 ? 0.1 : 0.3, 3);

@@ -198,7 +198,7 @@ END_TEST
 
 START_TEST(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape)
 {
-    struct mesh *const m = poly_read("tests/data/poly/dual");
+    struct mesh *const m = poly_read("tests/data/poly/dual", NULL);
     struct particles *const ps = particles_create(50);
     double *const f = alloc_doubles(m->n_cells);
     double *const g = alloc_doubles(m->n_cells);

@@ -23,7 +23,7 @@ static struct mesh *mesh_of(const char *name)
 {
     char dir[128];
     snprintf(dir, sizeof dir, "tests/data/poly/%s", name);
-    struct mesh *const m = poly_read(dir);
+    struct mesh *const m = poly_read(dir, NULL);
     ck_assert_ptr_nonnull(m);
     return m;
 }
@@ -157,7 +157,7 @@ START_TEST(shuffled_polyhedra_are_put_in_waves)
              filed->n_cells);
     ck_assert_int_eq(filed->n_cells % 11 == 0, 0);
     ck_assert_int_eq(system(command), 0);
-    struct mesh *const m = poly_read("build/poly-waves");
+    struct mesh *const m = poly_read("build/poly-waves", NULL);
     ck_assert_ptr_nonnull(m);
     ck_assert_int_eq(m->n_internal, filed->n_internal);
     ck_assert_int_le(widest(m), 3 * widest(filed) / 2);
@@ -545,7 +545,7 @@ END_TEST
  * patch, and a patch of no faces, whose kind is of no interest. */
 START_TEST(one_cell_of_equal_owners_is_read)
 {
-    struct mesh *const m = poly_read("tests/data/poly/one-cell");
+    struct mesh *const m = poly_read("tests/data/poly/one-cell", NULL);
 
     ck_assert_ptr_nonnull(m);
     ck_assert_int_eq(m->n_cells, 1);
@@ -585,7 +585,7 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
     struct mesh *m;
     char said[CAPTURE_TEXT];
     struct capture capture = capture_begin(2);
-    m = poly_read("build/poly");
+    m = poly_read("build/poly", NULL);
     capture_end(&capture, said);
     ck_assert_ptr_null(m);
     ck_assert_msg(strstr(said, rows[_i].message) != NULL, "%s", said);

@@ -118,8 +118,8 @@ static int has_corner(const struct mesh_shape *s, int c, int p)
  * cells that have it, so they must be near each other for the smallest b. */
 START_TEST(cells_that_share_a_corner_are_near)
 {
-    struct mesh *const m = _i == 0   ? poly_read("tests/data/poly/sheared")
-                           : _i == 1 ? poly_read("tests/data/poly/dual")
+    struct mesh *const m = _i == 0 ? poly_read("tests/data/poly/sheared", NULL)
+                           : _i == 1 ? poly_read("tests/data/poly/dual", NULL)
                                      : warped();
     struct stencil *const near = stencil_create(m, 1e-6, STENCIL_TO_CELL);
     int *const listed = alloc_ints(m->n_cells);

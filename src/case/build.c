@@ -105,16 +105,13 @@ static int one_boundary(const struct settings *s, const struct mesh *m,
                                  .mesh = m,
                                  .patch = p,
                                  .end = s->output.end};
-    char file[SETTINGS_PATH], wrong[BOUNDARY_TEXT];
+    char wrong[BOUNDARY_TEXT];
 
     b->kind = r.says != NULL ? r.says->condition->kind : BOUNDARY_SLIP;
     if (r.says == NULL || r.says->condition->build == NULL) return 0;
     for (int k = 0; k < 3; k++)
         r.between_walls[k] = settings_mesh(s) == NULL && between_walls(s, k);
-    if (r.says->file != NULL) {
-        settings_beside(s, r.says->file, file, sizeof file);
-        r.file = file;
-    }
+    if (r.says->file != NULL) r.file = settings_input(s, r.says->file);
     return build_boundaries_wrong(
         s, r.says, r.says->condition->build(&r, b, wrong), wrong);
 }

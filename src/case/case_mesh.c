@@ -128,7 +128,7 @@ int case_mesh_patches(const struct settings *s, const config_t *tree,
                             "mesh.polymesh: there is no mesh in the folder "
                             "%s: " POLY_LOOKED_FOR,
                             dir);
-    const int n = poly_patches(dir, &patch);
+    const int n = poly_patches(dir, settings_files(s), &patch);
     if (n < 0) return 2;
     if (check_patch_names(tables, at, n, patch) != 0) {
         free(patch);
@@ -175,7 +175,7 @@ static struct mesh *read_files(const struct settings *s)
     char dir[SETTINGS_PATH];
 
     settings_beside(s, s->mesh.polymesh, dir, sizeof dir);
-    return poly_read(dir);
+    return poly_read(dir, settings_files(s));
 }
 
 int case_mesh_read(struct settings *s)

@@ -117,6 +117,13 @@ static int digits_check(const char *file, const char *text)
 /* libconfig says itself what is wrong with deeper ones. */
 enum { DEEPEST = 10, PATH = 4096 };
 
+/* Where the files are kept that are read, and the folder of those that are
+ * included. */
+struct scan {
+    struct inputs **files;
+    const char *folder;
+};
+
 /* Where a file was named, for messages. */
 struct place {
     const char *file; /* NULL for the case itself */
@@ -163,13 +170,14 @@ static int included(const char *line, char name[PATH])
            closing == '"';
 }
 
-static int include_check(const char *file, const char *folder, struct place at,
-                         int depth);
+static int include_check(const struct scan *s, const char *file,
+                         struct place at, int depth);
 
 /* Looks at the files that a text includes. */
-static int check_text(const char *text, const char *file, const char *folder,
+static int check_text(const struct scan *s, const char *text, const char *file,
                       int depth)
 {
+    const char *const folder = s->folder;
     struct place at = {file, 1};
     int begins = 1, code = 0; /* a line, but for blanks */
 
@@ -180,7 +188,7 @@ static int check_text(const char *text, const char *file, const char *folder,
         if (begins && *text == '@' && included(text, name)) {
             snprintf(path, sizeof path, "%s%s%s", folder != NULL ? folder : "",
                      folder != NULL ? "/" : "", name);
-            code = include_check(path, folder, at, depth + 1);
+            code = include_check(s, path, at, depth + 1);
         }
         if (*text != ' ' && *text != '\t') begins = *text == '\n';
         for (; text < next; text++)
@@ -189,25 +197,22 @@ static int check_text(const char *text, const char *file, const char *folder,
     return code;
 }
 
-static int include_check(const char *file, const char *folder, struct place at,
-                         int depth)
+static int include_check(const struct scan *s, const char *file,
+                         struct place at, int depth)
 {
-    const char *why;
-    size_t length;
-
     if (depth > DEEPEST) return 0;
-    char *const text = input_text(file, &length, &why);
-    if (text == NULL) return unreadable(&at, file, why);
-    int code = is_no_text(file, text, length);
-    if (code == 0) code = digits_check(file, text);
-    if (code == 0) code = check_text(text, file, folder, depth);
-    free(text);
-    return code;
+    const struct input *const in = input_kept(s->files, file);
+    if (in->text == NULL) return unreadable(&at, file, in->why);
+    int code = is_no_text(file, in->text, in->length);
+    if (code == 0) code = digits_check(file, in->text);
+    return code != 0 ? code : check_text(s, in->text, file, depth);
 }
 
-int scan_file(const char *file, const char *folder)
+int scan_file(struct inputs **files, const char *file, const char *folder)
 {
-    return include_check(file, folder, (struct place){NULL, 0}, 0);
+    const struct scan s = {files, folder};
+
+    return include_check(&s, file, (struct place){NULL, 0}, 0);
 }
 
 const char *scan_value(const char *value)

@@ -8,6 +8,8 @@
 #ifndef CASE_SCAN_H
 #define CASE_SCAN_H
 
+#include "base/tables/input.h"
+
 /* Numbers of both kinds, [0, -9.81, 0], are a list for libconfig, and no array:
  * the brackets around them become round. */
 void scan_mixed(char *text);
@@ -17,8 +19,9 @@ void scan_mixed(char *text);
 const char *scan_digits(const char *text, int *line);
 
 /* The case file and what it includes, which lies in `folder` or, if that is
- * NULL, where the program runs. 0, or the exit code after one message. */
-int scan_file(const char *file, const char *folder);
+ * NULL, where the program runs; all are kept with the files that were read. 0,
+ * or the exit code after one message. */
+int scan_file(struct inputs **files, const char *file, const char *folder);
 
 /* The value of an override, the text of one value: what is wrong with it, or
  * NULL. */

@@ -17,12 +17,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A file that the case names, and those read before it. */
-struct kept_input {
-    struct input in;
-    struct kept_input *before;
-};
-
 struct settings_text {
     config_t tree;
     const struct key **tables; /* a copy of the list, the tables borrowed */
@@ -30,9 +24,9 @@ struct settings_text {
     struct key **patches; /* the tables that are freed here, at their places in
                              the list; NULL without a mesh from files */
     char *file;
-    struct mesh *mesh; /* NULL for a box */
-    int quiet;         /* [-] 1: no progress is printed */
-    struct kept_input *inputs;
+    struct mesh *mesh;    /* NULL for a box */
+    int quiet;            /* [-] 1: no progress is printed */
+    struct inputs *files; /* that the case names */
 };
 
 void settings_beside(const struct settings *s, const char *file, char *path,
@@ -44,33 +38,17 @@ void settings_beside(const struct settings *s, const char *file, char *path,
     snprintf(path, size, "%.*s%s", folder, at, file);
 }
 
-/* One that is not there yet is looked for again: a bed is written by the run.
- */
-const struct input *settings_input(const struct settings *s, const char *path)
+struct inputs **settings_files(const struct settings *s)
 {
-    struct kept_input *k = s->text->inputs;
-
-    while (k != NULL && strcmp(k->in.path, path) != 0)
-        k = k->before;
-    if (k == NULL) {
-        k = alloc_zeroed(1, sizeof *k);
-        *k = (struct kept_input){input_of(path), s->text->inputs};
-        s->text->inputs = k;
-    } else if (k->in.text == NULL) {
-        input_release(&k->in);
-        k->in = input_of(path);
-    }
-    return &k->in;
+    return &s->text->files;
 }
 
-static void free_inputs(struct kept_input *k)
+const struct input *settings_input(const struct settings *s, const char *file)
 {
-    while (k != NULL) {
-        struct kept_input *const before = k->before;
-        input_release(&k->in);
-        free(k);
-        k = before;
-    }
+    char path[SETTINGS_PATH];
+
+    settings_beside(s, file, path, sizeof path);
+    return input_kept(&s->text->files, path);
 }
 
 struct settings *settings_create(const char *file, int n_overrides,
@@ -87,7 +65,7 @@ struct settings *settings_create(const char *file, int n_overrides,
     memcpy(s->text->tables, tables,
            s->text->n_tables * sizeof *s->text->tables);
     s->text->file = strdup(file);
-    *code = source_read(&s->text->tree, s->text->file);
+    *code = source_read(&s->text->tree, &s->text->files, s->text->file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
         *code = source_override(&s->text->tree, overrides[i]);
     if (*code == 0) *code = schema_check_texts(&s->text->tree);
@@ -118,7 +96,7 @@ void settings_free(struct settings *s)
         free(s->text->patches[i]);
     free(s->text->patches);
     free(s->text->file);
-    free_inputs(s->text->inputs);
+    input_forget(&s->text->files);
     mesh_free(s->text->mesh);
     free(s->text);
     free(s);

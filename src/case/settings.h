@@ -136,8 +136,10 @@ enum { SETTINGS_PATH = 4096 };
 void settings_beside(const struct settings *s, const char *file, char *path,
                      size_t size);
 
-/* The file at that path, which is read once and kept with the case. */
-const struct input *settings_input(const struct settings *s, const char *path);
+/* A file that the case names, which is read once and kept with the case; and
+ * all of them, by their paths. */
+const struct input *settings_input(const struct settings *s, const char *file);
+struct inputs **settings_files(const struct settings *s);
 
 /* The mesh of a case that is no plain box, kept here and freed with it; NULL
  * for a box. */

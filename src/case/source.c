@@ -84,18 +84,15 @@ static void include_beside(config_t *tree, const char *file)
     config_set_include_dir(tree, folder);
 }
 
-int source_read(config_t *tree, const char *file)
+int source_read(config_t *tree, struct inputs **files, const char *file)
 {
-    const char *why;
-    size_t length;
     config_init(tree);
     include_beside(tree, file);
-    const int code = scan_file(file, config_get_include_dir(tree));
+    const int code = scan_file(files, file, config_get_include_dir(tree));
     if (code != 0) return code;
-    char *const text = input_text(file, &length, &why);
-    if (text != NULL) scan_mixed(text);
-    const int good = text != NULL ? config_read_string(tree, text)
-                                  : config_read_file(tree, file);
+    char *const text = strdup(input_kept(files, file)->text);
+    scan_mixed(text);
+    const int good = config_read_string(tree, text);
     free(text);
     config_setting_set_hook(config_root_setting(tree), (void *)file);
     return good ? 0 : wrong_syntax(tree, file);

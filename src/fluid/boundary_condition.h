@@ -8,6 +8,7 @@
 #ifndef FLUID_BOUNDARY_CONDITION_H
 #define FLUID_BOUNDARY_CONDITION_H
 
+#include "base/tables/input.h"
 #include "base/model.h"
 #include "fluid/boundary.h"
 #include "mesh/mesh.h"
@@ -44,8 +45,8 @@ struct boundary_request {
     const struct patch *patch;
     int between_walls[3]; /* [-] of a box: 1 if both ends of the direction are
                              no-slip walls */
-    const char *file;     /* its path; NULL: none */
-    double end;           /* [s] of the run */
+    const struct input *file; /* NULL: none */
+    double end;               /* [s] of the run */
 };
 
 struct boundary_condition {

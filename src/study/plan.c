@@ -209,8 +209,10 @@ const struct key plan_keys[] = {
 static int is_study(const char *file, int *code)
 {
     config_t tree;
+    struct inputs *files = NULL;
 
-    *code = source_read(&tree, file);
+    *code = source_read(&tree, &files, file);
+    input_forget(&files);
     const int found = *code == 0 && config_lookup(&tree, "case") != NULL;
     config_destroy(&tree);
     return found;

@@ -61,7 +61,7 @@ static struct particles *settled(const char *law, const char *path)
 
     snprintf(name, sizeof name, "%.*s/%s.settled",
              (int)(strrchr(path, '/') - path), path, law);
-    if (bed_cache_create(name, ps, dem, &bed, &o, &r) != BED_CREATED ||
+    if (bed_cache_create(NULL, name, ps, dem, &bed, &o, &r) != BED_CREATED ||
         !r.settled)
         exit(1);
     dem_free(dem);

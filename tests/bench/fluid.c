@@ -59,7 +59,7 @@ int main(int argc, char **argv)
                                   {1.0, 1.0, 1.0},
                                   {0, 0, dimensions == 2}};
     struct mesh *const m =
-        argc > 6 ? poly_read(argv[6]) : mesh_create_box(&spec);
+        argc > 6 ? poly_read(argv[6], NULL) : mesh_create_box(&spec);
     struct boundary b[6];
     if (m == NULL) return 2;
     for (int i = 0; i < m->n_patches; i++) {

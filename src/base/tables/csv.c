@@ -215,17 +215,14 @@ int csv_parse(struct csv *t, char *text, const char *names,
     return failed;
 }
 
-int csv_read(struct csv *t, const char *path, char wrong[CSV_WRONG])
+int csv_read(struct csv *t, const struct input *in, char wrong[CSV_WRONG])
 {
-    const char *why = "";
-    size_t length;
-    char *const text = input_text(path, &length, &why);
-
     *t = (struct csv){.n_columns = 0};
-    if (text == NULL) {
-        snprintf(wrong, CSV_WRONG, "%s", why);
+    if (in->text == NULL) {
+        snprintf(wrong, CSV_WRONG, "%s", in->why);
         return 1;
     }
+    char *const text = strdup(in->text);
     const int failed = csv_parse(t, text, NULL, wrong);
     free(text);
     return failed;

@@ -10,6 +10,8 @@
 #ifndef BASE_TABLES_CSV_H
 #define BASE_TABLES_CSV_H
 
+#include "base/tables/input.h"
+
 #define CSV_UTF_8 "\xef\xbb\xbf"
 
 enum { CSV_COLUMNS = 64, CSV_NAME = 32, CSV_WRONG = 256 };
@@ -21,7 +23,7 @@ struct csv {
 };
 
 /* Non-zero if it cannot be read; `wrong` says why, with the line. */
-int csv_read(struct csv *t, const char *path, char wrong[CSV_WRONG]);
+int csv_read(struct csv *t, const struct input *in, char wrong[CSV_WRONG]);
 /* The same of a text, which it changes. With `names` it may begin with a row:
  * the columns are then those of the remark before it, or else `names`. */
 int csv_parse(struct csv *t, char *text, const char *names,

@@ -73,40 +73,91 @@ void input_release(struct input *in)
     free(in->text);
 }
 
-/* Of what is packed in some megabytes, which may be without end, no more than
- * `most` [byte] is counted; -1 if it is damaged. */
-static long unpacked_size(gzFile f, double most)
+/* One that was not there is looked for again: a run writes its bed. */
+const struct input *input_kept(struct inputs **all, const char *path)
 {
-    static const unsigned piece = 1 << 16;
-    char *const bytes = alloc_zeroed(piece, 1);
-    long size = 0;
-    int n;
+    struct inputs *k = *all;
 
-    while ((n = gzread(f, bytes, piece)) > 0 && (double)size <= most)
-        size += n;
-    free(bytes);
-    return n < 0 || gzrewind(f) != 0 ? -1 : size;
+    while (k != NULL && strcmp(k->in.path, path) != 0)
+        k = k->before;
+    if (k == NULL) {
+        k = alloc_zeroed(1, sizeof *k);
+        *k = (struct inputs){input_of(path), *all};
+        *all = k;
+    } else if (k->in.text == NULL) {
+        const struct input again = input_of(path);
+        input_release(&k->in);
+        k->in = again;
+    }
+    return &k->in;
 }
 
-char *input_unpacked(const char *path, size_t *length, const char **why)
+void input_forget(struct inputs **all)
 {
-    static const size_t piece = 1 << 30; /* gzread counts by an int */
-    char *text = NULL;
-
-    *why = input_wrong(path);
-    if (*why != NULL) return NULL;
-    const gzFile f = gzopen(path, "rb");
-    const long size = f != NULL ? unpacked_size(f, alloc_left()) : -1;
-    *why = "damaged";
-    errno = EIO;
-    if (size >= 0) text = input_room(size, why);
-    for (*length = 0; text != NULL && *length < (size_t)size;) {
-        const size_t rest = (size_t)size - *length;
-        const int n =
-            gzread(f, &text[*length], (unsigned)(rest < piece ? rest : piece));
-        if (n <= 0) break;
-        *length += (size_t)n;
+    while (*all != NULL) {
+        struct inputs *const k = *all;
+        *all = k->before;
+        input_release(&k->in);
+        free(k);
     }
-    if (f != NULL) gzclose(f);
+}
+
+/* --- gzip -------------------------------------------------------------------
+ */
+
+int input_is_packed(const struct input *in)
+{
+    return in->length > 2 && memcmp(in->text, "\x1f\x8b", 2) == 0;
+}
+
+/* Gives the stream its next bytes, which it counts by an int: of the file if it
+ * has taken all, and room in `to`. */
+static void feed(z_stream *z, const struct input *in, char *to, size_t room)
+{
+    static const size_t piece = 1 << 30;
+
+    if (z->avail_in == 0) {
+        if (z->next_in == NULL) z->next_in = (Bytef *)in->text;
+        const char *const at = (const char *)z->next_in;
+        const size_t rest = in->length - (size_t)(at - in->text);
+        z->avail_in = (unsigned)(rest < piece ? rest : piece);
+    }
+    z->next_out = (Bytef *)to;
+    z->avail_out = (unsigned)(room < piece ? room : piece);
+}
+
+/* Of what is packed in some megabytes, which may be without end, no more than
+ * `most` [byte] is counted; with `to`, which has room for one more, it is
+ * stored there. -1 if it is damaged. Files that follow one another are one. */
+static long unpack(const struct input *in, double most, char *to)
+{
+    char piece[1 << 14];
+    z_stream z = {0};
+    long size = 0;
+    int code = inflateInit2(&z, 15 + 16); /* with the header of gzip */
+
+    while (code == Z_OK && (double)size <= most) {
+        const size_t room =
+            to == NULL ? sizeof piece : (size_t)(most - (double)size) + 1;
+        feed(&z, in, to == NULL ? piece : to + size, room);
+        if (z.avail_in == 0) break;
+        const unsigned before = z.avail_out;
+        code = inflate(&z, Z_NO_FLUSH);
+        size += before - z.avail_out;
+        if (code == Z_STREAM_END && z.avail_in > 2 && z.next_in[0] == 0x1f)
+            code = inflateReset(&z);
+    }
+    inflateEnd(&z);
+    return code == Z_STREAM_END || (double)size > most ? size : -1;
+}
+
+char *input_unpacked(const struct input *in, size_t *length, const char **why)
+{
+    const long size = unpack(in, alloc_left(), NULL);
+    char *const text = size >= 0 ? input_room(size, why) : NULL;
+
+    if (size < 0) *why = "damaged";
+    *length = size < 0 ? 0 : (size_t)size;
+    if (text != NULL) unpack(in, (double)size, text);
     return text;
 }

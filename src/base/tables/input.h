@@ -27,8 +27,17 @@ struct input {
 struct input input_of(const char *path);
 void input_release(struct input *in);
 
-/* All of a file, that is packed by gzip or not, as input_text: its bytes are
- * counted before memory is taken. */
-char *input_unpacked(const char *path, size_t *length, const char **why);
+/* Files that were read, each once, the last one first. */
+struct inputs {
+    struct input in;
+    struct inputs *before;
+};
+const struct input *input_kept(struct inputs **all, const char *path);
+void input_forget(struct inputs **all);
+
+/* All of a file that is packed by gzip, as input_text: its bytes are counted
+ * before memory is taken. */
+int input_is_packed(const struct input *in);
+char *input_unpacked(const struct input *in, size_t *length, const char **why);
 
 #endif

@@ -67,14 +67,17 @@ static int make_bed(const struct settings *s, struct simulation *sim,
                     const char *path, struct bed_report *r)
 {
     struct bed_options b = build_particles_bed(s);
+    struct inputs **const files =
+        s->particles.bed_file != NULL ? settings_files(s) : NULL;
 
     b.region = sim->region;
     b.saver = saver;
     sim->particles = particles_create(b.count + case_population_count(s));
     sim->dem = dem_create(sim->particles, o);
-    const int found = sim->dem == NULL ? BED_REFUSED
-                                       : bed_cache_create(path, sim->particles,
-                                                          sim->dem, &b, o, r);
+    const int found =
+        sim->dem == NULL
+            ? BED_REFUSED
+            : bed_cache_create(files, path, sim->particles, sim->dem, &b, o, r);
     build_particles_free_bed(&b);
     return found;
 }

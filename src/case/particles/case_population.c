@@ -138,10 +138,8 @@ static struct box_domain box_of(const struct settings *s)
 static int read_list(const struct settings *s, struct insert_setup *in)
 {
     const struct box_domain box = box_of(s);
-    char path[SETTINGS_PATH];
 
-    settings_beside(s, in->file, path, sizeof path);
-    in->list = grain_table_parse(settings_input(s, path), &in->of.count);
+    in->list = grain_table_parse(settings_input(s, in->file), &in->of.count);
     if (in->list == NULL) return 1;
     in->of.list = in->list;
     if (in->of.rate == 0.0) in->of.overlap = build_particles_wall_overlap(s);

@@ -65,14 +65,13 @@ static void complete_surface(const struct settings *s, int i,
 
 static int read_triangles(const struct settings *s, struct surface_setup *one)
 {
-    char path[SETTINGS_PATH];
+    const struct input *const in = settings_input(s, one->file);
     struct stl stl;
 
-    settings_beside(s, one->file, path, sizeof path);
-    if (stl_parse(settings_input(s, path), &stl) != 0) return 1;
+    if (stl_parse(in, &stl) != 0) return 1;
     if (stl.dropped > 0)
         fprintf(stderr, "winnow: %s: %d triangles have no area; left out\n",
-                path, stl.dropped);
+                in->path, stl.dropped);
     for (int t = 0; t < 9 * stl.n; t++) {
         double *const x = &stl.corner[t / 9][t / 3 % 3][t % 3];
         *x = one->of.point[t % 3] + one->scale * *x;

@@ -96,12 +96,10 @@ void case_bodies_release(struct settings *s)
 static struct body_outline *read_clump(const struct settings *s,
                                        const struct body_setup *says)
 {
-    char path[SETTINGS_PATH];
     long n;
-
-    settings_beside(s, says->file, path, sizeof path);
     struct insertion_sphere *const list =
-        grain_table_parse(settings_input(s, path), &n);
+        grain_table_parse(settings_input(s, says->file), &n);
+
     if (list == NULL) return NULL;
     struct body_ball *const ball = alloc_zeroed((size_t)n, sizeof *ball);
     for (long k = 0; k < n; k++) {
@@ -119,12 +117,11 @@ static struct body_outline *read_clump(const struct settings *s,
 static struct body_outline *read_surface(const struct settings *s,
                                          const struct case_body *b)
 {
-    char path[SETTINGS_PATH];
+    const struct input *const in = settings_input(s, b->says->file);
     const char *trouble;
     struct stl stl;
 
-    settings_beside(s, b->says->file, path, sizeof path);
-    if (stl_parse(settings_input(s, path), &stl) != 0) return NULL;
+    if (stl_parse(in, &stl) != 0) return NULL;
     for (int c = 0; c < 9 * stl.n; c++)
         stl.corner[c / 9][c / 3 % 3][c % 3] *= b->says->scale;
     struct body_outline *const o =
@@ -132,8 +129,8 @@ static struct body_outline *read_surface(const struct settings *s,
     stl_release(&stl);
     if (o == NULL)
         settings_wrong(s, b->path,
-                       "%s holds no body, its surface is not closed: %s", path,
-                       trouble);
+                       "%s holds no body, its surface is not closed: %s",
+                       in->path, trouble);
     return o;
 }
 

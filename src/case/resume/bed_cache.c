@@ -162,14 +162,16 @@ static int bed_cache_load(struct state_file *f, const char *path,
     return wrong;
 }
 
-static int load_or_create(const char *path, struct particles *ps,
-                          struct bed_histories *histories,
+static int load_or_create(struct inputs **files, const char *path,
+                          struct particles *ps, struct bed_histories *histories,
                           const struct bed_options *bed,
                           const struct dem_options *dem, struct bed_report *r)
 {
     const char *why = NULL;
     struct state_file *const f =
-        path != NULL ? state_file_open(path, &why) : NULL;
+        path == NULL    ? NULL
+        : files != NULL ? state_file_of(input_kept(files, path), &why)
+                        : state_file_open(path, &why);
 
     if (f == NULL && why != NULL) {
         fprintf(stderr,
@@ -190,14 +192,15 @@ static int load_or_create(const char *path, struct particles *ps,
     return wrong ? BED_REFUSED : BED_CREATED;
 }
 
-int bed_cache_create(const char *path, struct particles *ps, struct dem *run,
+int bed_cache_create(struct inputs **files, const char *path,
+                     struct particles *ps, struct dem *run,
                      const struct bed_options *bed,
                      const struct dem_options *dem, struct bed_report *r)
 {
     struct bed_histories histories = {0, NULL};
 
     *r = (struct bed_report){.settled = 1};
-    const int code = load_or_create(path, ps, &histories, bed, dem, r);
+    const int code = load_or_create(files, path, ps, &histories, bed, dem, r);
     if (code == BED_CREATED || code == BED_UNSAVED)
         dem_restore_histories(run, histories.list, histories.n);
     free(histories.list);

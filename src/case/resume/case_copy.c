@@ -10,14 +10,11 @@
 #include "base/tables/input.h"
 #include "base/version.h"
 #include "case/resume/case_text.h"
-#include "case/resume/mesh_files.h"
 
 /* A file that the case names. */
 struct named_file {
-    char *path;       /* where it is */
-    char *name;       /* "case/NAME", in the folder of the run */
-    const char *text; /* borrowed from the settings */
-    size_t length;
+    const struct input *in; /* borrowed from the settings */
+    char *name;             /* "case/NAME", in the folder of the run */
 };
 
 struct case_copy {
@@ -49,19 +46,12 @@ static char *free_name(const struct case_copy *c, const char *path)
     return name;
 }
 
-static void read_file(const struct case_copy *c, struct named_file *f)
+static void add_file(void *of, const struct input *in)
 {
-    const struct input *const in = settings_input(c->settings, f->path);
+    struct case_copy *const c = of;
 
-    f->text = in->text;
-    f->length = in->length;
-}
-
-/* Returns its name in the folder. */
-static const char *add_file(struct case_copy *c, const char *path)
-{
     for (int i = 0; i < c->n; i++)
-        if (strcmp(c->file[i].path, path) == 0) return c->file[i].name;
+        if (c->file[i].in == in) return;
     if (c->n == c->capacity) {
         struct named_file *const more =
             alloc_zeroed(2 * (size_t)c->n + 8, sizeof *more);
@@ -70,29 +60,21 @@ static const char *add_file(struct case_copy *c, const char *path)
         c->file = more;
         c->capacity = 2 * c->n + 8;
     }
-    struct named_file *const f = &c->file[c->n];
-    f->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
-    f->name = free_name(c, path);
-    c->n++;
-    read_file(c, f);
-    return f->name;
-}
-
-static void add_mesh_file(void *of, const char *path)
-{
-    add_file(of, path);
+    char *const name = free_name(c, in->path);
+    c->file[c->n++] = (struct named_file){in, name};
 }
 
 /* The name of a file in case.cfg. */
 static char *named(void *of, const char *key, const char *name)
 {
     struct case_copy *const c = of;
-    char path[SETTINGS_PATH];
+    int i = 0;
 
-    settings_beside(c->settings, name, path, sizeof path);
-    if (strcmp(key, "mesh.polymesh") != 0) return strdup(add_file(c, path));
-    mesh_files_each(path, add_mesh_file, c);
-    return strdup("case");
+    case_text_each_file(c->settings, key, name, add_file, c);
+    if (strcmp(key, "mesh.polymesh") == 0) return strdup("case");
+    while (c->file[i].in != settings_input(c->settings, name))
+        i++;
+    return strdup(c->file[i].name);
 }
 
 struct case_copy *case_copy_create(const struct settings *s,
@@ -119,10 +101,8 @@ struct case_copy *case_copy_create(const struct settings *s,
 void case_copy_free(struct case_copy *c)
 {
     if (c == NULL) return;
-    for (int i = 0; i < c->n; i++) {
-        free(c->file[i].path);
+    for (int i = 0; i < c->n; i++)
         free(c->file[i].name);
-    }
     free(c->file);
     free(c->case_text);
     free(c);
@@ -158,10 +138,10 @@ int case_copy_write(struct case_copy *c, struct folder *folder)
                  (c->n > 0 && folder_make(folder, "case") != 0);
 
     for (int i = 0; i < c->n && !failed; i++) {
-        struct named_file *const f = &c->file[i];
-        read_file(c, f);
-        if (f->text != NULL)
-            failed = write_text(folder, f->name, f->text, f->length);
+        const struct input *const in =
+            input_kept(settings_files(c->settings), c->file[i].in->path);
+        if (in->text != NULL)
+            failed = write_text(folder, c->file[i].name, in->text, in->length);
     }
     return failed;
 }
@@ -193,8 +173,9 @@ int case_copy_restore(struct case_copy *c, const char *dir)
 
     for (int i = 0; i < c->n && !failed; i++) {
         char *const path = file_join(dir, c->file[i].name);
-        if (c->file[i].text != NULL && !is_there(path, NULL))
-            failed = write_at(path, c->file[i].text, c->file[i].length);
+        const struct input *const in = c->file[i].in;
+        if (in->text != NULL && !is_there(path, NULL))
+            failed = write_at(path, in->text, in->length);
         free(path);
     }
     if (!failed && !is_there(of_case, c->case_text))

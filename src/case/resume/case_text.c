@@ -8,14 +8,13 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/tables/input.h"
 #include "base/number.h"
 #include "base/text.h"
 #include "case/case_file.h"
 #include "case/case_steps.h"
-#include "case/resume/mesh_files.h"
 #include "case/schema.h"
 #include "case/source.h"
+#include "mesh/poly/poly.h"
 
 enum { PATH = 512 };
 
@@ -84,35 +83,46 @@ static int is_file(const char *path)
     return row != NULL && row->type == KEY_FILE;
 }
 
-/* The checksum of all files so far. */
-struct contents {
-    const struct settings *settings;
-    unsigned long sum;
-};
-
-static void add_to_checksum(void *of, const char *path)
+void case_text_each_file(const struct settings *s, const char *key,
+                         const char *name,
+                         void (*each)(void *of, const struct input *file),
+                         void *of)
 {
-    struct contents *const c = of;
-    const struct input *const in = settings_input(c->settings, path);
+    static const char *const parts[] = {"points", "faces", "owner", "neighbour",
+                                        "boundary"};
+    char dir[SETTINGS_PATH], folder[POLY_FOLDER], path[POLY_FOLDER + 16];
+
+    if (strcmp(key, "mesh.polymesh") != 0) {
+        each(of, settings_input(s, name));
+        return;
+    }
+    settings_beside(s, name, dir, sizeof dir);
+    poly_folder(dir, folder);
+    for (int i = 0; i < 10; i++) {
+        snprintf(path, sizeof path, "%s/%s%s", folder, parts[i / 2],
+                 i % 2 ? ".gz" : "");
+        const struct input *const in = input_kept(settings_files(s), path);
+        if (in->text != NULL) each(of, in);
+    }
+}
+
+static void add_to_checksum(void *of, const struct input *in)
+{
+    unsigned long *const sum = of;
 
     if (in->text != NULL)
-        c->sum = crc32_z(c->sum, (unsigned char *)in->text, in->length);
+        *sum = crc32_z(*sum, (unsigned char *)in->text, in->length);
 }
 
 /* A bed is made by the run itself where it is not there yet. */
 static void put_contents(FILE *out, const struct settings *s, const char *path,
                          const char *name)
 {
-    struct contents c = {.settings = s};
-    char file[SETTINGS_PATH];
+    unsigned long sum = 0;
 
     if (strcmp(path, "particles.bed.file") == 0) return;
-    settings_beside(s, name, file, sizeof file);
-    if (strcmp(path, "mesh.polymesh") == 0)
-        mesh_files_each(file, add_to_checksum, &c);
-    else
-        add_to_checksum(&c, file);
-    fprintf(out, "%s = crc32 %08lx\n", path, c.sum);
+    case_text_each_file(s, path, name, add_to_checksum, &sum);
+    fprintf(out, "%s = crc32 %08lx\n", path, sum);
 }
 
 /* --- lines ---------------------------------------------------------------- */

@@ -8,6 +8,13 @@
 
 #include "case/settings.h"
 
+/* Calls each(of, file) for a file that a key names: for the folder of a mesh
+ * for each of its files, packed or not, in a fixed order. */
+void case_text_each_file(const struct settings *s, const char *key,
+                         const char *name,
+                         void (*each)(void *of, const struct input *file),
+                         void *of);
+
 /* One line for each value, "fluid.density = 1.2", defaults too; a file that the
  * case names stands for its contents, by their checksum; and the step of the
  * loop, which may follow from what is written. A new string. */

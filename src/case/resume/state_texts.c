@@ -14,15 +14,13 @@ static const char program[] = "winnow " VERSION_TEXT;
 void state_texts_put(struct state_file *f, const struct settings *s,
                      const struct run_options *o, const char *lines)
 {
-    const char *why;
-    size_t length;
-    char *const text = input_text(settings_file(s), &length, &why);
+    const char *const text =
+        input_kept(settings_files(s), settings_file(s))->text;
 
     state_file_put_text(f, "program", program);
     state_file_put_text(f, "case_file", settings_file(s));
     state_file_put_text(f, "case", text != NULL ? text : "");
     state_file_put_text(f, "settings", lines);
-    free(text);
     char step[32];
     snprintf(step, sizeof step, "%.17g", s->particles.step);
     state_file_put_text(f, "particles_step", step);

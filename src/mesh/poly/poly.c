@@ -324,9 +324,9 @@ struct mesh *poly_build(struct poly_raw *r, const char *dir)
     return NULL;
 }
 
-struct mesh *poly_read(const char *dir)
+struct mesh *poly_read(const char *dir, struct inputs **files)
 {
-    struct poly_raw r = {0};
+    struct poly_raw r = {.files = files};
     char folder[POLY_FOLDER];
     struct mesh *m = NULL;
 
@@ -360,9 +360,10 @@ int poly_is(const char *dir)
     return poly_folder(dir, folder);
 }
 
-int poly_patches(const char *dir, struct mesh_patch_name **list)
+int poly_patches(const char *dir, struct inputs **files,
+                 struct mesh_patch_name **list)
 {
-    struct poly_raw r = {0};
+    struct poly_raw r = {.files = files};
     char folder[POLY_FOLDER];
     int n = -1;
 

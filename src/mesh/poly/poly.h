@@ -5,13 +5,15 @@
 #ifndef MESH_POLY_POLY_H
 #define MESH_POLY_POLY_H
 
+#include "base/tables/input.h"
 #include "mesh/mesh.h"
 
 /* The mesh of the five files in dir, or in dir/polyMesh or
  * dir/constant/polyMesh, ascii or binary, packed by gzip or not; NULL after
- * one message on stderr. Cells and faces are renumbered (poly_order.c);
+ * one message on stderr. What was read stays in `files`, if that is not NULL.
+ * Cells and faces are renumbered (poly_order.c);
  * boundary faces stay in their patch. */
-struct mesh *poly_read(const char *dir);
+struct mesh *poly_read(const char *dir, struct inputs **files);
 
 enum { POLY_FOLDER = 960 };
 /* Finds the folder of the five files; 0 and dir itself if there is none. */
@@ -27,7 +29,8 @@ struct mesh_patch_name {
 
 /* Reads only the names of the patches that are not cyclic. Returns their number
  * and a list that the caller frees; -1 after one message. */
-int poly_patches(const char *dir, struct mesh_patch_name **list);
+int poly_patches(const char *dir, struct inputs **files,
+                 struct mesh_patch_name **list);
 
 /* The box of the specification, sheared: x grows by shear[0] y + shear[1] z, y
  * by shear[2] z. NULL after a message if its cells are too distorted. */

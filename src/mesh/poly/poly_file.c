@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/alloc.h"
 #include "base/number.h"
@@ -250,22 +251,21 @@ static void read_header(struct poly_file *p)
     }
 }
 
-void poly_file_open(struct poly_file *p, const char *dir, const char *name)
+void poly_file_open(struct poly_file *p, struct inputs **files, const char *dir,
+                    const char *name)
 {
-    const char *why, *still;
-    size_t size = 0;
-
     *p = (struct poly_file){.line = 1, .label = 4, .scalar = 8};
+    snprintf(p->path, sizeof p->path, "%s/%s.gz", dir, name);
+    const int packed = access(p->path, F_OK) == 0;
     snprintf(p->path, sizeof p->path, "%s/%s", dir, name);
-    p->text = input_unpacked(p->path, &size, &why);
-    if (p->text == NULL && errno == ENOENT) {
-        snprintf(p->path, sizeof p->path, "%s/%s.gz", dir, name);
-        p->text = input_unpacked(p->path, &size, &still);
-        if (p->text == NULL && errno == ENOENT)
-            snprintf(p->path, sizeof p->path, "%s/%s", dir, name);
-        else
-            why = still;
-    }
+    if (packed && access(p->path, F_OK) != 0) strcat(p->path, ".gz");
+    const struct input *const in =
+        input_kept(files != NULL ? files : &p->own, p->path);
+    const char *why = in->why;
+    size_t size = in->length;
+    p->text = in->text;
+    if (p->text != NULL && input_is_packed(in))
+        p->text = p->unpacked = input_unpacked(in, &size, &why);
     p->size = (long)size;
     if (p->text == NULL)
         poly_file_wrong(p, "cannot be read: %s", why);
@@ -275,6 +275,7 @@ void poly_file_open(struct poly_file *p, const char *dir, const char *name)
 
 void poly_file_close(struct poly_file *p)
 {
-    free(p->text);
-    p->text = NULL;
+    input_forget(&p->own);
+    free(p->unpacked);
+    p->text = p->unpacked = NULL;
 }

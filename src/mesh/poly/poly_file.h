@@ -7,14 +7,18 @@
 #ifndef MESH_POLY_POLY_FILE_H
 #define MESH_POLY_POLY_FILE_H
 
+#include "base/tables/input.h"
+
 enum { POLY_WORD = 128 };
 
 struct poly_file {
     char path[1024];
-    char *text; /* all of the file */
-    long size;  /* [byte] */
-    long at;    /* [-] the next character */
-    int line;   /* [-] counted from 1 */
+    const char *text; /* all of the file, borrowed from those that were read */
+    struct inputs *own; /* where it is, if it is not kept */
+    char *unpacked;     /* or made of it; NULL: it is not packed */
+    long size;          /* [byte] */
+    long at;            /* [-] the next character */
+    int line;           /* [-] counted from 1 */
     int failed;
     int is_binary;     /* [-] 1: lists of numbers are bytes in brackets */
     int is_compact;    /* [-] 1: faces are where each begins, and all corners */
@@ -24,7 +28,8 @@ struct poly_file {
 };
 
 /* Reads the file dir/name, or dir/name.gz, and its header. */
-void poly_file_open(struct poly_file *p, const char *dir, const char *name);
+void poly_file_open(struct poly_file *p, struct inputs **files, const char *dir,
+                    const char *name);
 void poly_file_close(struct poly_file *p);
 
 /* The next word, which ends before a blank or a sign; each of the signs ( ) { }

@@ -32,7 +32,7 @@ static int read_points(struct poly_raw *r, const char *dir)
 {
     struct poly_file p;
 
-    poly_file_open(&p, dir, "points");
+    poly_file_open(&p, r->files, dir, "points");
     r->n_points = poly_file_count(&p, (int)strlen("(0 0 0)"));
     r->point = alloc_doubles(3 * r->n_points);
     poly_file_begin(&p, r->n_points);
@@ -110,7 +110,7 @@ static int read_faces(struct poly_raw *r, const char *dir)
     struct poly_file p;
     int room;
 
-    poly_file_open(&p, dir, "faces");
+    poly_file_open(&p, r->files, dir, "faces");
     const int compact = p.is_binary && p.is_compact;
     r->n_faces =
         poly_file_count(&p, (int)strlen(compact ? "0 " : "3(0 1 2)")) - compact;
@@ -133,7 +133,7 @@ static int *read_cells(struct poly_raw *r, const char *dir, const char *name,
 {
     struct poly_file p;
 
-    poly_file_open(&p, dir, name);
+    poly_file_open(&p, r->files, dir, name);
     *n = poly_file_count(&p, 0);
     if (*n > r->n_faces)
         poly_file_wrong(&p, "%d entries, but there are %d faces", *n,
@@ -224,7 +224,7 @@ int poly_raw_read_parts(struct poly_raw *r, const char *dir)
 {
     struct poly_file p;
 
-    poly_file_open(&p, dir, "boundary");
+    poly_file_open(&p, r->files, dir, "boundary");
     r->n_parts = poly_file_count(&p, 4);
     if (r->n_parts > POLY_RAW_PATCHES)
         poly_file_wrong(&p, "at most %d patches", POLY_RAW_PATCHES);

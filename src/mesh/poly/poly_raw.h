@@ -17,6 +17,7 @@ struct poly_part {
 
 /* The contents of the files, and the quantities derived from them. */
 struct poly_raw {
+    struct inputs **files; /* borrowed; NULL: nothing is kept */
     int n_points, n_faces, n_inner, n_cells, n_parts;
     double *point;          /* [m] 3 each */
     int *start, *corner;    /* [-] the points of face f */

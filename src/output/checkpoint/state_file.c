@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/checkpoint/state_file.h"
 
-#include <errno.h>
 #include <hdf5.h>
 #include <math.h>
 #include <stdio.h>
@@ -401,21 +400,25 @@ static int has_form(struct state_file *f)
 
 struct state_file *state_file_open(const char *path, const char **why)
 {
-    size_t length;
-    char *const bytes = input_text(path, &length, why);
+    struct input in = input_of(path);
+    struct state_file *const f = state_file_of(&in, why);
 
-    if (bytes == NULL) {
-        if (errno == ENOENT) *why = NULL;
-        return NULL;
-    }
+    input_release(&in);
+    return f;
+}
+
+struct state_file *state_file_of(const struct input *in, const char **why)
+{
+    *why = access(in->path, F_OK) == 0 ? in->why : NULL;
+    if (in->text == NULL) return NULL;
     *why = "it is damaged: its checksum does not match";
-    const hid_t file = is_whole(bytes, length)
-                           ? state_file_opened(path, bytes, length - LAST_LINE)
-                           : H5I_INVALID_HID;
-    free(bytes);
+    const hid_t file =
+        is_whole(in->text, in->length)
+            ? state_file_opened(in->path, in->text, in->length - LAST_LINE)
+            : H5I_INVALID_HID;
     if (file < 0) return NULL;
-    struct state_file *const f = file_of(file, path, 1);
-    f->state.most = (long)(length / sizeof(int));
+    struct state_file *const f = file_of(file, in->path, 1);
+    f->state.most = (long)(in->length / sizeof(int));
     *why = "its time or a text in it is of another form";
     if (has_form(f)) return f;
     state_file_free(f);

@@ -16,6 +16,7 @@
 #define OUTPUT_CHECKPOINT_STATE_FILE_H
 
 #include "base/state.h"
+#include "base/tables/input.h"
 
 struct state_file;
 
@@ -47,6 +48,7 @@ int state_file_write(const struct state_image *image, const char *path,
 /* A file that was written, all of it read and its checksum verified. NULL, with
  * the reason in words in `why`; then why is NULL if there is no such file. */
 struct state_file *state_file_open(const char *path, const char **why);
+struct state_file *state_file_of(const struct input *in, const char **why);
 
 /* A text as a new string, "" if the file has none of that name. */
 char *state_file_text(struct state_file *f, const char *name);
