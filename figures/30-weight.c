@@ -14,7 +14,7 @@
 
 #include "coupling/coupling.h"
 #include "case/build.h"
-#include "record/history_sums.h"
+#include "record/history.h"
 #include "case/case_file.h"
 
 enum { MOST = 12 };

@@ -4,7 +4,9 @@
  * bodies.csv: with each row of history.csv a row for each body, its place,
  * velocity, spin, and the force and torque of the fluid in the last step; and
  * the quaternion of its orientation, if one of them is a clump or a surface.
- * bodies.pvd: the same, to look at. Sums in history.csv.
+ * bodies.pvd: the same, to look at; each ball of a clump as a point in
+ * body_clumps.pvd, triangles of closed surfaces and blocks in
+ * body_surfaces.pvd. Sums in history.csv.
  */
 #include "record/recorder_part.h"
 
@@ -14,6 +16,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "coupling/effects.h"
 #include "output/series.h"
 #include "resolved/bodies_effect.h"
@@ -36,7 +39,7 @@ static struct solid_bodies *among(const struct simulation *sim)
     return effects_memory(sim, &among_effect);
 }
 
-const struct solid_bodies *recorder_bodies_of(const struct simulation *sim)
+static const struct solid_bodies *bodies_of_run(const struct simulation *sim)
 {
     const struct solid_bodies *const b = effects_memory(sim, &bodies_effect);
     return b != NULL ? b : among(sim);
@@ -46,7 +49,7 @@ const struct solid_bodies *recorder_bodies_of(const struct simulation *sim)
 
 static double bodies_force(const struct simulation *sim, int k)
 {
-    const struct solid_bodies *const b = recorder_bodies_of(sim);
+    const struct solid_bodies *const b = bodies_of_run(sim);
     double sum = 0.0;
 
     for (int i = 0; i < b->ps->n; i++)
@@ -63,9 +66,9 @@ static double bodies_flow(const struct simulation *sim, int k)
 
 HISTORY_VECTOR(force, bodies_force(sim, k))
 HISTORY_VECTOR(mean_flow, bodies_flow(sim, k))
-HISTORY_VALUE(held_cells, recorder_bodies_of(sim)->held)
-HISTORY_VALUE(bodies_contacts, recorder_bodies_of(sim)->dem_report.contacts)
-HISTORY_VALUE(bodies_overlap, recorder_bodies_of(sim)->dem_report.max_overlap)
+HISTORY_VALUE(held_cells, bodies_of_run(sim)->held)
+HISTORY_VALUE(bodies_contacts, bodies_of_run(sim)->dem_report.contacts)
+HISTORY_VALUE(bodies_overlap, bodies_of_run(sim)->dem_report.max_overlap)
 
 static const struct history_column columns[] = {
     {"force_on_bodies_x [N]", force_x, 0},
@@ -106,7 +109,7 @@ static const struct history_column columns_among[] = {
     {"closed_cells_with_solids [-]", stuck, 0},
     {NULL, NULL, 0}};
 
-HISTORY_VALUE(left, recorder_bodies_of(sim)->exit->n_gone)
+HISTORY_VALUE(left, bodies_of_run(sim)->exit->n_gone)
 
 static const struct history_column columns_left[] = {
     {"bodies_left [-]", left, 0}, {NULL, NULL, 0}};
@@ -151,11 +154,11 @@ static void *create_bodies(const struct recorder_view *v, int *failed)
 {
     const double width = v->of->filter;
 
-    if (recorder_bodies_of(v->sim) == NULL) return NULL;
+    if (bodies_of_run(v->sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
     r->sim = v->sim;
-    r->bodies = recorder_bodies_of(v->sim);
+    r->bodies = bodies_of_run(v->sim);
     r->folder = folder_name(v->folder);
     if (width > 0.0)
         r->filter = surroundings_create(r->bodies, v->sim->fluid, width);
@@ -298,7 +301,7 @@ static void *bodies_create_among(const struct recorder_view *v, int *failed)
 
 static void *bodies_create_left(const struct recorder_view *v, int *failed)
 {
-    const struct solid_bodies *const b = recorder_bodies_of(v->sim);
+    const struct solid_bodies *const b = bodies_of_run(v->sim);
     (void)failed;
     return b != NULL ? b->exit : NULL;
 }
@@ -307,3 +310,154 @@ const struct recorder_part recorder_bodies_among = {
     .create = bodies_create_among, .columns = columns_among};
 const struct recorder_part recorder_bodies_left = {.create = bodies_create_left,
                                                    .columns = columns_left};
+
+/* --- their outlines --------------------------------------------------------
+ */
+
+struct outlines {
+    const struct solid_bodies *bodies;
+    struct series *clumps, *surfaces; /* NULL: there are none */
+    int n_balls, n_triangles;
+    double *x[3], *d;           /* [m] of the balls */
+    double *corner;             /* [m] of the triangles, 9 each */
+    int *of_ball, *of_triangle; /* [-] the body of each */
+    int *number, *end;          /* [-] points of the triangles */
+};
+
+static void outlines_release(void *record)
+{
+    struct outlines *const r = record;
+
+    series_free(r->clumps);
+    series_free(r->surfaces);
+    for (int k = 0; k < 3; k++)
+        free(r->x[k]);
+    free(r->d);
+    free(r->corner);
+    free(r->of_ball);
+    free(r->of_triangle);
+    free(r->number);
+    free(r->end);
+    free(r);
+}
+
+/* Balls are shown of what consists of them, not the points of a surface. */
+static int balls_of(const struct body_outline *o)
+{
+    return o->n_triangles == 0 ? o->n_balls : 0;
+}
+
+static void outlines_count(struct outlines *r)
+{
+    for (int i = 0; i < r->bodies->ps->n; i++) {
+        const struct body_outline *const o = r->bodies->shape[i].outline;
+        if (o == NULL) continue;
+        r->n_balls += balls_of(o);
+        r->n_triangles += o->n_triangles;
+    }
+}
+
+static void outlines_make_room(struct outlines *r)
+{
+    for (int k = 0; k < 3; k++)
+        r->x[k] = alloc_doubles(r->n_balls);
+    r->d = alloc_doubles(r->n_balls);
+    r->of_ball = alloc_ints(r->n_balls);
+    r->corner = alloc_doubles(9 * r->n_triangles);
+    r->of_triangle = alloc_ints(r->n_triangles);
+    r->number = alloc_ints(3 * r->n_triangles);
+    r->end = alloc_ints(r->n_triangles);
+    for (int c = 0; c < 3 * r->n_triangles; c++)
+        r->number[c] = c;
+    for (int t = 0; t < r->n_triangles; t++)
+        r->end[t] = 3 * (t + 1);
+}
+
+static void *outlines_create(const struct recorder_view *v, int *failed)
+{
+    const struct solid_bodies *const b = bodies_of_run(v->sim);
+    if (b == NULL || b->turn == NULL) return NULL;
+    struct outlines *const r = alloc_zeroed(1, sizeof *r);
+    r->bodies = b;
+    outlines_count(r);
+    outlines_make_room(r);
+    if (r->n_balls > 0) r->clumps = series_in(v->folder, "body_clumps", "vtp");
+    if (r->n_triangles > 0)
+        r->surfaces = series_in(v->folder, "body_surfaces", "vtp");
+    if ((r->n_balls == 0 || r->clumps != NULL) &&
+        (r->n_triangles == 0 || r->surfaces != NULL))
+        return r;
+    *failed = 1;
+    outlines_release(r);
+    return NULL;
+}
+
+/* Where the balls and the triangles are now. */
+static void outlines_place(struct outlines *r)
+{
+    const struct particles *const ps = r->bodies->ps;
+    int ball = 0, triangle = 0;
+
+    for (int i = 0; i < ps->n; i++) {
+        const struct body_shape *const shape = &r->bodies->shape[i];
+        const double at[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        if (shape->outline == NULL) continue;
+        for (int k = 0; k < balls_of(shape->outline); k++, ball++) {
+            const struct body_ball b = body_shape_ball(shape, k);
+            for (int e = 0; e < 3; e++)
+                r->x[e][ball] = at[e] + b.at[e];
+            r->d[ball] = 2.0 * b.R;
+            r->of_ball[ball] = i;
+        }
+        for (int t = 0; t < shape->outline->n_triangles; t++, triangle++) {
+            for (int c = 0; c < 9; c++)
+                r->corner[9 * triangle + c] =
+                    at[c % 3] + vector_dot(shape->turn[c % 3],
+                                           shape->outline->corner[t][c / 3]);
+            r->of_triangle[triangle] = i;
+        }
+    }
+}
+
+static int add_clumps(struct outlines *r, double t)
+{
+    const struct vtk_array arrays[] = {
+        {.name = "diameter", .components = 1, .values = r->d, .single = 1},
+        {.name = "body", .components = 1, .ints = r->of_ball}};
+    const double *const x[3] = {r->x[0], r->x[1], r->x[2]};
+    return series_add_particles(r->clumps, r->n_balls, x, t, 2, arrays);
+}
+
+static int outlines_add_surfaces(struct outlines *r, double t)
+{
+    const struct vtk_polygons shape = {3 * r->n_triangles, r->n_triangles,
+                                       r->corner, r->number, r->end};
+    const struct vtk_array of = {
+        .name = "body", .components = 1, .ints = r->of_triangle};
+
+    return series_add_polygons(r->surfaces, &shape, t, 1, &of);
+}
+
+static int outlines_add(void *record, double t)
+{
+    struct outlines *const r = record;
+
+    outlines_place(r);
+    return (r->clumps != NULL && add_clumps(r, t) != 0) ||
+           (r->surfaces != NULL && outlines_add_surfaces(r, t) != 0);
+}
+
+static void outlines_visit(void *record, struct state *s)
+{
+    struct outlines *const r = record;
+
+    state_begin(s, "outlines_record");
+    if (r->clumps != NULL) series_state(r->clumps, s);
+    if (r->surfaces != NULL) series_state(r->surfaces, s);
+    state_end(s);
+}
+
+const struct recorder_part recorder_outlines = {.create = outlines_create,
+                                                .free = outlines_release,
+                                                .fields = outlines_add,
+                                                .state = outlines_visit};

@@ -22,6 +22,7 @@
 #include "fluid/forces/wall_stress.h"
 #include "mesh/measures.h"
 #include "output/table.h"
+#include "record/profiles.h"
 
 enum { EACH = 15, SURFACE_LOADS_EACH = 6 };
 
@@ -139,7 +140,7 @@ static void surface_loads_state(struct surface_loads *l, int number,
 /* A body: some patches that are walls, some surfaces, and its reference
  * values. */
 struct body {
-    char name[RECORDER_FORCES_NAME];
+    char name[PROFILES_NAME];
     int *on;                          /* [-] 1 for each of its patches; NULL:
                                          none */
     struct surface_loads *surfaces;   /* NULL: none */
@@ -194,9 +195,9 @@ static struct load load_on(const struct body *b, const struct fluid *fl)
 }
 
 void recorder_forces_name(const struct output_force *o,
-                          char name[RECORDER_FORCES_NAME])
+                          char name[PROFILES_NAME])
 {
-    snprintf(name, RECORDER_FORCES_NAME, "%s",
+    snprintf(name, PROFILES_NAME, "%s",
              o->name != NULL       ? o->name
              : o->patches != NULL  ? o->patches
              : o->surfaces != NULL ? o->surfaces

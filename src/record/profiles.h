@@ -1,7 +1,4 @@
-/* profiles.h -- the profiles that a case asks for.
- *
- * A row of FIELD_NAMES (output_options.h) names a field of the snapshot.
- */
+/* profiles.h -- how what a case asks for is called in the files. */
 #ifndef RECORD_PROFILES_H
 #define RECORD_PROFILES_H
 
@@ -19,5 +16,10 @@ struct profile_line profiles_line(const struct output_profile *p);
 enum { PROFILES_NAME = 64 };
 void profiles_name(const struct output_options *o, int i,
                    char name[PROFILES_NAME]);
+
+/* How the columns of one begin in forces.csv: its name, or its patches or
+ * surfaces, of which the first letters are taken if there are many. */
+void recorder_forces_name(const struct output_force *o,
+                          char name[PROFILES_NAME]);
 
 #endif

@@ -64,14 +64,10 @@ extern const struct recorder_part recorder_second_half, recorder_profiles,
     recorder_pictures;
 extern const struct recorder_part *const recorder_parts[];
 
-/* The bodies of a simulation, alone or among particles; NULL: none. */
-struct solid_bodies;
-const struct solid_bodies *recorder_bodies_of(const struct simulation *sim);
-
-/* How the columns of one begin in forces.csv: its name, or its patches or
- * surfaces, of which the first letters are taken if there are many. */
-enum { RECORDER_FORCES_NAME = 64 };
-void recorder_forces_name(const struct output_force *o,
-                          char name[RECORDER_FORCES_NAME]);
+/* The means over the second half of a run, to `end` [s], which several
+ * processes sum together (second_half.c). The simulation is borrowed. */
+void *second_half_create(const struct simulation *sim, double end);
+void second_half_free(void *second_half);
+int second_half_add(void *second_half); /* a sample, if there is a fluid */
 
 #endif

@@ -1,5 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "record/second_half.h"
+/* second_half.c -- means over the second half of a run, for its summary, and
+ * what makes such a mean meaningless.  Chapter "Output".
+ *
+ * The mean over a few bubbles has a large statistical error, and that of a bed
+ * whose bubbles stay on one side, or that moves up and down as a whole, does
+ * not describe bubbling. The summary therefore has, besides the mean pressure
+ * drop and the weight of the bed,
+ *
+ *   mean_pressure_drop_error   the error of the first by blocks [Pa]
+ *   particle_velocity_rms      over particles and time [m/s]
+ *   horizontal_velocity_rms    of the bed as a whole: its momentum normal to
+ *                              gravity over its mass [m/s]
+ *   vertical_velocity_rms      the same along gravity: plane pumping [m/s]
+ *   lean, lean_error           how far its centre is off the middle along x,
+ *                              over half the width [-], and the error by blocks
+ */
+#include "record/recorder_part.h"
 
 #include <limits.h>
 #include <math.h>
@@ -8,8 +24,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "record/history_sums.h"
-#include "record/recorder_part.h"
+#include "record/history.h"
 #include "coupling/processes.h"
 #include "output/means/block_means.h"
 
@@ -37,7 +52,7 @@ struct second_half {
     double (*row)[N]; /* [Pa, -, Pa, Pa, m^2/s^2, m^2/s^2, m^2/s^2] */
 };
 
-struct second_half *second_half_create(const struct simulation *sim, double end)
+void *second_half_create(const struct simulation *sim, double end)
 {
     struct second_half *const h = alloc_zeroed(1, sizeof *h);
 
@@ -46,8 +61,10 @@ struct second_half *second_half_create(const struct simulation *sim, double end)
     return h;
 }
 
-void second_half_free(struct second_half *h)
+void second_half_free(void *part)
 {
+    struct second_half *const h = part;
+
     if (h == NULL) return;
     free(h->time);
     free(h->row);
@@ -91,19 +108,22 @@ static void second_half_grow(struct second_half *h, int capacity)
     h->capacity = capacity;
 }
 
-void second_half_add(struct second_half *h)
+int second_half_add(void *part)
 {
-    if (h->sim->fluid == NULL) return;
+    struct second_half *const h = part;
+
+    if (h->sim->fluid == NULL) return 0;
     if (h->rows == h->capacity) second_half_grow(h, 2 * h->rows + 16);
     double *const row = h->row[h->rows];
     for (int k = 0; k < N; k++)
         row[k] = 0.0;
     h->time[h->rows++] = h->sim->t;
     row[DROP] = history_pressure_drop(h->sim);
-    if (h->sim->particles == NULL) return;
+    if (h->sim->particles == NULL) return 0;
     row[WEIGHT] = history_bed_weight(h->sim);
     row[BUOYANT] = history_buoyant_weight(h->sim);
     put_bed(h, row);
+    return 0;
 }
 
 /* The first row of the second half. */
@@ -164,17 +184,6 @@ static void *second_half_of(const struct recorder_view *v, int *failed)
     return second_half_create(v->sim, v->of->output->end);
 }
 
-static void second_half_release(void *part)
-{
-    second_half_free(part);
-}
-
-static int second_half_add_row(void *part)
-{
-    second_half_add(part);
-    return 0;
-}
-
 static void second_half_summarize(const void *part, struct summary *to)
 {
     const struct second_half *const h = part;
@@ -214,8 +223,8 @@ static void second_half_print(const void *part)
 }
 
 const struct recorder_part recorder_second_half = {.create = second_half_of,
-                                                   .free = second_half_release,
-                                                   .row = second_half_add_row,
+                                                   .free = second_half_free,
+                                                   .row = second_half_add,
                                                    .summarize =
                                                        second_half_summarize,
                                                    .print = second_half_print,

@@ -29,7 +29,7 @@
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
 #include "output/table.h"
-#include "record/history_sums.h"
+#include "record/history.h"
 
 enum { BINS = 60, SCALARS = 5 };
 

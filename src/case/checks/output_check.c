@@ -145,7 +145,7 @@ static int check_surfaces(const struct settings *s,
                           const struct output_force *o)
 {
     const char *text = o->surfaces;
-    char word[RECORDER_FORCES_NAME];
+    char word[PROFILES_NAME];
     int used;
 
     if (text[strspn(text, " ")] == '\0')
@@ -173,7 +173,7 @@ static int is_open(const struct settings *s, const char *patch)
 /* A list of names where each one is of the mesh. */
 static int check_patches(const struct settings *s, const char *text)
 {
-    char word[RECORDER_FORCES_NAME];
+    char word[PROFILES_NAME];
     int used;
 
     if (text[strspn(text, " ")] == '\0')
@@ -203,7 +203,7 @@ static int check_patches(const struct settings *s, const char *text)
 static int check_name(const struct settings *s, int i)
 {
     const struct output_force *const all = s->output.forces.item;
-    char name[RECORDER_FORCES_NAME], other[RECORDER_FORCES_NAME];
+    char name[PROFILES_NAME], other[PROFILES_NAME];
 
     recorder_forces_name(&all[i], name);
     for (int k = 0; k < i; k++) {

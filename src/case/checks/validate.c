@@ -194,8 +194,7 @@ static int validate_check_place(const struct settings *s)
             /* the period of a box that is oblique leads back into it */
             if (periodic[k] && settings_mesh(s) != NULL) continue;
             const double margin =
-                periodic[k] ? 0.0
-                            : (0.5 - build_particles_wall_overlap(s)) * d;
+                periodic[k] ? 0.0 : (0.5 - build_particles_wall_overlap(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
                 return settings_wrong(
                     s, "particles.place",

@@ -24,8 +24,8 @@ struct engine {
     struct simulation whole; /* of what is drawn, on the first rank */
     char dir[ENGINE_PATH];   /* there, and the folder */
     struct folder *folder;
-    struct snapshot *last;    /* elsewhere: the last one */
-    struct second_half *rows; /* and for the sums of a row */
+    struct snapshot *last; /* elsewhere: the last one */
+    void *rows;            /* and for the sums of a row */
 };
 
 /* Numbers of each rank, three one after the other: particles [-], own cells

@@ -11,7 +11,7 @@
 #include "case/build.h"
 #include "case/case_file.h"
 #include "record/history.h"
-#include "record/second_half.h"
+#include "record/recorder_part.h"
 #include "coupling/coupling.h"
 
 int engine_agree(int code)

@@ -5,14 +5,12 @@
 
 #include "base/vector.h"
 
-static double probe_middle(const struct box *b, int k, int i)
+double probe_middle(const struct box *b, int k, int i)
 {
     return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
 }
 
-/* The row of centres below x in direction k, or the first; *upper is the weight
- * of the row above it. */
-static int row_below(const struct box *b, int k, double x, double *upper)
+int probe_row(const struct box *b, int k, double x, double *upper)
 {
     int i = 0;
 
@@ -34,7 +32,7 @@ static struct probe in_box(const struct mesh *m, const double x[3])
     int first = 0;
 
     for (int k = 0; k < 3; k++)
-        first += stride[k] * row_below(b, k, x[k], &upper[k]);
+        first += stride[k] * probe_row(b, k, x[k], &upper[k]);
     for (int corner = 0; corner < 8; corner++) {
         p.cell[corner] = first;
         p.share[corner] = 1.0;

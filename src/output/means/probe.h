@@ -19,6 +19,12 @@ struct probe {
     double share[PROBE_CELLS]; /* [-] weight of each; the sum is 1 */
 };
 
+/* Of the cells of a box along direction k: the middle of row i; and the row
+ * whose middle is below x, or the first, with the weight of the row above it.
+ */
+double probe_middle(const struct box *b, int k, int i);
+int probe_row(const struct box *b, int k, double x, double *upper);
+
 /* Finds the cells around x [m], which lies in the box; none if x is outside a
  * polyhedral mesh. */
 struct probe probe_at(const struct mesh *m, const double x[3]);

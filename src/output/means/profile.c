@@ -37,29 +37,6 @@ struct profile {
     struct block_means *blocks;
 };
 
-static double profile_middle(const struct box *b, int k, int i)
-{
-    return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
-}
-
-/* The two rows of centres around the line, and their linear weights. */
-static void find_rows(struct profile *p, const struct box *b)
-{
-    const int k = p->line.across;
-    int j = 0;
-
-    while (j < b->n[k] - 1 && profile_middle(b, k, j + 1) <= p->line.at)
-        j++;
-    const double low = profile_middle(b, k, j);
-    p->row[0] = p->row[1] = j;
-    p->share[0] = 1.0;
-    if (j == b->n[k] - 1 || p->line.at < low)
-        return; /* beyond the last centre */
-    p->row[1] = j + 1;
-    p->share[1] = (p->line.at - low) / (profile_middle(b, k, j + 1) - low);
-    p->share[0] = 1.0 - p->share[1];
-}
-
 static void lay_out(struct profile *p, const struct box *b)
 {
     const int a = p->line.along, deep = 3 - a - p->line.across;
@@ -72,12 +49,14 @@ static void lay_out(struct profile *p, const struct box *b)
     p->n = b->n[a];
     p->x = alloc_doubles(p->n);
     for (int i = 0; i < p->n; i++)
-        p->x[i] = profile_middle(b, a, i);
+        p->x[i] = probe_middle(b, a, i);
     p->n_deep = b->n[deep];
     p->dz = alloc_doubles(p->n_deep);
     for (int i = 0; i < p->n_deep; i++)
         p->dz[i] = (z[i + 1] - z[i]) / (z[p->n_deep] - z[0]);
-    find_rows(p, b);
+    p->row[0] = probe_row(b, p->line.across, p->line.at, &p->share[1]);
+    p->row[1] = p->row[0] + (p->share[1] > 0.0);
+    p->share[0] = 1.0 - p->share[1];
 }
 
 /* Points half a mean cell apart, from one end of the mesh to the other. */

@@ -9,7 +9,7 @@
  *     cd DIR/picture && gnuplot bed.gp
  *
  * The pressure is read from DIR/history.csv, columns `time [s]`, `pressure_drop
- * [Pa]` and `bed_weight [Pa]`.
+ * [Pa]` and `buoyant_weight [Pa]`.
  */
 #ifndef OUTPUT_PICTURES_PICTURE_H
 #define OUTPUT_PICTURES_PICTURE_H
@@ -63,7 +63,7 @@ extern const char *const picture_bed[], *const picture_flow[],
 void picture_put_program(FILE *out, const char *const *program);
 
 /* Files and program of a flow without particles, with the names of the others;
- * non-zero after a message (picture_flow.c). */
+ * non-zero after a message (slice.c). */
 int picture_flow_write(struct folder *folder, const struct picture *p);
 
 /* Writes the three files; non-zero after a message. */

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "record/contact_list.h"
+/* grains.c -- what a case may have written of the particles besides place,
+ * velocity, spin and size: further arrays of particles.pvd, and their contacts
+ * as lines between centres, contacts.pvd. */
+#include "record/recorder_part.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,7 +16,24 @@
 #include "dem/surfaces/dem_surface.h"
 #include "dem/surfaces/surface_contact_points.h"
 #include "output/series.h"
-#include "record/recorder_part.h"
+
+/* The contacts of a moment, found anew. */
+struct contact_list {
+    const struct simulation *sim; /* borrowed */
+    struct box_domain box;
+    struct contact_constants *constants; /* of each pair of materials */
+    struct link_cells *cells;
+    struct bodies *rows; /* the particles once more, where there are surfaces;
+                            else this is NULL */
+    struct pose *pose;   /* of each surface */
+    struct near_faces near;
+    struct surface_contact_points points;
+    int n, room;             /* [-] contacts */
+    double *x;               /* [m] the two ends of each, 6 */
+    double *force, *depth;   /* [N] elastic, [m] */
+    int *ids, *corner, *end; /* [-] 2, 2 and 1 each */
+    int *index;              /* [-] of both particles, 2 each; or below 0 */
+};
 
 static void contact_list_reserve(struct contact_list *c)
 {
@@ -57,7 +78,7 @@ static void contact_list_add(struct contact_list *c, const struct meeting *a)
     c->n++;
 }
 
-static int contact_list_material_of(const struct particles *ps, int i)
+static int material_of(const struct particles *ps, int i)
 {
     return ps->material != NULL ? ps->material[i] : 0;
 }
@@ -73,14 +94,14 @@ static void contact_list_add_pair(struct contact_list *c, int i, int j,
     const struct particles *const ps = c->sim->particles;
     const double y[3] = {ps->x[j], ps->y[j], ps->z[j]};
     const double R[2] = {0.5 * ps->d[i], 0.5 * ps->d[j]};
-    struct meeting a = {i,
-                        j,
-                        contact_list_pair_of(c, contact_list_material_of(ps, i),
-                                             contact_list_material_of(ps, j)),
-                        {0.0},
-                        0.0,
-                        R[0] * R[1] / (R[0] + R[1]),
-                        ps->m[i] * ps->m[j] / (ps->m[i] + ps->m[j])};
+    struct meeting a = {
+        i,
+        j,
+        contact_list_pair_of(c, material_of(ps, i), material_of(ps, j)),
+        {0.0},
+        0.0,
+        R[0] * R[1] / (R[0] + R[1]),
+        ps->m[i] * ps->m[j] / (ps->m[i] + ps->m[j])};
 
     for (int k = 0; k < 3; k++)
         a.d[k] = box_domain_nearest(&c->box, k, y[k] - x[k]);
@@ -97,7 +118,7 @@ static void contact_list_add_flat(struct contact_list *c, int i, int number,
     const struct meeting a = {
         i,
         number,
-        contact_list_pair_of(c, contact_list_material_of(ps, i), material),
+        contact_list_pair_of(c, material_of(ps, i), material),
         {d[0], d[1], d[2]},
         R - gap,
         R,
@@ -147,10 +168,10 @@ static void contact_list_add_surfaces(struct contact_list *c)
     contact_list_fill_rows(c);
     for (int k = 0; k < scene.n; k++)
         c->pose[k] = dem_surface(c->sim->dem, k).pose;
-    near_faces_find(c->near, &scene, c->pose, &all, c->rows, 0.0);
-    surface_contact_points_find(c->points, c->near, &scene, c->pose, c->rows);
-    for (int q = 0; q < c->points->n; q++) {
-        const struct surface_contact_point *const at = &c->points->list[q];
+    near_faces_find(&c->near, &scene, c->pose, &all, c->rows, 0.0);
+    surface_contact_points_find(&c->points, &c->near, &scene, c->pose, c->rows);
+    for (int q = 0; q < c->points.n; q++) {
+        const struct surface_contact_point *const at = &c->points.list[q];
         double d[3] = {0.0, 0.0, 0.0};
         vector_along(d, -at->r, at->n, d);
         contact_list_add_flat(c, at->owner, -7 - at->surface,
@@ -158,8 +179,13 @@ static void contact_list_add_surfaces(struct contact_list *c)
     }
 }
 
-/* A particle is compared with those that were put into the cells before it. */
-void contact_list_find(struct contact_list *c)
+/* All contacts of particles with each other, the box and surfaces. The force is
+ * the elastic normal one, by the law of contact at the present overlap. ids: of
+ * the particle, and of the other or -1 - w of wall w, -7 - s of surface s. A
+ * line to a wall or surface ends where it is touched; one across a periodic end
+ * leaves the box.
+ * A particle is compared with those that were put into the cells before it. */
+static void contact_list_find(struct contact_list *c)
 {
     const struct particles *const ps = c->sim->particles;
     double widest = 0.0;
@@ -181,7 +207,7 @@ void contact_list_find(struct contact_list *c)
     contact_list_add_surfaces(c);
 }
 
-struct contact_list *contact_list_create(const struct simulation *sim)
+static struct contact_list *contact_list_create(const struct simulation *sim)
 {
     struct contact_list *const c = alloc_zeroed(1, sizeof *c);
     const struct dem_options *const o = dem_created_with(sim->dem);
@@ -195,25 +221,21 @@ struct contact_list *contact_list_create(const struct simulation *sim)
     if (o->n_surfaces > 0) {
         c->rows = bodies_create(sim->particles->capacity, &c->box);
         c->pose = alloc_zeroed((size_t)o->n_surfaces, sizeof *c->pose);
-        c->near = alloc_zeroed(1, sizeof *c->near);
-        c->points = alloc_zeroed(1, sizeof *c->points);
     }
     contact_list_reserve(c);
     return c;
 }
 
-void contact_list_free(struct contact_list *c)
+static void contact_list_free(struct contact_list *c)
 {
     if (c == NULL) return;
     link_cells_free(c->cells);
     if (c->rows != NULL) {
         bodies_free(c->rows);
-        near_faces_release(c->near);
-        free(c->points->list);
+        near_faces_release(&c->near);
+        free(c->points.list);
     }
     free(c->pose);
-    free(c->near);
-    free(c->points);
     free(c->constants);
     free(c->x);
     free(c->force);
@@ -278,4 +300,111 @@ const struct recorder_part recorder_contacts = {
     .free = contacts_release,
     .fields = contacts_add_fields,
     .state = contacts_visit,
+};
+
+/* --- further arrays ------------------------------------------------------- */
+
+static void take_mass(void *memory, const struct simulation *sim, double *to)
+{
+    (void)memory;
+    memcpy(to, sim->particles->m, (size_t)sim->particles->n * sizeof *to);
+}
+
+static void take_material(void *memory, const struct simulation *sim,
+                          double *to)
+{
+    const struct particles *const ps = sim->particles;
+
+    (void)memory;
+    for (int i = 0; i < ps->n; i++)
+        to[i] = ps->material != NULL ? ps->material[i] : 0;
+}
+
+/* The external force of the last sub-step less the weight, with the present
+ * velocity in the implicit part of the drag. */
+static void take_fluid_force(void *memory, const struct simulation *sim,
+                             double *to)
+{
+    const struct particles *const ps = sim->particles;
+    const double *const e[3] = {ps->ex, ps->ey, ps->ez};
+    const double *const v[3] = {ps->vx, ps->vy, ps->vz};
+
+    (void)memory;
+    for (int i = 0; i < ps->n; i++) {
+        const double k_d =
+            ps->drag_coefficient != NULL ? ps->drag_coefficient[i] : 0.0;
+        for (int k = 0; k < 3; k++)
+            to[3 * i + k] =
+                sim->steps == 0
+                    ? 0.0
+                    : e[k][i] - ps->m[i] * sim->gravity[k] - k_d * v[k][i];
+    }
+}
+
+static void take_contact_force(void *memory, const struct simulation *sim,
+                               double *to)
+{
+    const struct particles *const ps = sim->particles;
+
+    (void)memory;
+    for (int i = 0; i < ps->n; i++) {
+        to[3 * i] = ps->cfx[i];
+        to[3 * i + 1] = ps->cfy[i];
+        to[3 * i + 2] = ps->cfz[i];
+    }
+}
+
+static void take_contact_number(void *memory, const struct simulation *sim,
+                                double *to)
+{
+    struct contact_list *const c = memory;
+
+    contact_list_find(c);
+    memset(to, 0, (size_t)sim->particles->n * sizeof *to);
+    for (int i = 0; i < 2 * c->n; i++)
+        if (c->index[i] >= 0) to[c->index[i]] += 1.0;
+}
+
+const struct snapshot_field snapshot_fields[] = {
+    {"mass", "kg", 1, take_mass},
+    {"material", "-", 1, take_material},
+    {"fluid_force", "N", 3, take_fluid_force},
+    {"contact_force", "N", 3, take_contact_force},
+    {"contact_number", "-", 1, take_contact_number},
+    {NULL, NULL, 0, NULL}};
+
+/* Adds what the case names to the snapshot; the list of contacts is all that is
+ * left to be freed. */
+static void *particle_fields_create(const struct recorder_view *v, int *failed)
+{
+    const struct output_options *const o = v->of->output;
+    const char *text = o->particles != NULL ? o->particles : "";
+    struct contact_list *contacts = NULL;
+    char word[SNAPSHOT_WORD];
+    int used;
+
+    (void)failed;
+    if (v->sim->dem == NULL) return NULL;
+    if (o->sorted) snapshot_order_by_id(v->snapshot);
+    for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used) {
+        const struct snapshot_field *f = snapshot_fields;
+        while (strcmp(f->name, word) != 0)
+            f++;
+        if (f->take == take_material && v->sim->particles->material != NULL)
+            continue; /* is written anyway */
+        if (f->take == take_contact_number)
+            contacts = contact_list_create(v->sim);
+        snapshot_add(v->snapshot, f, contacts);
+    }
+    return contacts;
+}
+
+static void particle_fields_release(void *contacts)
+{
+    contact_list_free(contacts);
+}
+
+const struct recorder_part recorder_particle_fields = {
+    .create = particle_fields_create,
+    .free = particle_fields_release,
 };
