@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
-#include "fluid/inlets/parabola_profile.h"
+#include "fluid/inlet_profile.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>
@@ -146,8 +146,8 @@ START_TEST(the_pieces_of_a_parabola_have_its_mean)
         const double a = x[i], b = x[i + 1], middle = 0.5 * (a + b);
         const double mean =
             (a * (1.0 - a) + 4.0 * middle * (1.0 - middle) + b * (1.0 - b));
-        ck_assert_double_eq_tol(parabola_profile_mean(a, b), mean, 1e-14);
-        sum += (b - a) * parabola_profile_mean(a, b);
+        ck_assert_double_eq_tol(inlet_profile_parabola_mean(a, b), mean, 1e-14);
+        sum += (b - a) * inlet_profile_parabola_mean(a, b);
     }
     ck_assert_double_eq_tol(sum, 1.0, 1e-14);
 }
@@ -163,8 +163,8 @@ START_TEST(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
         struct mesh *const m = box(4.0, 1.0, 16, n, 0, 0);
         double profile[24];
         for (int j = 0; j < n; j++)
-            profile[j] =
-                parabola_profile_mean(m->box.edge[1][j], m->box.edge[1][j + 1]);
+            profile[j] = inlet_profile_parabola_mean(m->box.edge[1][j],
+                                                     m->box.edge[1][j + 1]);
         struct boundary b[6] = {{.kind = BOUNDARY_INLET,
                                  .n_points = 1,
                                  .time = &zero,

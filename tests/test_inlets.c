@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/inlets/formula.h"
-#include "fluid/forces/wall_stress.h"
+#include "fluid/wall_stress.h"
 #include "mesh/measures.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
@@ -406,7 +406,7 @@ START_TEST(taylor_couette_flow_on_tetrahedra_has_its_torque)
 END_TEST
 
 /* Links at 81 degrees to the normals of their faces. With the terms of
- * skewness.c there, too, the flow broke down in the third step. */
+ * deferred_correction.c there, too, the flow broke down in the third step. */
 START_TEST(taylor_couette_flow_on_flat_tetrahedra_holds)
 {
     check_torque(64, 0.015);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/momentum_system.h"
-#include "fluid/time_levels.h"
+#include "fluid/piso.h"
 
 #include "base/alloc.h"
 #include "facts.h"

@@ -7,7 +7,6 @@
 #include "coupling/effects.h"
 #include "coupling/drag.h"
 #include "fluid/convection.h"
-#include "fluid/velocity_gradient.h"
 #include "fluid/time_scheme.h"
 #include "dem/contact.h"
 #include "dem/integrator.h"

@@ -2,7 +2,7 @@
 #include "base/alloc.h"
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
-#include "fluid/time_levels.h"
+#include "fluid/piso.h"
 #include "facts.h"
 
 #include <math.h>

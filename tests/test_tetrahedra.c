@@ -2,7 +2,7 @@
 /* Flow on tetrahedra, whose links miss the middles of their faces. */
 #include "base/vector.h"
 #include "facts.h"
-#include "fluid/deferred/boundary_reach.h"
+#include "fluid/deferred.h"
 #include "fluid/pressure_system.h"
 #include "manufactured.h"
 #include "pipe.h"
@@ -28,9 +28,9 @@ static struct manufactured_error made(const char *convection, int n,
 }
 
 /* 1.7 is on the way to two: the next meshes have 1.8 and more. With the linear
- * scheme it is 1.74, and the error 0.0180. With off = 0 in skewness.c they are
- * 1.22 and 0.032, without inner_mean 1.55 and 0.022, and with the weight of
- * boxes in least squares 1.59 and 0.022. */
+ * scheme it is 1.74, and the error 0.0180. With off = 0 in
+ * deferred_correction.c they are 1.22 and 0.032, without inner_mean 1.55 and
+ * 0.022, and with the weight of boxes in least squares 1.59 and 0.022. */
 START_TEST(a_flow_on_tetrahedra_has_an_order_on_its_way_to_two)
 {
     const struct manufactured_error coarse = made(schemes[_i], 4, 0.1, 0.0);
@@ -221,8 +221,8 @@ END_TEST
 /* --- a pipe --------------------------------------------------------------- */
 
 /* The exact value is 1.02 on this polygon (figures/19-tetrahedra.c); these 2592
- * cells have 0.979. Without the terms of skewness.h it would be 4 % more,
- * without that of convection alone 3 %, and with slopes by Gauss 5 % more
+ * cells have 0.979. Without the terms of deferred_correction.c it would be 4 %
+ * more, without that of convection alone 3 %, and with slopes by Gauss 5 % more
  * again. */
 START_TEST(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop)
 {
@@ -232,8 +232,8 @@ START_TEST(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop)
 END_TEST
 
 /* Links at 83 degrees that miss the middles of their faces by 2.5 times their
- * length: without the two limits of pressure.c and skewness.c this broke down
- * in the fourth step. 5 %: what six steps leave of the start. */
+ * length: without the two limits of pressure.c and deferred_correction.c this
+ * broke down in the fourth step. 5 %: what six steps leave of the start. */
 START_TEST(a_pipe_of_flat_tetrahedra_holds)
 {
     ck_assert_double_eq_tol(pipe_of_tetrahedra(12, "second-upwind", NULL, 0.09),

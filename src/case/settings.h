@@ -39,7 +39,7 @@ struct settings {
     const char *engine;         /* "one" or "distributed" */
     int ranks[3], layers;       /* [-] of several machines; 0: left out */
     struct mesh_options mesh;   /* mesh/mesh.c */
-    struct fluid_options fluid; /* fluid/fluid_keys.c */
+    struct fluid_options fluid; /* fluid/fluid.c */
     struct {
         int n;
         struct boundary_options *item;

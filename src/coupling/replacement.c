@@ -9,7 +9,7 @@
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
 #include "dem/population/population.h"
-#include "fluid/time_levels.h"
+#include "fluid/piso.h"
 
 /* Of the first particles that are inserted or removed; coupling_free releases
  * it. */

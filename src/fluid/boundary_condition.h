@@ -65,7 +65,7 @@ struct boundary_condition {
 };
 
 /* All of them, ended by NULL. */
-extern const struct boundary_condition rotating_wall_condition;
+extern const struct boundary_condition boundary_rotating_wall;
 extern const struct boundary_condition *const boundary_conditions[];
 
 #endif

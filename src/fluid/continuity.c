@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "linear/face_loops.h"
-#include "fluid/time_levels.h"
+#include "fluid/piso.h"
 
 /* Sets the flux of solid volume through an inner face, by linear interpolation
  * [m^3/s]. */

@@ -8,13 +8,15 @@
  * to it or, in an outer iteration, the latest flux.
  * Chapter "The flow, verified".
  */
-#include "fluid/time_levels.h"
+#include "fluid/piso.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "base/model.h"
 #include "base/parallel_ranges.h"
 #include "fluid/momentum_system.h"
+#include "fluid/time_scheme.h"
 
 static const struct time_scheme *scheme(const struct fluid_options *o)
 {
@@ -173,3 +175,42 @@ double ddt_pending(const struct fluid *fl)
 {
     return scheme(&fl->options)->pending;
 }
+
+static struct time_weights weights_euler(double r)
+{
+    (void)r;
+    return (struct time_weights){1.0, 1.0, 0.0, 0.0};
+}
+
+const struct time_scheme time_scheme_euler = {
+    .name = "euler",
+    .what = "implicit Euler: first order, never rings",
+    .equations = "XS11",
+    .function = "weights_euler",
+    .time_levels = 1,
+    .weights = weights_euler,
+};
+
+/* The derivative at the end of the parabola through three time levels. With r =
+ * 0 it is that of the line through the last two: the first step is implicit
+ * Euler. */
+static struct time_weights weights_bdf2(double r)
+{
+    return (struct time_weights){(1.0 + 2.0 * r) / (1.0 + r), 1.0 + r,
+                                 r * r / (1.0 + r), r};
+}
+
+const struct time_scheme time_scheme_bdf2 = {
+    .name = "bdf2",
+    .what = "backward differences over two steps: second order",
+    .equations = "Curtiss52",
+    .function = "weights_bdf2",
+    .time_levels = 2,
+    .pending = 0.5, /* 1/3 + 1/9 + ... */
+    .weights = weights_bdf2,
+};
+
+const struct time_scheme *const time_schemes[] = {&time_scheme_euler,
+                                                  &time_scheme_bdf2, NULL};
+
+MODEL_NAMED(time_scheme)

@@ -46,7 +46,6 @@
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
-#include "fluid/time_levels.h"
 
 void face_jump_bias_upwind(int first, int last, struct fluid *fl)
 {

@@ -2,8 +2,7 @@
  * Chapter "Averaged flow".
  *
  * The velocity of a face is that of the inlet at this time, times the mean of
- * the profile over the face. A profile is one descriptor; all but the uniform
- * one are in inlets/.
+ * the profile over the face. A profile is one descriptor.
  */
 #ifndef FLUID_INLET_PROFILE_H
 #define FLUID_INLET_PROFILE_H
@@ -20,12 +19,23 @@ struct inlet_profile {
                   char wrong[BOUNDARY_TEXT]);
 };
 
-extern const struct inlet_profile inlet_profile_uniform, parabola_profile,
-    formula_profile, table_profile, file_profile;
+extern const struct inlet_profile inlet_profile_uniform, inlet_profile_parabola,
+    file_profile; /* inlets/file_profile.c */
 extern const struct inlet_profile *const inlet_profiles[]; /* ended by NULL */
 
 /* 1 if the case gives the key that the profile asks for, if it asks for any. */
 int inlet_profile_is_given(const struct inlet_profile *profile,
                            const struct boundary_options *o);
+
+/* The mean of the function g(of, x), x [m], over boundary face f. The face is
+ * divided into triangles about the middle of its corners; the mean is exact for
+ * polynomials of degree 5. */
+double inlet_profile_face_mean(const struct mesh *m, int f,
+                               double (*g)(const void *of, const double x[3]),
+                               const void *of);
+
+/* Mean of a parabolic profile, zero at both ends of a channel 0 .. 1, over the
+ * interval a .. b, divided by its mean over the channel [-]. */
+double inlet_profile_parabola_mean(double a, double b);
 
 #endif

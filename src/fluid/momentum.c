@@ -21,7 +21,6 @@
 #include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
-#include "fluid/time_levels.h"
 
 /* Sets the two coefficients of each face, from the weights of the scheme. */
 static void face_coefficients(int first, int last, struct fluid *fl)

@@ -12,7 +12,6 @@
 #include <math.h>
 
 #include "fluid/piso.h"
-#include "fluid/time_levels.h"
 
 struct sum {
     double impulse[3]; /* [N s] */

@@ -51,7 +51,7 @@ void velocity_correct(struct fluid *fl);
  * returns its largest entry over the largest term of the equation [-]. */
 double velocity_residual(struct fluid *fl);
 
-/* boundary_face.c: the velocity at boundary face f, face j of its patch, as
+/* boundary_velocity.c: the velocity at boundary face f, face j of its patch, as
  * used in the momentum equation; the present fluxes of the inlets. */
 void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
                             int j, int f, double u[3]);

@@ -28,7 +28,6 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
-#include "fluid/time_levels.h"
 
 /* Sets the coefficients of the cells that their faces use, once a step: the
  * time derivative per superficial flux, which is rho eps_old / (gamma dt
@@ -288,7 +287,7 @@ struct solve_report pressure_correct(struct fluid *fl)
     struct pressure_system *const pressure = fl->pressure;
 
     predicted_fluxes(fl);
-    if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
+    if (gradient_mean_exists(&fl->options)) gradient_add_mean(fl);
     pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
     const double relative = last ? 0.0 : fl->options.p_relative_tolerance;

@@ -52,9 +52,9 @@ void gradient_begin(struct fluid *fl);
 void gradient_update(struct fluid *fl);
 void gradient_of_faces(struct fluid *fl);
 
-/* mean_gradient.c: 1 if the pressure has a mean gradient beside p; adapts it to
+/* And there: 1 if the pressure has a mean gradient beside p; adapts it to
  * the prescribed mean flow and adds its contribution to the fluxes. */
-int mean_gradient_exists(const struct fluid_options *o);
-void mean_gradient_add(struct fluid *fl);
+int gradient_mean_exists(const struct fluid_options *o);
+void gradient_add_mean(struct fluid *fl);
 
 #endif

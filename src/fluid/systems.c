@@ -14,7 +14,6 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
-#include "fluid/time_levels.h"
 
 static int systems_has(const struct fluid *fl, enum boundary_kind kind)
 {

@@ -11,7 +11,6 @@
 #include "base/vector.h"
 #include "linear/reduce.h"
 #include "fluid/piso.h"
-#include "fluid/time_levels.h"
 
 /* The remaining part of the wall force, -D n_k (n . u - n_k u_k) at a wall that
  * is not normal to an axis, is explicit, with the present velocity. */

@@ -19,7 +19,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/dem_surface.h"
-#include "fluid/forces/wall_stress.h"
+#include "fluid/wall_stress.h"
 #include "mesh/measures.h"
 #include "output/table.h"
 #include "record/profiles.h"

@@ -15,7 +15,6 @@
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
-#include "fluid/time_levels.h"
 #include "resolved/mark.h"
 
 /* Takes the impulse of a force that changes the velocity of a cell by du in

@@ -21,7 +21,6 @@
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
-#include "fluid/time_levels.h"
 #include "resolved/mark.h"
 
 static struct solid_bodies *bodies_of(struct immersed *self)

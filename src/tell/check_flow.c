@@ -139,7 +139,7 @@ static void add_patch(const struct settings *s, const struct mesh *m,
 
     if (o == NULL) return;
     if (o->inlet.n > 0) add_inlet(s, m, p, &o->inlet, r);
-    if (o->condition == &rotating_wall_condition) add_rotation(o, m, p, r);
+    if (o->condition == &boundary_rotating_wall) add_rotation(o, m, p, r);
     case_flow_add_wall(m, p, o->wall, r);
 }
 

@@ -135,7 +135,7 @@ static int check_patch(const struct settings *s, const struct mesh *m,
                               "the patch %s, %d faces with %.3g m^2, has no "
                               "boundary condition: give fluid.%s",
                               p->name, p->n, mesh_check_area_of(m, p), p->name);
-    if (o->profile != &parabola_profile) return 0;
+    if (o->profile != &inlet_profile_parabola) return 0;
     snprintf(path, sizeof path, "%s.profile", o->key);
     return settings_wrong(s, path,
                           "only the inlet of a plain box can have a parabola; "

@@ -181,7 +181,7 @@ static int check_sides(const struct settings *s)
             o->has_profile && o->profile != &inlet_profile_uniform;
         snprintf(path, sizeof path, "%s.%s", o->key,
                  varies ? "profile" : "rotation");
-        if (varies || o->condition == &rotating_wall_condition)
+        if (varies || o->condition == &boundary_rotating_wall)
             return refuse_key(s, path,
                               "a rank does not see the whole side of the box");
     }

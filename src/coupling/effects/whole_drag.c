@@ -6,7 +6,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
-#include "fluid/deferred/boundary_reach.h"
+#include "fluid/deferred.h"
 
 #include <gsl/gsl_math.h>
 #include <stddef.h>

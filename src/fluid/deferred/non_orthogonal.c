@@ -12,7 +12,6 @@
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
-#include "fluid/time_levels.h"
 
 /* The pressure gradient that balances the momentum equation of a cell [Pa/m]
  * with the present velocities of its neighbours. */

@@ -16,7 +16,6 @@
 
 #include "base/alloc.h"
 #include "base/tables/csv.h"
-#include "fluid/inlets/face_mean.h"
 
 /* A row with two or three places. */
 struct point {
@@ -250,7 +249,7 @@ static void file_profile_fill(struct levels *l, struct rows *r, int t,
         l->time[i] = t >= 0 ? number_at(r, 0, t) : 0.0;
         if (r->n_places > 1) file_profile_sort(r);
         for (int j = 0; j < l->n_faces; j++)
-            l->value[(long)i * l->n_faces + j] = face_mean(
+            l->value[(long)i * l->n_faces + j] = inlet_profile_face_mean(
                 q->mesh, q->patch->first + j, file_profile_value_at, r);
         r->first += r->n;
     }

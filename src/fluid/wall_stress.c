@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/forces/wall_stress.h"
+#include "fluid/wall_stress.h"
 
 #include <math.h>
 

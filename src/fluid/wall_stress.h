@@ -11,8 +11,8 @@
  * all boundaries as the stress mu (grad u + grad u^T) and another one on each
  * of them.
  */
-#ifndef FLUID_FORCES_WALL_STRESS_H
-#define FLUID_FORCES_WALL_STRESS_H
+#ifndef FLUID_WALL_STRESS_H
+#define FLUID_WALL_STRESS_H
 
 #include "fluid/fluid.h"
 
