@@ -21,8 +21,8 @@ flags="-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Isrc -O1"
 wrap="-Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints"
 counted="src/coupling/coupling.c src/coupling/effects.c src/coupling/transfer.c
     src/coupling/reaction.c
-    src/dem/dem.c src/dem/fast/chunk_step.c src/dem/fast/attraction_loop.c
-    src/dem/fast/drag_rows.c src/dem/fast/bodies.c"
+    src/dem/dem.c src/dem/fast/chunk_step.c
+    src/dem/fast/bodies.c"
 
 # What says what it runs; the rest is as in the program.
 instrument() { # source

@@ -10,7 +10,6 @@
 #include "dem/cohesion/van_der_waals.h"
 #include "dem/energy.h"
 #include "dem/fast/fast.h"
-#include "dem/fast/fast_internal.h"
 #include "dem/reference.h"
 #include "facts.h"
 #include "same_motion.h"

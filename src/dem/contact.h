@@ -62,7 +62,7 @@ struct contact_response {
 };
 
 /* A law is one function of the overlap delta [m], R* [m] and m* [kg]. The
- * vector loops inline it (fast/contact_loops.c), and the reference loop calls
+ * vector loops inline it (fast/sweep.c), and the reference loop calls
  * it (reference.c). */
 typedef struct contact_response
 contact_respond(const struct contact_constants *k, double delta, double R_star,

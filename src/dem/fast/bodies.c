@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "dem/fast/drag_rows.h"
+#include "dem/implicit_drag.h"
 
 struct bodies *bodies_create(int capacity, const struct box_domain *box)
 {
@@ -14,22 +14,22 @@ struct bodies *bodies_create(int capacity, const struct box_domain *box)
     const size_t n = (size_t)capacity;
 
     b->box = *box;
-    b->position_radius = alloc_zeroed(n, sizeof *b->position_radius);
-    b->velocity = alloc_zeroed(n, sizeof *b->velocity);
+    b->place = alloc_zeroed(n, sizeof *b->place);
+    b->motion = alloc_zeroed(n, sizeof *b->motion);
     b->acceleration = alloc_zeroed(n, sizeof *b->acceleration);
-    b->position_at_rebuild = alloc_zeroed(n, sizeof *b->position_at_rebuild);
+    b->place_at_rebuild = alloc_zeroed(n, sizeof *b->place_at_rebuild);
     return b;
 }
 
 void bodies_free(struct bodies *b)
 {
     if (b == NULL) return;
-    free(b->position_radius);
-    free(b->velocity);
+    free(b->place);
+    free(b->motion);
     free(b->before);
     free(b->acceleration);
-    free(b->position_at_rebuild);
-    free(b->implicit_drag);
+    free(b->place_at_rebuild);
+    free(b->drag);
     free(b->own_inverse_mass);
     free(b);
 }
@@ -37,9 +37,8 @@ void bodies_free(struct bodies *b)
 void bodies_add_implicit_drag(struct bodies *b, const struct particles *ps)
 {
     if (ps->drag_coefficient == NULL) return;
-    if (b->implicit_drag == NULL)
-        b->implicit_drag =
-            alloc_zeroed((size_t)ps->capacity, sizeof *b->implicit_drag);
+    if (b->drag == NULL)
+        b->drag = alloc_zeroed((size_t)ps->capacity, sizeof *b->drag);
     b->drag_impulse = ps->drag_impulse;
 }
 
@@ -48,53 +47,107 @@ void bodies_load(struct bodies *b, const struct particles *ps, int begin,
 {
     for (int i = begin; i < end; i++) {
         const double R = 0.5 * ps->d[i], per_mass = 1.0 / ps->m[i];
-        double *const x = b->position_radius[i], *const v = b->velocity[i];
         double *const a = b->acceleration[i];
 
-        x[0] = ps->x[i], x[1] = ps->y[i], x[2] = ps->z[i], x[3] = R;
-        v[0] = ps->vx[i], v[1] = ps->vy[i], v[2] = ps->vz[i], v[3] = 1.0 / R;
-        v[4] = R * ps->wx[i], v[5] = R * ps->wy[i], v[6] = R * ps->wz[i];
-        v[7] = per_mass;
+        b->place[i] = (struct row_place){{ps->x[i], ps->y[i], ps->z[i]}, R};
+        b->motion[i] =
+            (struct row_motion){{ps->vx[i], ps->vy[i], ps->vz[i]},
+                                 1.0 / R,
+                                 {R * ps->wx[i], R * ps->wy[i], R * ps->wz[i]},
+                                 per_mass};
         if (b->own_inverse_mass != NULL) b->own_inverse_mass[i] = 0.0;
         a[0] = ps->ex[i] * per_mass;
         a[1] = ps->ey[i] * per_mass;
         a[2] = ps->ez[i] * per_mass;
     }
-    if (b->implicit_drag != NULL) drag_rows_load(b, ps, begin, end);
+    if (b->drag != NULL) bodies_load_drag(b, ps, begin, end);
+}
+
+void bodies_load_drag(struct bodies *b, const struct particles *ps, int begin,
+                      int end)
+{
+    for (int i = begin; i < end; i++) {
+        const double per_mass = 1.0 / (ps->m[i] + ps->added_mass[i]);
+        const double rate = ps->drag_coefficient[i] * per_mass;
+        double *const a = b->acceleration[i];
+
+        b->drag[i] = (struct row_drag){
+            rate, implicit_drag_gain(rate * b->step),
+            implicit_drag_gain(0.5 * rate * b->step), per_mass};
+        a[0] = ps->ex[i] * per_mass;
+        a[1] = ps->ey[i] * per_mass;
+        a[2] = ps->ez[i] * per_mass;
+    }
 }
 
 void bodies_store(const struct bodies *b, struct particles *ps, int begin,
                   int end)
 {
     for (int i = begin; i < end; i++) {
-        const double *const x = b->position_radius[i], *const v =
-                                                           b->velocity[i];
+        const struct row_place *const p = &b->place[i];
+        const struct row_motion *const m = &b->motion[i];
 
-        ps->x[i] = box_domain_inside(&b->box, 0, x[0]);
-        ps->y[i] = box_domain_inside(&b->box, 1, x[1]);
-        ps->z[i] = box_domain_inside(&b->box, 2, x[2]);
-        ps->vx[i] = v[0], ps->vy[i] = v[1], ps->vz[i] = v[2];
-        ps->wx[i] = v[4] / x[3], ps->wy[i] = v[5] / x[3];
-        ps->wz[i] = v[6] / x[3];
+        ps->x[i] = box_domain_inside(&b->box, 0, p->x[0]);
+        ps->y[i] = box_domain_inside(&b->box, 1, p->x[1]);
+        ps->z[i] = box_domain_inside(&b->box, 2, p->x[2]);
+        ps->vx[i] = m->v[0], ps->vy[i] = m->v[1], ps->vz[i] = m->v[2];
+        ps->wx[i] = m->s[0] / p->R, ps->wy[i] = m->s[1] / p->R;
+        ps->wz[i] = m->s[2] / p->R;
     }
+}
+
+/* With an implicit drag; the impulse of -k v is added to b->drag_impulse. */
+static void bodies_advance_with_drag(struct bodies *b, int begin, int end,
+                                     const struct row_load *load, double kick,
+                                     double drift, double fastest[4])
+{
+    const int half = kick < b->step;
+    double top[3] = {fastest[0], fastest[1], fastest[2]};
+
+    for (int i = begin; i < end; i++) {
+        const struct row_drag *const drag = &b->drag[i];
+        const struct row_load *const f = &load[i - begin];
+        const double *const a = b->acceleration[i];
+        struct row_motion *const m = &b->motion[i];
+        const double gain = half ? drag->gain_half : drag->gain;
+        const double mass = 1.0 / drag->per_m;
+
+        for (int k = 0; k < 3; k++) {
+            const double given = drag->per_m * f->F[k] + a[k]; /* [m/s^2] */
+            const double taken = gain * (given - drag->rate * m->v[k]);
+            m->v[k] += kick * taken;
+            b->drag_impulse[3 * i + k] += mass * kick * (taken - given);
+            m->s[k] -= 2.5 * kick * m->per_m * f->turn[k];
+            b->place[i].x[k] += drift * m->v[k];
+            top[k] = fmax(top[k], fabs(m->v[k]));
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        fastest[k] = top[k];
 }
 
 /* dv = (F/m + a) dt [XS11 2.1]; d(R omega) = R T dt/I [XS11 2.2] with I =
  * (2/5) m R^2 and T = -R sum n x F_t [LS 4.1-4.3, 4.16], so
- * -(5/2) (sum n x F_t) dt/m. */
-void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
-                    double kick, double drift, double fastest[4])
+ * -(5/2) (sum n x F_t) dt/m. The rows are arrays of eight and four numbers
+ * here, which are treated alike. */
+void bodies_advance(struct bodies *b, int begin, int end,
+                    const struct row_load *load, double kick, double drift,
+                    double fastest[4])
 {
     static const double gain[8] = {1.0, 1.0, 1.0, 0.0, -2.5, -2.5, -2.5, 0.0};
     const double shift[4] = {drift, drift, drift, 0.0};
     double top[4] = {fastest[0], fastest[1], fastest[2], 0.0};
 
+    if (b->drag != NULL) {
+        bodies_advance_with_drag(b, begin, end, load, kick, drift, fastest);
+        return;
+    }
     for (int i = begin; i < end; i++) {
-        double *restrict const x = b->position_radius[i];
-        double *restrict const v = b->velocity[i];
+        double *restrict const x = (double *)&b->place[i];
+        double *restrict const v = (double *)&b->motion[i];
         const double *restrict const a = b->acceleration[i];
-        const double *restrict const f = load[i - begin];
-        const double per_mass = kick * v[7];
+        const double *restrict const f = (const double *)&load[i - begin];
+        const double per_mass = kick * b->motion[i].per_m;
 
 #pragma omp simd
         for (int k = 0; k < 8; k++)
@@ -112,39 +165,40 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
         fastest[k] = top[k];
 }
 
-void bodies_kicked(const struct bodies *b, int i, const double load[8],
-                   double velocity[8])
+struct row_motion bodies_kicked(const struct bodies *b, int i,
+                                 const struct row_load *load)
 {
-    const double *const v = b->velocity[i], *const a = b->acceleration[i];
-    const double *const held =
-        b->implicit_drag != NULL ? b->implicit_drag[i] : NULL;
-    const double per_mass = held != NULL ? held[3] : v[7];
-    const double rate = held != NULL ? held[0] : 0.0;
-    const double gain = held != NULL ? held[1] : 1.0;
+    static const struct row_drag none = {.gain = 1.0};
+    const struct row_drag *const drag = b->drag != NULL ? &b->drag[i] : &none;
+    const double *const a = b->acceleration[i];
+    struct row_motion m = b->motion[i];
+    const double per_mass = b->drag != NULL ? drag->per_m : m.per_m;
 
-    memcpy(velocity, v, 8 * sizeof *v);
     for (int k = 0; k < 3; k++) {
-        velocity[k] +=
-            b->step * gain * (per_mass * load[k] + a[k] - rate * v[k]);
-        velocity[4 + k] -= 2.5 * b->step * v[7] * load[4 + k];
+        m.v[k] += b->step * drag->gain *
+                  (per_mass * load->F[k] + a[k] - drag->rate * m.v[k]);
+        m.s[k] -= 2.5 * b->step * m.per_m * load->turn[k];
     }
+    return m;
 }
 
 /* A particle is lost when it is wholly outside, its centre a radius beyond a
  * wall, or when its position is not finite: a comparison with NaN is false. */
-static int inside(const struct box_domain *box, const double x[4])
+static int inside(const struct box_domain *box, const struct row_place *p)
 {
+    const double *const x = p->x;
     int ok = 1;
 
     for (int k = 0; k < 3; k++)
         ok &= box->periodic[k]
                   ? fabs(x[k]) < HUGE_VAL
-                  : x[k] >= box->lo[k] - x[3] && x[k] <= box->hi[k] + x[3];
+                  : x[k] >= box->lo[k] - p->R && x[k] <= box->hi[k] + p->R;
     return ok;
 }
 
-static int finite(const double v[8])
+static int finite(const struct row_motion *m)
 {
+    const double *const v = (const double *)m;
     double sum = 0.0;
 
     for (int k = 0; k < 8; k++)
@@ -161,15 +215,13 @@ struct bodies_survey bodies_check_lost(const struct bodies *b, int begin,
         double moved2 = 0.0;
 
         for (int k = 0; k < 3; k++) {
-            const double dx =
-                b->position_radius[i][k] - b->position_at_rebuild[i][k];
+            const double dx = b->place[i].x[k] - b->place_at_rebuild[i][k];
             const double L = b->box.length[k];
             const double nearest = dx - L * rint(dx * b->box.inverse[k]);
             moved2 += nearest * nearest;
         }
         if (moved2 > found.moved2) found.moved2 = moved2;
-        if (inside(&b->box, b->position_radius[i]) && finite(b->velocity[i]))
-            continue;
+        if (inside(&b->box, &b->place[i]) && finite(&b->motion[i])) continue;
         if (found.lost++ == 0) found.first_lost = i;
     }
     return found;
@@ -179,5 +231,5 @@ void bodies_record_positions(struct bodies *b, int begin, int end)
 {
     for (int i = begin; i < end; i++)
         for (int k = 0; k < 3; k++)
-            b->position_at_rebuild[i][k] = b->position_radius[i][k];
+            b->place_at_rebuild[i][k] = b->place[i].x[k];
 }

@@ -9,24 +9,47 @@
 #ifndef DEM_FAST_BODIES_H
 #define DEM_FAST_BODIES_H
 
+#include <math.h>
+
 #include "dem/box_domain.h"
 #include "dem/contact.h"
 #include "dem/particles.h"
+
+struct row_place {
+    double x[3], R; /* [m] */
+};
+
+struct row_motion {
+    double v[3], per_R; /* [m/s], [1/m] */
+    double s[3], per_m; /* [m/s] R omega; [1/kg] */
+};
+
+/* What the contacts do to one. */
+struct row_load {
+    double F[3], zero;        /* [N] */
+    double turn[3], zero_too; /* [N] sum n x F_t (r/(R_i + R_j)) = -T/R */
+};
+
+/* An implicit drag -k v and an added mass m_a (implicit_drag.h). */
+struct row_drag {
+    double rate;            /* [1/s] r = k / (m + m_a) */
+    double gain, gain_half; /* [-] g(r dt), g(r dt/2) */
+    double per_m;           /* [1/kg] 1/(m + m_a) */
+};
 
 struct bodies {
     int n;
     struct box_domain box;
     const struct contact_law *law;
-    double (*position_radius)[4]; /* [m] x, y, z, R */
-    double (*velocity)[8]; /* v [m/s], 1/R [1/m], R omega [m/s], 1/m [1/kg] */
-    double (*before)[8];   /* `velocity` before the last kick; NULL without a
-                              budget of energy */
-    double (*acceleration)[4]; /* [m/s^2] of the external force; 0 */
-    double (
-        *position_at_rebuild)[3]; /* [m] x, y, z when the list was last made */
-    /* Of particles with an implicit drag (implicit_drag.h); else NULL. */
-    double (*implicit_drag)[4];
-    double *drag_impulse;     /* [N s] the particles' own */
+    int sweep_options; /* [-] of the contact loop (sweep.h) */
+    struct row_place *place;
+    struct row_motion *motion;
+    struct row_motion *before; /* `motion` before the last kick; NULL without a
+                                   budget of energy */
+    double (*acceleration)[4];  /* [m/s^2] of the external force; 0 */
+    double (*place_at_rebuild)[3]; /* [m] when the list was last made */
+    struct row_drag *drag;        /* NULL without an implicit drag */
+    double *drag_impulse;          /* [N s] the particles' own */
     double *own_inverse_mass; /* [1/kg] 1/m of those that move as prescribed,
                                  else 0; NULL if none ever does */
     double step;              /* [s] that the rows are for */
@@ -50,16 +73,21 @@ void bodies_load(struct bodies *b, const struct particles *ps, int begin,
 void bodies_store(const struct bodies *b, struct particles *ps, int begin,
                   int end);
 
-/* Velocity Verlet in one pass: v += kick F/m, then x += drift v. `load` holds
- * the contact force [N] and sum n x F_t (r/(R_i + R_j)) [N] of the particles
- * from begin on. The largest |v_x|, |v_y|, |v_z| raise what is in fastest. */
-void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
-                    double kick, double drift, double fastest[4]);
+/* The same for the rows of the implicit drag, in steps of b->step. */
+void bodies_load_drag(struct bodies *b, const struct particles *ps, int begin,
+                      int end);
+
+/* Velocity Verlet in one pass: v += kick F/m, then x += drift v. `load` is that
+ * of the particles from begin on. The largest |v_x|, |v_y|, |v_z| raise what is
+ * in fastest. */
+void bodies_advance(struct bodies *b, int begin, int end,
+                    const struct row_load *load, double kick, double drift,
+                    double fastest[4]);
 
 /* The velocities that a kick of one step with this load of particle i would
  * give. */
-void bodies_kicked(const struct bodies *b, int i, const double load[8],
-                   double velocity[8]);
+struct row_motion bodies_kicked(const struct bodies *b, int i,
+                                 const struct row_load *load);
 
 /* The result of a check of the particles begin .. end - 1. */
 struct bodies_survey {
@@ -75,5 +103,29 @@ struct bodies_survey bodies_check_lost(const struct bodies *b, int begin,
 
 /* Records the present positions, as those of the last rebuild. */
 void bodies_record_positions(struct bodies *b, int begin, int end);
+
+/* Gap of particles i and j, nearest image, and of particle i and a side of the
+ * box [m]. */
+static inline double bodies_pair_gap(const struct bodies *b, int i, int j)
+{
+    const struct row_place *const p = &b->place[i], *const q = &b->place[j];
+    double r2 = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        const double dx = p->x[k] - q->x[k];
+        const double L = b->box.length[k];
+        const double near = dx - L * rint(dx * b->box.inverse[k]);
+        r2 += near * near;
+    }
+    return sqrt(r2) - p->R - q->R;
+}
+
+static inline double bodies_wall_gap(const struct bodies *b, int i, int wall)
+{
+    const struct row_place *const p = &b->place[i];
+    const int k = wall / 2;
+
+    return (wall % 2 ? b->box.hi[k] - p->x[k] : p->x[k] - b->box.lo[k]) - p->R;
+}
 
 #endif

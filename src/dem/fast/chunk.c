@@ -6,20 +6,15 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "dem/fast/chunk_gap.h"
+#include "base/vector.h"
+#include "dem/fast/sweep.h"
 
 /* A chunk has at least CHUNK_LEAST particles, so that the loads on the
  * following chunks are a small part of its work; the number of chunks is a
- * power of two, which divides evenly among the threads of most machines. The
- * contact loop processes CHUNK_LANES contacts at a time (contact_sweep.h): this
- * number of slots is kept free after the last contact, and a block ends at a
- * multiple of it. */
-enum {
-    CHUNK_LEAST = 1000,
-    CHUNK_MOST = 64,
-    CHUNK_BLOCK = 512,
-    CHUNK_LANES = 64
-};
+ * power of two, which divides evenly among the threads of most machines. As
+ * many slots as the contact loop has lanes (sweep.h) are kept free after the
+ * last contact, and a block ends at a multiple of them. */
+enum { CHUNK_LEAST = 1000, CHUNK_MOST = 64, CHUNK_BLOCK = 512 };
 
 int chunk_count(int n)
 {
@@ -137,7 +132,7 @@ static int chunk_larger(int a, int b)
 void chunk_finish_lists(struct chunk *s, int n)
 {
     struct chunk_contacts *const c = &s->contacts;
-    const int most = s->pairs.n + s->walls.n + CHUNK_LANES;
+    const int most = s->pairs.n + s->walls.n + SWEEP_LANES;
 
     chunk_begin_owner(s, s->end);
     for (int q = 0; q < s->pairs.n; q++)
@@ -230,8 +225,8 @@ static int full_lanes(const struct chunk_contacts *c, int first, int from,
 {
     while (from < last && c->owner[from] < end)
         from++;
-    const int lanes = (from - first + CHUNK_LANES - 1) / CHUNK_LANES;
-    const int full = first + lanes * CHUNK_LANES;
+    const int lanes = (from - first + SWEEP_LANES - 1) / SWEEP_LANES;
+    const int full = first + lanes * SWEEP_LANES;
     return full < last ? full : last;
 }
 
@@ -281,11 +276,11 @@ void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
 
     return_history(s);
     if (s->has_rolling)
-        choose_contacts_of(s, b, &s->pairs, chunk_pair_gap, margin, &n, 1);
+        choose_contacts_of(s, b, &s->pairs, bodies_pair_gap, margin, &n, 1);
     else
-        choose_contacts_of(s, b, &s->pairs, chunk_pair_gap, margin, &n, 0);
+        choose_contacts_of(s, b, &s->pairs, bodies_pair_gap, margin, &n, 0);
     s->contacts.n_pairs = n;
-    choose_contacts_of(s, b, &s->walls, chunk_wall_gap, margin, &n,
+    choose_contacts_of(s, b, &s->walls, bodies_wall_gap, margin, &n,
                        s->has_rolling);
     s->contacts.n_walls = n - s->contacts.n_pairs;
     split_into_blocks(s, b->n, s->blocks);
@@ -355,12 +350,14 @@ int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n)
     return reached < 0 ? 0 : reached < size ? reached : size;
 }
 
-/* Adds the first n rows of 8. */
-static void add_rows(double (*to)[8], double (*from)[8], int n)
+/* Adds the first n rows. */
+static void add_rows(struct row_load *to, const struct row_load *from, int n)
 {
     for (int i = 0; i < n; i++)
-        for (int k = 0; k < 8; k++)
-            to[i][k] += from[i][k];
+        for (int k = 0; k < 3; k++) {
+            to[i].F[k] += from[i].F[k];
+            to[i].turn[k] += from[i].turn[k];
+        }
 }
 
 void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
@@ -387,7 +384,7 @@ static int chunk_touching(const struct chunk *s, const struct bodies *b)
     int n = 0;
 
     for (int q = 0; q < c->n_pairs + c->n_walls; q++)
-        n += (q < c->n_pairs ? chunk_pair_gap : chunk_wall_gap)(
+        n += (q < c->n_pairs ? bodies_pair_gap : bodies_wall_gap)(
                  b, c->owner[q], c->partner[q]) < 0.0;
     return n;
 }
@@ -398,12 +395,52 @@ void chunk_measure(struct chunk *s, const struct bodies *b)
 
     *m = (struct chunk_measures){.contacts = chunk_touching(s, b)};
     for (int i = s->begin; i < s->end; i++) {
-        const double *const v = b->velocity[i];
-        const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-        const double s2 = v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
+        const struct row_motion *const own = &b->motion[i];
+        const double v2 = vector_dot(own->v, own->v);
 
-        m->translation += 0.5 * v2 / v[7];
-        m->rotation += 0.2 * s2 / v[7]; /* I = (2/5) m R^2 */
+        m->translation += 0.5 * v2 / own->per_m;
+        m->rotation += /* I = (2/5) m R^2 */
+            0.2 * vector_dot(own->s, own->s) / own->per_m;
         m->speed2 = v2 > m->speed2 ? v2 : m->speed2;
     }
+}
+
+void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
+                          int other, const double x[3])
+{
+    if (!(overlap > d->overlap)) return;
+    d->overlap = overlap;
+    d->id = id;
+    d->other = other;
+    memcpy(d->at, x, sizeof d->at);
+}
+
+/* As in the contact loop, a wall counts as a sphere of the same radius. */
+static void note_pair(struct chunk *s, const struct bodies *b, int q)
+{
+    const int i = s->contacts.owner[q], j = s->contacts.partner[q];
+    const double sum = b->place[i].R + b->place[j].R;
+
+    chunk_record_overlap(&s->deep, -bodies_pair_gap(b, i, j) / sum, b->id[i],
+                         b->id[j], b->place[i].x);
+}
+
+static void note_wall(struct chunk *s, const struct bodies *b, int q)
+{
+    const int i = s->contacts.owner[q], wall = s->contacts.partner[q];
+
+    chunk_record_overlap(&s->deep,
+                         -0.5 * bodies_wall_gap(b, i, wall) / b->place[i].R,
+                         b->id[i], -1 - wall, b->place[i].x);
+}
+
+void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
+                          const struct chunk_block *from,
+                          const struct chunk_block *to)
+{
+    for (int q = from->pairs; q < to->pairs; q++)
+        note_pair(s, b, q);
+    for (int q = from->walls; q < to->walls; q++)
+        note_wall(s, b, q);
+    if (s->max_overlap > s->deep.overlap) s->deep.overlap = s->max_overlap;
 }

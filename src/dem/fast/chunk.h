@@ -35,7 +35,7 @@ struct chunk_contacts {
     int *owner, *partner;
     int *list_index;       /* [-] its index in the neighbour list */
     double *xi[3];         /* [m] xi, x y z */
-    double *roll_angle[3]; /* [rad] theta (sweep_rolling.h); NULL without it */
+    double *roll_angle[3]; /* [rad] theta (rolling.h); NULL without it */
 };
 
 /* The history of a touching pair while the lists are rebuilt; for a wall
@@ -93,12 +93,12 @@ struct chunk_deep {
 };
 
 struct chunk {
-    int begin, end;    /* its particles */
-    int window;        /* its loads reach begin ... begin + window - 1, modulo
-                          the number of particles */
-    double (*load)[8]; /* [N] F, 0, sum n x F_t (r/(R_i + R_j)), 0 */
-    double (*part)[ENERGY_PARTS][8]; /* [N] of these loads (energy.h); NULL
-                                        without a budget */
+    int begin, end; /* its particles */
+    int window;     /* its loads reach begin ... begin + window - 1, modulo
+                       the number of particles */
+    struct row_load *load;
+    struct row_load (*part)[ENERGY_PARTS]; /* of these loads (energy.h); NULL
+                                               without a budget */
     int load_capacity;
     struct neighbour_list pairs, walls;
     struct chunk_contacts contacts;
@@ -142,12 +142,7 @@ void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
 /* 1 if the blocks are those that its contacts are split into; n particles. */
 int chunk_blocks_fit(const struct chunk *s, int n);
 
-/* Visits all of the chunk that the next run depends on (state.h); n particles,
- * and room for more, which a history may be of.
- * chunk_set_range has been called if the chunk was ever listed. */
-void chunk_state(struct chunk *s, int n, int capacity, struct state *state);
-
-/* The budget alone. */
+/* Visits the budget (state.h). */
 void chunk_energy_state(struct chunk_energy *e, struct state *state);
 
 /* Allocates space for n histories; existing ones are kept. */
@@ -185,8 +180,8 @@ void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
  * velocities before and after it are of all particles (bodies.h). */
 struct chunk_kick {
     double length, from, to;
-    double (*before)[8], (*after)[8];
-    double (*part)[ENERGY_PARTS][8];
+    const struct row_motion *before, *after;
+    struct row_load (*part)[ENERGY_PARTS];
 };
 void chunk_count_kick(struct chunk *s, const struct bodies *b,
                       const struct chunk_kick *kick);

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/fast/chunk_step.h"
 
+#include <math.h>
 #include <string.h>
 
-#include "dem/fast/attraction_loop.h"
-#include "dem/fast/drag_rows.h"
+#include "dem/fast/sweep.h"
 
 /* Sets the velocities of prescribed particles; their work on others and the
  * energy that they gain come from outside. */
 static void chunk_step_set_prescribed(const struct neighbours *nb,
                                       struct chunk *own, int begin, int end,
-                                      double (*load)[8],
+                                      struct row_load *load,
                                       const struct step_parameters *by)
 {
     if (nb->prescribed == NULL || !by->prescribed) return;
@@ -23,19 +23,15 @@ static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
                                int begin, int end,
                                const struct step_parameters *by)
 {
-    double(*const load)[8] = own->load + (begin - own->begin);
+    struct row_load *const load = own->load + (begin - own->begin);
     struct bodies *const b = nb->bodies;
 
     if (by->budget && end > begin)
-        memcpy(b->before[begin], b->velocity[begin],
+        memcpy(&b->before[begin], &b->motion[begin],
                (size_t)(end - begin) * sizeof *b->before);
     chunk_step_set_prescribed(nb, own, begin, end, load, by);
-    if (nb->bodies->implicit_drag == NULL)
-        bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
-                       own->max_speed_now);
-    else
-        drag_rows_advance(nb->bodies, begin, end, load, by->kick, by->drift,
-                          own->max_speed_now);
+    bodies_advance(b, begin, end, load, by->kick, by->drift,
+                   own->max_speed_now);
 }
 
 /* What the budget counts after all particles of the chunk have moved, in an
@@ -45,8 +41,8 @@ static void chunk_step_count(const struct neighbours *nb, int s,
 {
     struct chunk *const own = &nb->chunks[s];
     const struct chunk_kick kick = {
-        by->kick, by->from, 1.0, nb->bodies->before, nb->bodies->velocity,
-        own->part};
+        by->kick,           by->from,           1.0,
+        nb->bodies->before, nb->bodies->motion, own->part};
 
     if (!by->budget) return;
     chunk_count_kick(own, nb->bodies, &kick);
@@ -91,10 +87,100 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
     if (by->budget)
         memset(own->part + from->n_loads, 0,
                (size_t)(to->n_loads - from->n_loads) * sizeof *own->part);
-    by->sweep(own, nb->bodies, by->constants, by->dt, from->pairs, to->pairs);
-    by->sweep(own, nb->bodies, by->constants, by->dt, from->walls, to->walls);
+    sweep_contacts(own, nb->bodies, by->constants, by->dt, from->pairs,
+                   to->pairs);
+    sweep_contacts(own, nb->bodies, by->constants, by->dt, from->walls,
+                   to->walls);
     if (own->max_overlap > own->deep.overlap)
         chunk_check_overlaps(own, nb->bodies, from, to);
+}
+
+/* --- attractions (attraction.h) ------------------------------------------- */
+
+static int material_in_row(const struct bodies *b, int i)
+{
+    return b->material != NULL ? b->material[i] : 0;
+}
+
+/* The damping force [N] of i and j; x [m] points from j to i and has the length
+ * r [m]. */
+static double attraction_damped(const struct bodies *b,
+                                const struct attraction *a, int i, int j,
+                                const double x[3], double r, double gap)
+{
+    const struct row_motion *const m = &b->motion[i], *const u = &b->motion[j];
+    const double R = b->place[i].R, S = b->place[j].R;
+    double closing = 0.0;
+
+    for (int k = 0; k < 3; k++)
+        closing -= (m->v[k] - u->v[k]) * x[k] / r;
+    return attraction_damp(a, R * S / (R + S), gap, closing,
+                           m->per_m + u->per_m, b->step);
+}
+
+static void add_attraction_of_pairs(struct chunk *s, const struct bodies *b,
+                                    const struct attraction *a, int i)
+{
+    const struct neighbour_list *const v = &s->pairs;
+    const int own = i - s->begin, of_i = material_in_row(b, i);
+    const struct row_place *const x = &b->place[i];
+
+    for (int q = v->start[own]; q < v->start[own + 1]; q++) {
+        const int j = v->partner[q], at = j - s->begin;
+        const struct row_place *const y = &b->place[j];
+        double *const theirs = s->load[at < 0 ? at + b->n : at].F;
+        double dx[3], r2 = 0.0;
+
+        for (int k = 0; k < 3; k++) {
+            dx[k] = x->x[k] - y->x[k];
+            dx[k] -= b->box.length[k] * rint(dx[k] * b->box.inverse[k]);
+            r2 += dx[k] * dx[k];
+        }
+        const double r = sqrt(r2), gap = r - x->R - y->R;
+        if (gap > a->range) continue;
+        double F = 0.0;
+        if (a->law->pair != NULL)
+            F = a->law->pair(a, of_i, material_in_row(b, j), x->R, y->R, gap);
+        if (a->law->damping != NULL)
+            F += attraction_damped(b, a, i, j, dx, r, gap);
+        for (int k = 0; k < 3; k++) {
+            s->load[own].F[k] += F / r * dx[k];
+            theirs[k] -= F / r * dx[k];
+        }
+    }
+}
+
+/* Adds the forces of the six sides of the box. */
+static void add_attraction_of_walls(struct chunk *s, const struct bodies *b,
+                                    const struct attraction *a, int i)
+{
+    const struct neighbour_list *const v = &s->walls;
+    const int own = i - s->begin;
+    const double R = b->place[i].R;
+
+    for (int q = v->start[own]; q < v->start[own + 1]; q++) {
+        const int k = v->partner[q] / 2, upper = v->partner[q] % 2;
+        if (k > 2) continue;
+        const double gap = bodies_wall_gap(b, i, v->partner[q]);
+        if (gap > a->range) continue;
+        const double out = upper ? -1.0 : 1.0;
+        if (a->law->wall != NULL)
+            s->load[own].F[k] += out * a->law->wall(a, R, gap);
+        if (a->law->damping != NULL)
+            s->load[own].F[k] +=
+                out * attraction_damp(a, R, gap, -out * b->motion[i].v[k],
+                                      b->motion[i].per_m, b->step);
+    }
+}
+
+static void add_attraction(struct chunk *s, const struct bodies *b,
+                           const struct attraction *a)
+{
+    for (int i = s->begin; i < s->end; i++) {
+        add_attraction_of_pairs(s, b, a, i);
+        if (a->law->wall != NULL || a->law->damping != NULL)
+            add_attraction_of_walls(s, b, a, i);
+    }
 }
 
 /* Adds sign times the loads to the part of the attractions. */
@@ -102,7 +188,7 @@ static void add_to_attractions(struct chunk *own, double sign)
 {
     for (int q = 0; q < own->window; q++)
         for (int k = 0; k < 3; k++)
-            own->part[q][ENERGY_ATTRACTIONS][k] += sign * own->load[q][k];
+            own->part[q][ENERGY_ATTRACTIONS].F[k] += sign * own->load[q].F[k];
 }
 
 static void chunk_step_add_attractions(const struct bodies *b,
@@ -113,7 +199,7 @@ static void chunk_step_add_attractions(const struct bodies *b,
 
     if (counted) add_to_attractions(own, -1.0);
     for (int k = 0; k < by->n_attractions; k++)
-        attraction_loop_add(own, b, &by->attractions[k]);
+        add_attraction(own, b, &by->attractions[k]);
     if (counted) add_to_attractions(own, 1.0);
 }
 
@@ -124,8 +210,8 @@ static void load_others(struct neighbours *nb, int s,
     struct chunk *const own = &nb->chunks[s];
 
     if (nb->surfaces != NULL)
-        surfaces_add_loads(nb->surfaces, s, own, nb->bodies, by->sweep,
-                           by->constants, by->dt);
+        surfaces_add_loads(nb->surfaces, s, own, nb->bodies, by->constants,
+                           by->dt);
     chunk_step_add_attractions(nb->bodies, own, by);
 }
 

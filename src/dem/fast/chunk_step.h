@@ -11,11 +11,9 @@
 #define DEM_FAST_CHUNK_STEP_H
 
 #include "dem/attraction.h"
-#include "dem/fast/contact_loops.h"
 #include "dem/fast/neighbours.h"
 
 struct step_parameters {
-    contact_sweep *sweep;
     const struct contact_constants *constants;
     const struct attraction *attractions;
     int n_attractions;

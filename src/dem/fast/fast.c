@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/fast/fast.h"
-#include "dem/particles_setup.h"
 
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "dem/fast/budget.h"
-#include "dem/fast/fast_internal.h"
+#include "dem/fast/sweep.h"
+#include "dem/particles_setup.h"
 
 /* The skin is d / SKIN_PARTS, and down to d / THINNEST_SKIN in a periodic box
  * that has no room for that; the contacts are chosen with a margin of at least
@@ -32,15 +31,15 @@ static double skin_of(const struct dem_options *o, double mean)
     return o->skin > 0.0 ? o->skin : skin;
 }
 
-/* Selects the variant of the contact loop (contact_loops.h). */
+/* The stages of the contact loop that a case needs (sweep.h). */
 static int loop_of(const struct dem_options *o, int budget)
 {
     const int periodic = o->periodic[0] || o->periodic[1] || o->periodic[2];
     const int rolls = materials_have_rolling(&o->material, o->materials);
     const int many = materials_count(o->materials) > 1 || rolls || budget;
 
-    return periodic * CONTACT_PERIODIC + many * CONTACT_MULTI_MATERIAL +
-           rolls * CONTACT_ROLLING + budget * CONTACT_BUDGET;
+    return periodic * SWEEP_PERIODIC + many * SWEEP_MULTI_MATERIAL +
+           rolls * SWEEP_ROLLING + budget * SWEEP_BUDGET;
 }
 
 static struct neighbours *create_neighbours(const struct dem *dem)
@@ -51,6 +50,7 @@ static struct neighbours *create_neighbours(const struct dem *dem)
 
     nb->bodies->law = o->law;
     nb->bodies->step = o->step;
+    nb->bodies->sweep_options = loop_of(o, 0);
     nb->bodies->n_materials = materials_count(o->materials);
     if (o->materials != NULL) nb->bodies->wall_material = o->materials->wall;
     nb->range = dem_range(o);
@@ -65,18 +65,27 @@ static struct neighbours *create_neighbours(const struct dem *dem)
     return nb;
 }
 
+static void add_heun(struct fast *fast, int capacity)
+{
+    struct heun *const h = &fast->heun;
+    const size_t n = (size_t)capacity;
+
+    h->place = alloc_zeroed(n, sizeof *h->place);
+    h->motion = alloc_zeroed(n, sizeof *h->motion);
+    h->load = alloc_zeroed(n, sizeof *h->load);
+}
+
 static int fast_create(struct dem *dem)
 {
     const struct dem_options *const o = &dem->options;
-    const int loop = loop_of(o, 0);
 
     for (int s = 0; s < o->n_surfaces; s++)
         if (surface_wrong(&o->surfaces[s])) return 1;
     struct fast *const fast = dem->state = alloc_zeroed(1, sizeof *fast);
-    if (o->integrator->predicts) fast->heun = heun_create(dem->ps->capacity);
-    fast->sweep = contact_loops_of(o->law, loop);
+    if (o->integrator->predicts) add_heun(fast, dem->ps->capacity);
     fast->neighbours = create_neighbours(dem);
-    if (loop & CONTACT_ROLLING) neighbours_add_rolling(fast->neighbours);
+    if (fast->neighbours->bodies->sweep_options & SWEEP_ROLLING)
+        neighbours_add_rolling(fast->neighbours);
     return 0;
 }
 
@@ -86,7 +95,10 @@ static void fast_release(struct dem *dem)
 
     if (fast == NULL) return;
     neighbours_free(fast->neighbours);
-    heun_free(fast->heun);
+    free(fast->heun.place);
+    free(fast->heun.motion);
+    free(fast->heun.load);
+    free(fast->heun.part);
     free(fast);
 }
 
@@ -100,17 +112,17 @@ static void fast_add_budget(struct fast *fast, int capacity)
     nb->bodies->before = alloc_zeroed(n, sizeof *nb->bodies->before);
     for (int s = 0; s < nb->n_chunks; s++)
         nb->chunks[s].has_budget = 1;
-    if (fast->heun != NULL)
-        fast->heun->part = alloc_zeroed(n, sizeof *fast->heun->part);
+    if (fast->heun.load != NULL)
+        fast->heun.part = alloc_zeroed(n, sizeof *fast->heun.part);
 }
 
 static void fast_changed(struct dem *dem)
 {
     struct fast *const fast = fast_of(dem);
-    const int loop = loop_of(&dem->options, dem->energy != NULL);
 
     if (dem->energy != NULL) fast_add_budget(fast, dem->ps->capacity);
-    fast->sweep = contact_loops_of(dem->options.law, loop);
+    fast->neighbours->bodies->sweep_options =
+        loop_of(&dem->options, dem->energy != NULL);
     fast->neighbours->stale = 1;
 }
 
@@ -144,8 +156,7 @@ static void report_lost(const struct neighbours *nb, struct dem_report *r)
             r->lost_id = nb->ps->id[found->first_lost];
             r->lost_through = found->lost_through;
             for (int k = 0; k < 3; k++)
-                r->lost_at[k] =
-                    nb->bodies->position_radius[found->first_lost][k];
+                r->lost_at[k] = nb->bodies->place[found->first_lost].x[k];
         }
         r->lost += found->lost;
     }
@@ -155,7 +166,7 @@ static void close_budget(struct dem *dem)
 {
     const double added = dem->energy->added;
 
-    *dem->energy = budget_collect(fast_of(dem)->neighbours);
+    *dem->energy = neighbours_energy(fast_of(dem)->neighbours);
     dem->energy->added = added;
 }
 

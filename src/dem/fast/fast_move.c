@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/fast/fast_internal.h"
+#include "dem/fast/fast.h"
 
 #include <math.h>
 #include <omp.h>
+#include <string.h>
 
 #include "base/interrupt.h"
-#include "dem/fast/budget.h"
 #include "dem/fast/chunk_step.h"
-#include "dem/fast/crossings.h"
-#include "dem/surfaces/prescribed_motion.h"
 
 /* Number of steps for which contacts are chosen ahead. */
 static const double steps_ahead = 12.0;
@@ -30,8 +28,7 @@ static double time_after(const struct dem *dem, int k)
 static struct step_parameters step_parameters(const struct dem *dem, double dt,
                                               double kick, double drift)
 {
-    return (struct step_parameters){.sweep = fast_of(dem)->sweep,
-                                    .constants = dem->constants,
+    return (struct step_parameters){.constants = dem->constants,
                                     .attractions = dem->options.attractions,
                                     .n_attractions = dem->options.n_attractions,
                                     .budget = dem->energy != NULL,
@@ -82,6 +79,30 @@ static void push_surfaces(const struct dem *dem, double kicks)
                               kicks * dt);
 }
 
+/* Puts the surfaces where they are at time t [s]. */
+static void move_surfaces(const struct neighbours *nb, double t)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    if (nb->surfaces == NULL) return;
+    for (int s = mine.first; s < mine.last; s++)
+        surfaces_move(nb->surfaces, s, t);
+}
+
+/* Makes the prescribed particles ready for a drift of dt from there [s]. */
+static void set_prescribed(const struct neighbours *nb, double t, double dt)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    if (nb->prescribed == NULL) return;
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        own->energy.prescribed += prescribed_particles_set_velocities(
+            nb->prescribed, nb->bodies, nb->ps, own->begin, own->end, NULL, t,
+            dt, 0.0);
+    }
+}
+
 /* Rebuilds lists and forces after particles were changed between runs; the time
  * does not advance. The first kick then has these loads in place of those of
  * the last step, which the totals of the surfaces contain already. */
@@ -124,7 +145,7 @@ static void begin_budget(struct dem *dem)
     neighbours_barrier(fast_of(dem)->neighbours);
     if (omp_get_thread_num() == 0) {
         const struct energy before = *e;
-        *e = budget_collect(fast_of(dem)->neighbours);
+        *e = neighbours_energy(fast_of(dem)->neighbours);
         e->added = before.added;
         e->added += energy_residual(e) - energy_residual(&before);
     }
@@ -149,7 +170,8 @@ static int is_crossed(const struct dem *dem, double closer)
 
     if (!(closer > fast->neighbours->smallest)) return 0;
     if (omp_get_thread_num() == 0)
-        fast->crossing = crossings_find(fast->neighbours, dem->options.step);
+        fast->crossing =
+            neighbours_crossing(fast->neighbours, dem->options.step);
     neighbours_barrier(fast->neighbours);
     return fast->crossing.found;
 }
@@ -200,7 +222,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
     first.from = integrator_lag(by) / by->first;
     if (steps > 0) chunk_step_move(nb, &first);
     for (int k = 0; k < steps; k++) {
-        prescribed_motion_move_surfaces(nb, time_after(dem, k + 1));
+        move_surfaces(nb, time_after(dem, k + 1));
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         r->used += closer;
         if (is_crossed(dem, closer)) return k;
@@ -215,6 +237,83 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
     return steps;
 }
 
+/* --- Heun's method (integrator.h) ----------------------------------------- */
+
+const struct integrator heun_integrator = {
+    .name = "heun",
+    .what = "second order, also with damping; the energy drifts upward",
+    .equations = "LS section 4.2",
+    .function = "heun_correct",
+    .predicts = 1,
+};
+
+static void heun_save_start(const struct heun *h, const struct chunk *s,
+                            const struct bodies *b)
+{
+    const size_t n = (size_t)(s->end - s->begin);
+
+    if (n == 0) return;
+    memcpy(&h->place[s->begin], &b->place[s->begin], n * sizeof *h->place);
+    memcpy(&h->motion[s->begin], &b->motion[s->begin], n * sizeof *h->motion);
+    memcpy(&h->load[s->begin], s->load, n * sizeof *h->load);
+    if (h->part != NULL)
+        memcpy(&h->part[s->begin], s->part, n * sizeof *h->part);
+}
+
+/* Of component k: dv/dt, and d(R omega)/dt (bodies.c). */
+static double rate_of_v(const struct row_load *load, const double a[4],
+                        double per_m, int k)
+{
+    return load->F[k] * per_m + a[k];
+}
+
+static double rate_of_s(const struct row_load *load, double per_m, int k)
+{
+    return -2.5 * load->turn[k] * per_m;
+}
+
+static void heun_predict(const struct heun *h, const struct chunk *s,
+                         struct bodies *b, double dt)
+{
+    for (int i = s->begin; i < s->end; i++) {
+        struct row_motion *const m = &b->motion[i];
+        const struct row_load *const load = &h->load[i];
+
+        for (int k = 0; k < 3; k++) {
+            b->place[i].x[k] += m->v[k] * dt;
+            m->v[k] += rate_of_v(load, b->acceleration[i], m->per_m, k) * dt;
+            m->s[k] += rate_of_s(load, m->per_m, k) * dt;
+        }
+    }
+}
+
+static void heun_correct(const struct heun *h, struct chunk *s,
+                         struct bodies *b, double dt)
+{
+    memset(s->max_speed, 0, sizeof s->max_speed);
+    for (int i = s->begin; i < s->end; i++) {
+        const struct row_motion *const at_start = &h->motion[i];
+        const struct row_load *const first = &h->load[i];
+        const struct row_load *const second = &s->load[i - s->begin];
+        const double *const a = b->acceleration[i];
+        struct row_motion *const m = &b->motion[i];
+
+        for (int k = 0; k < 3; k++) {
+            const double ahead = m->v[k], per_m = m->per_m;
+            b->place[i].x[k] =
+                h->place[i].x[k] + 0.5 * dt * (at_start->v[k] + ahead);
+            m->v[k] = at_start->v[k] + 0.5 * dt *
+                                           (rate_of_v(first, a, per_m, k) +
+                                            rate_of_v(second, a, per_m, k));
+            m->s[k] = at_start->s[k] + 0.5 * dt *
+                                           (rate_of_s(first, per_m, k) +
+                                            rate_of_s(second, per_m, k));
+            s->max_speed[k] = fmax(s->max_speed[k], fabs(ahead));
+            s->max_speed[k] = fmax(s->max_speed[k], fabs(m->v[k]));
+        }
+    }
+}
+
 static void predict(struct dem *dem, double dt)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
@@ -222,7 +321,7 @@ static void predict(struct dem *dem, double dt)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        heun_predict(fast_of(dem)->heun, own, nb->bodies, dt);
+        heun_predict(&fast_of(dem)->heun, own, nb->bodies, dt);
     }
 }
 
@@ -231,13 +330,13 @@ static void predict(struct dem *dem, double dt)
 static void count_heun(struct dem *dem, int s, double dt)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
-    struct heun *const h = fast_of(dem)->heun;
+    struct heun *const h = &fast_of(dem)->heun;
     struct chunk *const own = &nb->chunks[s];
     const double half = 0.5 * dt;
     const struct chunk_kick first = {
-        half, 0.0, 1.0, h->velocity, h->velocity, h->part + own->begin};
+        half, 0.0, 1.0, h->motion, h->motion, h->part + own->begin};
     const struct chunk_kick second = {
-        half, 0.0, 1.0, nb->bodies->velocity, nb->bodies->velocity, own->part};
+        half, 0.0, 1.0, nb->bodies->motion, nb->bodies->motion, own->part};
 
     chunk_count_kick(own, nb->bodies, &first);
     chunk_count_kick(own, nb->bodies, &second);
@@ -253,7 +352,7 @@ static void fast_move_correct(struct dem *dem, double dt)
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         if (dem->energy != NULL) count_heun(dem, s, dt);
-        heun_correct(fast_of(dem)->heun, own, nb->bodies, dt);
+        heun_correct(&fast_of(dem)->heun, own, nb->bodies, dt);
     }
 }
 
@@ -266,7 +365,7 @@ static void force_at_start(struct dem *dem)
 
     compute_loads(dem, 0.0);
     for (int s = mine.first; s < mine.last; s++) {
-        heun_save_start(fast_of(dem)->heun, &nb->chunks[s], nb->bodies);
+        heun_save_start(&fast_of(dem)->heun, &nb->chunks[s], nb->bodies);
         if (dem->energy != NULL && nb->surfaces != NULL)
             surface_contacts_count(&nb->surfaces->chunk[s],
                                    0.5 * dem->options.step);
@@ -282,7 +381,7 @@ static void fast_move_set_prescribed(struct dem *dem, int k, double dt)
     struct neighbours *const nb = fast_of(dem)->neighbours;
 
     if (nb->prescribed == NULL || !dem->motion_on) return;
-    prescribed_motion_set_velocities(nb, time_after(dem, k), dt);
+    set_prescribed(nb, time_after(dem, k), dt);
     neighbours_barrier(nb);
 }
 
@@ -309,7 +408,7 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
         compute_loads(dem, 0.5 * dt);
         predict(dem, dt);
         neighbours_barrier(nb);
-        prescribed_motion_move_surfaces(nb, time_after(dem, k + 1));
+        move_surfaces(nb, time_after(dem, k + 1));
         compute_loads(dem, 0.5 * dt);
         fast_move_correct(dem, dt);
         neighbours_barrier(nb);
@@ -325,9 +424,8 @@ static int fast_move_move(struct dem *dem, int steps, struct contact_margin *r)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
 
-    prescribed_motion_move_surfaces(nb, time_after(dem, 0));
-    if (dem->motion_on)
-        prescribed_motion_set_velocities(nb, time_after(dem, 0), 0.0);
+    move_surfaces(nb, time_after(dem, 0));
+    if (dem->motion_on) set_prescribed(nb, time_after(dem, 0), 0.0);
     if (nb->stale && fast_move_start(dem, &r->margin) != 0) return -1;
     if (dem->energy != NULL) begin_budget(dem);
     return dem->options.integrator->predicts ? heun_steps(dem, steps, r)

@@ -156,9 +156,8 @@ static int grid_beside(const struct grid *g, int k, int c, int found[3])
 /* 1 if the gap of i and j, nearest image, is less than the skin. */
 static inline int close_by(const struct bodies *b, int i, int j, double skin)
 {
-    const double *const x = b->position_radius[i], *const y =
-                                                       b->position_radius[j];
-    const double reach = x[3] + y[3] + skin;
+    const double *const x = b->place[i].x, *const y = b->place[j].x;
+    const double reach = b->place[i].R + b->place[j].R + skin;
     double r2 = 0.0;
 
     for (int k = 0; k < 3; k++) {
@@ -174,9 +173,8 @@ static inline int close_by(const struct bodies *b, int i, int j, double skin)
 static inline int close_inside(const struct bodies *b, int i, int j,
                                double skin)
 {
-    const double *const x = b->position_radius[i], *const y =
-                                                       b->position_radius[j];
-    const double reach = x[3] + y[3] + skin;
+    const double *const x = b->place[i].x, *const y = b->place[j].x;
+    const double reach = b->place[i].R + b->place[j].R + skin;
     double r2 = 0.0;
 
     for (int k = 0; k < 3; k++)
@@ -230,8 +228,8 @@ static void find_pairs(const struct grid *g, struct chunk *s,
     int at[3][3], count[3], c[3];
 
     for (int k = 0; k < 3; k++)
-        count[k] = grid_beside(
-            g, k, grid_coordinate(g, k, b->position_radius[i][k]), at[k]);
+        count[k] =
+            grid_beside(g, k, grid_coordinate(g, k, b->place[i].x[k]), at[k]);
     for (int p = 0; p < count[a[2]]; p++)
         for (int q = 0; q < count[a[1]]; q++)
             for (int r = 0, next; r < count[a[0]]; r = next) {
@@ -250,13 +248,9 @@ static void find_pairs(const struct grid *g, struct chunk *s,
 static void grid_find_walls(struct chunk *s, const struct bodies *b, int i,
                             double skin)
 {
-    const double *const x = b->position_radius[i];
-
-    for (int k = 0; k < 3; k++) {
-        if (b->box.periodic[k]) continue;
-        if (x[k] - b->box.lo[k] - x[3] <= skin) chunk_add_wall(s, 2 * k);
-        if (b->box.hi[k] - x[k] - x[3] <= skin) chunk_add_wall(s, 2 * k + 1);
-    }
+    for (int w = 0; w < 6; w++)
+        if (!b->box.periodic[w / 2] && bodies_wall_gap(b, i, w) <= skin)
+            chunk_add_wall(s, w);
 }
 
 void grid_find(const struct grid *g, struct chunk *s, const struct bodies *b,

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/crossing.h"
 
 void neighbours_watch(struct neighbours *nb, double overlap)
 {
@@ -167,9 +169,8 @@ void neighbours_store(struct neighbours *nb)
         bodies_store(nb->bodies, ps, own->begin, own->end);
         if (nb->stale) continue; /* no step was made */
         for (int i = own->begin; i < own->end; i++) {
-            ps->cfx[i] = own->load[i - own->begin][0];
-            ps->cfy[i] = own->load[i - own->begin][1];
-            ps->cfz[i] = own->load[i - own->begin][2];
+            const double *const F = own->load[i - own->begin].F;
+            ps->cfx[i] = F[0], ps->cfy[i] = F[1], ps->cfz[i] = F[2];
         }
     }
 }
@@ -315,4 +316,36 @@ double neighbours_refresh(struct neighbours *nb, double wanted)
     }
     neighbours_barrier(nb);
     return margin;
+}
+
+/* Two spheres may cross between two steps (crossing.h), of which the lists do
+ * not know. */
+static int is_fast(const struct neighbours *nb, int i, double dt)
+{
+    const double *const v = nb->bodies->motion[i].v;
+
+    return 4.0 * vector_dot(v, v) * dt * dt > nb->smallest * nb->smallest;
+}
+
+static int crossings_cross(const struct bodies *b, int i, int j, double dt)
+{
+    const struct row_place *const p = &b->place[i], *const q = &b->place[j];
+    double x[3], way[3];
+
+    for (int k = 0; k < 3; k++) {
+        x[k] = box_domain_nearest(&b->box, k, p->x[k] - q->x[k]);
+        way[k] = (b->motion[i].v[k] - b->motion[j].v[k]) * dt;
+    }
+    return crossing(x, way, p->R + q->R);
+}
+
+struct dem_crossing neighbours_crossing(const struct neighbours *nb, double dt)
+{
+    const struct bodies *const b = nb->bodies;
+
+    for (int i = 0; i < b->n; i++)
+        for (int j = 0; j < b->n && is_fast(nb, i, dt); j++)
+            if (j != i && crossings_cross(b, i, j, dt))
+                return (struct dem_crossing){1, {b->id[i], b->id[j]}};
+    return (struct dem_crossing){0};
 }

@@ -65,9 +65,6 @@ struct chunk_range neighbours_static_range(const struct neighbours *nb);
  * of the two partitions there must be a barrier. */
 struct chunk_range neighbours_balanced_range(const struct neighbours *nb);
 
-/* Visits all that the next run depends on (state.h). */
-void neighbours_state(struct neighbours *nb, struct state *s);
-
 /* Waits for all threads of the team. */
 void neighbours_barrier(const struct neighbours *nb);
 
@@ -96,5 +93,12 @@ double neighbours_refresh(struct neighbours *nb, double wanted);
 
 /* Searches the chunks of this thread for lost particles. */
 void neighbours_check_lost(struct neighbours *nb);
+
+/* All terms of the budget but `added`, summed over the chunks. */
+struct energy neighbours_energy(const struct neighbours *nb);
+
+/* The first pair that crossed in the last drift of dt [s]: each particle that
+ * moved by more than the smallest radius is compared with all. */
+struct dem_crossing neighbours_crossing(const struct neighbours *nb, double dt);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "dem/fast/fast_internal.h"
+#include "dem/fast/fast.h"
 
 struct dem_surface dem_surface(const struct dem *dem, int k)
 {

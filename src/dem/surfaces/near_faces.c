@@ -47,10 +47,9 @@ void near_faces_image(const struct near_face *f, const struct bodies *b, int i,
                       double x[3])
 {
     for (int k = 0; k < 3; k++) {
-        const double dx =
-            b->position_radius[i][k] - b->position_at_rebuild[i][k];
+        const double dx = b->place[i].x[k] - b->place_at_rebuild[i][k];
         const double back = b->box.length[k] * rint(dx * b->box.inverse[k]);
-        x[k] = b->position_radius[i][k] - back + f->shift[k];
+        x[k] = b->place[i].x[k] - back + f->shift[k];
     }
 }
 
@@ -67,8 +66,8 @@ static double gap_of(const struct surface_scene *scene, const struct pose *pose,
 static void near_faces_find_faces(struct near_faces *l,
                                   const struct surface_scene *scene,
                                   const struct pose *pose, int surface,
-                                  const double place[4], const double shift[3],
-                                  double skin)
+                                  const struct row_place *place,
+                                  const double shift[3], double skin)
 {
     const struct surface *const s = &scene->surface[surface];
     const int many = s->triangles != NULL;
@@ -76,33 +75,33 @@ static void near_faces_find_faces(struct near_faces *l,
     double x[3], y[3];
 
     memcpy(f.shift, shift, sizeof f.shift);
-    vector_along(place, 1.0, shift, x);
+    vector_along(place->x, 1.0, shift, x);
     motion_origin(&pose[surface], x, y);
     l->found.n = 1;
-    if (many) triangles_near(s->triangles, y, place[3] + skin, &l->found);
+    if (many) triangles_near(s->triangles, y, place->R + skin, &l->found);
     for (int q = 0; q < l->found.n; q++) {
         f.face = many ? l->found.number[q] : 0;
-        if (gap_of(scene, pose, &f, x, place[3]) <= skin)
+        if (gap_of(scene, pose, &f, x, place->R) <= skin)
             near_faces_add_face(l, &f);
     }
 }
 
 /* A particle near an end of a periodic direction is near what lies beyond. */
-static int images(const struct box_domain *box, const double place[4], int k,
-                  double skin, double shift[3])
+static int images(const struct box_domain *box, const struct row_place *place,
+                  int k, double skin, double shift[3])
 {
-    const double reach = place[3] + skin;
+    const double reach = place->R + skin;
     int n = 1;
 
     shift[0] = 0.0;
     if (!box->periodic[k]) return n;
-    if (place[k] - box->lo[k] < reach) shift[n++] = box->length[k];
-    if (box->hi[k] - place[k] < reach) shift[n++] = -box->length[k];
+    if (place->x[k] - box->lo[k] < reach) shift[n++] = box->length[k];
+    if (box->hi[k] - place->x[k] < reach) shift[n++] = -box->length[k];
     return n;
 }
 
 static void find_owner(struct near_faces *l, const struct surface_scene *scene,
-                       const struct pose *pose, const double place[4],
+                       const struct pose *pose, const struct row_place *place,
                        double skin)
 {
     double shift[3][3];
@@ -126,7 +125,7 @@ void near_faces_find(struct near_faces *l, const struct surface_scene *scene,
     l->n_owners = l->n_faces = 0;
     for (int i = s->begin; i < s->end; i++) {
         begin_owner(l, i);
-        find_owner(l, scene, pose, b->position_radius[i], skin);
+        find_owner(l, scene, pose, &b->place[i], skin);
         end_owner(l);
     }
 }
@@ -144,8 +143,7 @@ void near_faces_choose(struct near_faces *l, const struct near_faces *from,
             const struct near_face *const face = &from->face[f];
             double x[3];
             near_faces_image(face, b, own->owner, x);
-            if (gap_of(scene, pose, face, x,
-                       b->position_radius[own->owner][3]) < margin)
+            if (gap_of(scene, pose, face, x, b->place[own->owner].R) < margin)
                 near_faces_add_face(l, face);
         }
         end_owner(l);

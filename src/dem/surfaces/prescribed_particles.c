@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "dem/fast/drag_rows.h"
+#include "base/vector.h"
 
 /* [-] factor of 1/m for a prescribed particle: with 0, a contact of two of them
  * would divide 0 by 0. */
@@ -47,38 +47,37 @@ void prescribed_particles_locate(struct prescribed_particles *d,
 static void set_inverse_mass(struct bodies *b, const struct particles *ps,
                              int i)
 {
-    b->velocity[i][7] = fraction_within / ps->m[i];
+    b->motion[i].per_m = fraction_within / ps->m[i];
     b->own_inverse_mass[i] = 1.0 / ps->m[i];
     memset(b->acceleration[i], 0, sizeof b->acceleration[i]);
-    if (b->implicit_drag == NULL) return;
+    if (b->drag == NULL) return;
     const double per_mass = fraction_within / (ps->m[i] + ps->added_mass[i]);
-    b->implicit_drag[i][0] = ps->drag_coefficient[i] * per_mass;
-    b->implicit_drag[i][1] = b->implicit_drag[i][2] = 1.0;
-    b->implicit_drag[i][3] = per_mass;
+    b->drag[i] = (struct row_drag){ps->drag_coefficient[i] * per_mass, 1.0, 1.0,
+                                   per_mass};
 }
 
 /* Restores the row of bodies_load. The present loads are those of a particle of
  * nearly infinite mass, whose dashpots would accelerate a finite mass far too
  * much; they are set to 0. */
 static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
-                                 int i, double load[8])
+                                 int i, struct row_load *load)
 {
-    if (load != NULL) memset(load, 0, 8 * sizeof *load);
+    if (load != NULL) memset(load, 0, sizeof *load);
     const double per_mass = 1.0 / ps->m[i];
 
-    b->velocity[i][7] = per_mass;
+    b->motion[i].per_m = per_mass;
     b->own_inverse_mass[i] = 0.0;
     b->acceleration[i][0] = ps->ex[i] * per_mass;
     b->acceleration[i][1] = ps->ey[i] * per_mass;
     b->acceleration[i][2] = ps->ez[i] * per_mass;
-    if (b->implicit_drag != NULL) drag_rows_load(b, ps, i, i + 1);
+    if (b->drag != NULL) bodies_load_drag(b, ps, i, i + 1);
 }
 
 static void set_velocity_of(const struct motion *m, struct bodies *b, int i,
                             double t, double dt)
 {
     const struct pose now = motion_pose(m, t);
-    double *const v = b->velocity[i], *const x = b->position_radius[i];
+    double *const v = b->motion[i].v, *const x = b->place[i].x;
 
     if (dt > 0.0) {
         const struct pose next = motion_pose(m, t + dt);
@@ -91,28 +90,27 @@ static void set_velocity_of(const struct motion *m, struct bodies *b, int i,
         motion_velocity(&now, x, v);
     }
     for (int k = 0; k < 3; k++)
-        v[4 + k] = x[3] * now.spin[k];
+        b->motion[i].s[k] = b->place[i].R * now.spin[k];
 }
 
 /* Energy of translation and rotation, and of the added mass [J]. */
 static double prescribed_particles_kinetic(const struct bodies *b,
                                            const struct particles *ps, int i)
 {
-    const double *const v = b->velocity[i];
-    const double m =
-        ps->m[i] + (b->implicit_drag != NULL ? ps->added_mass[i] : 0.0);
+    const struct row_motion *const own = &b->motion[i];
+    const double m = ps->m[i] + (b->drag != NULL ? ps->added_mass[i] : 0.0);
 
-    return 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
-           0.2 * ps->m[i] * (v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
+    return 0.5 * m * vector_dot(own->v, own->v) +
+           0.2 * ps->m[i] * vector_dot(own->s, own->s);
 }
 
-/* [W] T . omega = -load . (R omega) (chunk.h). */
-static double power_on(const double v[8], const double load[8])
+/* [W] T . omega = -turn . (R omega) (bodies.h). */
+static double power_on(const struct row_motion *m, const struct row_load *load)
 {
     double power = 0.0;
 
     for (int k = 0; k < 3; k++)
-        power += load[k] * v[k] - load[4 + k] * v[4 + k];
+        power += load->F[k] * m->v[k] - load->turn[k] * m->s[k];
     return power;
 }
 
@@ -126,7 +124,7 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
                                            struct bodies *b,
                                            const struct particles *ps,
                                            int begin, int end,
-                                           double (*load)[8], double t,
+                                           struct row_load *load, double t,
                                            double dt, double kick)
 {
     double gained = 0.0;
@@ -143,9 +141,9 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
             gained += prescribed_particles_kinetic(b, ps, i);
         } else if (d->is_on[k]) {
             if (load != NULL)
-                gained -= kick * power_on(b->velocity[i], load[i - begin]);
+                gained -= kick * power_on(&b->motion[i], &load[i - begin]);
             restore_inverse_mass(b, ps, i,
-                                 load != NULL ? load[i - begin] : NULL);
+                                 load != NULL ? &load[i - begin] : NULL);
         }
         d->is_on[k] = on;
     }

@@ -47,7 +47,7 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
                                            struct bodies *b,
                                            const struct particles *ps,
                                            int begin, int end,
-                                           double (*load)[8], double t,
+                                           struct row_load *load, double t,
                                            double dt, double kick);
 
 /* After rows were loaded: sets 1/m of the prescribed particles to 0; or

@@ -38,7 +38,7 @@ static void surface_contact_points_gather(struct surface_contact_points *t,
         near_faces_image(face, b, own->owner, x);
         const struct surface_hit h = surface_nearest_moved(
             &scene->surface[face->surface], face->face, p, x);
-        if (h.r >= b->position_radius[own->owner][3]) continue;
+        if (h.r >= b->place[own->owner].R) continue;
         struct surface_contact_point one = {
             .owner = own->owner, .surface = face->surface, .r = h.r};
         memcpy(one.n, h.n, sizeof one.n);
@@ -87,6 +87,6 @@ void surface_contact_points_find(struct surface_contact_points *t,
         const int first = t->n;
 
         surface_contact_points_gather(t, close, own, scene, pose, b);
-        keep_those_that_count(t, first, b->position_radius[own->owner][3]);
+        keep_those_that_count(t, first, b->place[own->owner].R);
     }
 }

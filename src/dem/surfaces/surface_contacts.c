@@ -6,12 +6,10 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
+#include "dem/fast/sweep.h"
 
 /* Cosine of the angle by which n may turn in a step and be the same [-]. */
 static const double same = 0.9;
-
-/* The contact loop writes whole blocks (sweep_buffers.h). */
-enum { SPARE = 64 };
 
 void surface_contacts_init(struct surface_contacts *c,
                            const struct surface_scene *scene)
@@ -29,8 +27,8 @@ void surface_contacts_init(struct surface_contacts *c,
 /* The arrays of the loop, which hold nothing from step to step. */
 static void surface_contacts_free_arrays(struct surface_contacts *c)
 {
-    free(c->position_radius);
-    free(c->velocity);
+    free(c->place);
+    free(c->motion);
     free(c->material);
     chunk_release(&c->pairs);
 }
@@ -76,21 +74,19 @@ static void surface_contacts_make_room(struct surface_contacts *c, int n,
 
     if (n <= c->capacity && c->pairs.has_budget == budget) return;
     c->capacity = n + n / 2 + 64;
+    const size_t two_each = 2 * (size_t)c->capacity;
     surface_contacts_free_arrays(c);
-    c->position_radius =
-        alloc_zeroed(2 * (size_t)c->capacity, 4 * sizeof(double));
-    c->velocity = alloc_zeroed(2 * (size_t)c->capacity, 8 * sizeof(double));
+    c->place = alloc_zeroed(two_each, sizeof *c->place);
+    c->motion = alloc_zeroed(two_each, sizeof *c->motion);
     memset(&c->pairs, 0, sizeof c->pairs);
     c->pairs.max_overlap = deepest;
     c->pairs.energy = energy;
     c->pairs.has_rolling = rolls;
     c->pairs.has_budget = budget;
     c->material = alloc_ints(2 * c->capacity);
-    c->pairs.load = alloc_zeroed(2 * (size_t)c->capacity, 8 * sizeof(double));
-    if (budget)
-        c->pairs.part =
-            alloc_zeroed(2 * (size_t)c->capacity, sizeof *c->pairs.part);
-    k->capacity = c->capacity + SPARE;
+    c->pairs.load = alloc_zeroed(two_each, sizeof *c->pairs.load);
+    if (budget) c->pairs.part = alloc_zeroed(two_each, sizeof *c->pairs.part);
+    k->capacity = c->capacity + SWEEP_LANES;
     k->owner = alloc_ints(k->capacity);
     k->partner = alloc_ints(k->capacity);
     for (int a = 0; a < 3; a++)
@@ -106,21 +102,16 @@ static void surface_contacts_put_spheres(struct surface_contacts *c,
                                          int q, const struct bodies *b)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
-    double *const mine = c->position_radius[2 * q];
-    double *const mirror = c->position_radius[2 * q + 1];
-    double *const moves = c->velocity[2 * q + 1];
-    const double R = b->position_radius[t->owner][3];
+    const double R = b->place[t->owner].R, behind = -(t->r + R);
 
-    for (int k = 0; k < 3; k++) {
-        mine[k] = 0.0;
-        mirror[k] = -(t->r + R) * t->n[k];
-    }
-    mine[3] = mirror[3] = R;
-    memcpy(c->velocity[2 * q], b->velocity[t->owner], 8 * sizeof(double));
+    c->place[2 * q] = (struct row_place){{0.0, 0.0, 0.0}, R};
+    c->place[2 * q + 1] = (struct row_place){
+        {behind * t->n[0], behind * t->n[1], behind * t->n[2]}, R};
+    c->motion[2 * q] = b->motion[t->owner];
     if (b->own_inverse_mass != NULL && b->own_inverse_mass[t->owner] > 0.0)
-        c->velocity[2 * q][7] = b->own_inverse_mass[t->owner];
-    memset(moves, 0, 8 * sizeof(double));
-    memcpy(moves, t->v, sizeof t->v);
+        c->motion[2 * q].per_m = b->own_inverse_mass[t->owner];
+    c->motion[2 * q + 1] =
+        (struct row_motion){.v = {t->v[0], t->v[1], t->v[2]}};
     c->material[2 * q] = b->material != NULL ? b->material[t->owner] : 0;
     c->material[2 * q + 1] = scene->surface[t->surface].material;
     c->pairs.contacts.owner[q] = 2 * q;
@@ -154,20 +145,27 @@ static void put_spring(struct surface_contacts *c, int q, int *at)
     }
 }
 
+static void add_row(struct row_load *to, const struct row_load *from)
+{
+    for (int k = 0; k < 3; k++) {
+        to->F[k] += from->F[k];
+        to->turn[k] += from->turn[k];
+    }
+}
+
 /* Adds the loads to the particles, and their reactions to the totals of the
  * surface. */
 static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
                             const struct pose *pose, double dt)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
-    const double *const load = c->pairs.load[2 * q];
-    double *const sum = s->load[t->owner - s->begin];
+    const struct row_load *const one = &c->pairs.load[2 * q];
+    const double *const load = one->F;
     double *const impulse = c->received[t->surface].impulse;
     double *const angular = c->received[t->surface].angular;
     double arm[3], torque[3];
 
-    for (int k = 0; k < 8; k++)
-        sum[k] += load[k];
+    add_row(&s->load[t->owner - s->begin], one);
     vector_between(t->q, pose[t->surface].centre, arm);
     vector_cross(arm, load, torque);
     for (int k = 0; k < 3; k++) {
@@ -183,14 +181,13 @@ static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
 static void accumulate_parts(struct surface_contacts *c, int q, struct chunk *s)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
-    double(*const to)[8] = s->part[t->owner - s->begin];
+    struct row_load *const to = s->part[t->owner - s->begin];
 
-    c->power[ENERGY_PARTS] += vector_dot(c->pairs.load[2 * q], t->v);
+    c->power[ENERGY_PARTS] += vector_dot(c->pairs.load[2 * q].F, t->v);
     for (int a = 0; a < ENERGY_PARTS; a++) {
-        const double *const part = c->pairs.part[2 * q][a];
-        c->power[a] += vector_dot(part, t->v);
-        for (int k = 0; k < 8; k++)
-            to[a][k] += part[k];
+        const struct row_load *const part = &c->pairs.part[2 * q][a];
+        c->power[a] += vector_dot(part->F, t->v);
+        add_row(&to[a], part);
     }
 }
 
@@ -224,9 +221,9 @@ static void measure_overlaps(const struct surface_contacts *c, struct chunk *s,
 {
     for (int q = 0; q < c->touches.n; q++) {
         const struct surface_contact_point *const t = &c->touches.list[q];
-        const double *const x = b->position_radius[t->owner];
-        chunk_record_overlap(&s->deep, 0.5 * (1.0 - t->r / x[3]),
-                             b->id[t->owner], -7 - t->surface, x);
+        const struct row_place *const at = &b->place[t->owner];
+        chunk_record_overlap(&s->deep, 0.5 * (1.0 - t->r / at->R),
+                             b->id[t->owner], -7 - t->surface, at->x);
     }
     if (c->pairs.max_overlap > s->deep.overlap)
         s->deep.overlap = c->pairs.max_overlap;
@@ -235,7 +232,6 @@ static void measure_overlaps(const struct surface_contacts *c, struct chunk *s,
 void surface_contacts_add_loads(struct surface_contacts *c,
                                 const struct surface_scene *scene,
                                 struct chunk *s, const struct bodies *b,
-                                contact_sweep *sweep,
                                 const struct contact_constants *k, double dt)
 {
     const struct surface_histories old = c->previous;
@@ -255,8 +251,8 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     }
     c->pairs.contacts.n_pairs = n;
     c->pairs.window = c->pairs.end = two.n = 2 * n;
-    two.position_radius = c->position_radius;
-    two.velocity = c->velocity;
+    two.place = c->place;
+    two.motion = c->motion;
     two.material = c->material;
     two.own_inverse_mass = NULL; /* put_spheres has used it */
     for (int a = 0; a < scene->n; a++) {
@@ -268,7 +264,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
         memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);
         if (s->has_budget)
             memset(c->pairs.part, 0, 2 * (size_t)n * sizeof *c->pairs.part);
-        sweep(&c->pairs, &two, k, dt, 0, n);
+        sweep_contacts(&c->pairs, &two, k, dt, 0, n);
     }
     chunk_end_budget(&c->pairs.energy);
     if (c->pairs.max_overlap > s->deep.overlap) measure_overlaps(c, s, b);

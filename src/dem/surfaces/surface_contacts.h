@@ -2,7 +2,7 @@
  * Chapter "Walls".
  *
  * A contact is computed as one of two spheres, by the same loop and law as any
- * other (contact_sweep.h): behind the surface lies a sphere of the same radius
+ * other (sweep.h): behind the surface lies a sphere of the same radius
  * that touches it, with the velocity of the surface, and neither 1/R nor 1/m.
  *
  * Its tangential displacement belongs to a point of the particle, not to a
@@ -12,7 +12,7 @@
 #ifndef DEM_SURFACES_SURFACE_CONTACTS_H
 #define DEM_SURFACES_SURFACE_CONTACTS_H
 
-#include "dem/fast/contact_loops.h"
+#include "dem/fast/chunk.h"
 #include "dem/surfaces/surface_contact_points.h"
 
 /* The history of a contact, for the next step. */
@@ -42,15 +42,14 @@ struct surface_contacts {
     struct near_faces list, close;
     struct surface_contact_points touches;
     struct surface_histories current, previous, saved;
-    double (*position_radius)[4]; /* as in struct bodies: the two spheres of
-                                     contact */
-    double (*velocity)[8];        /* q are 2 q and 2 q + 1 */
-    struct chunk pairs;           /* the contacts in the layout of the loop */
-    int *material;                /* [-] of these; where there are several */
-    int capacity;                 /* [-] contacts that fit in */
-    struct pose *pose;            /* of each surface, at `time` [s] */
-    struct pose *built;           /* at the last rebuild of the list */
-    double time, built_time;      /* [s] */
+    struct row_place *place;   /* as in struct bodies: the two spheres of */
+    struct row_motion *motion; /* contact q are 2 q and 2 q + 1 */
+    struct chunk pairs;         /* the contacts in the layout of the loop */
+    int *material;              /* [-] of these; where there are several */
+    int capacity;               /* [-] contacts that fit in */
+    struct pose *pose;          /* of each surface, at `time` [s] */
+    struct pose *built;         /* at the last rebuild of the list */
+    double time, built_time;    /* [s] */
     struct surface_received *received;
     double power[ENERGY_PARTS + 1]; /* [W] of the surfaces: parts, all */
 };
@@ -64,7 +63,6 @@ void surface_contacts_release(struct surface_contacts *c);
 void surface_contacts_add_loads(struct surface_contacts *c,
                                 const struct surface_scene *scene,
                                 struct chunk *s, const struct bodies *b,
-                                contact_sweep *sweep,
                                 const struct contact_constants *k, double dt);
 
 /* Add the present loads over t [s] to carried surfaces, and to the budget. */

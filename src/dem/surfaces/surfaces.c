@@ -140,11 +140,10 @@ void surfaces_choose_contacts(struct surfaces *sf, int s,
 }
 
 void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
-                        const struct bodies *b, contact_sweep *sweep,
+                        const struct bodies *b,
                         const struct contact_constants *k, double dt)
 {
-    surface_contacts_add_loads(&sf->chunk[s], &sf->scene, chunk, b, sweep, k,
-                               dt);
+    surface_contacts_add_loads(&sf->chunk[s], &sf->scene, chunk, b, k, dt);
 }
 
 /* The path of particle i since the last rebuild, in the frame of the surface.
@@ -156,7 +155,7 @@ static int crosses(const struct surface_contacts *c,
     const struct near_face at = {surface, face, {shift[0], shift[1], shift[2]}};
     double x[3], old[3], from[3], to[3];
 
-    vector_along(b->position_at_rebuild[i], 1.0, shift, old);
+    vector_along(b->place_at_rebuild[i], 1.0, shift, old);
     near_faces_image(&at, b, i, x);
     motion_origin(&c->built[surface], old, from);
     motion_origin(&c->pose[surface], x, to);
@@ -184,7 +183,7 @@ static double moved2(const struct bodies *b, int i)
     double x[3], way[3];
 
     near_faces_image(&none, b, i, x);
-    vector_between(x, b->position_at_rebuild[i], way);
+    vector_between(x, b->place_at_rebuild[i], way);
     return vector_dot(way, way);
 }
 
@@ -201,8 +200,8 @@ static int surfaces_beyond(const struct surface_contacts *c,
                            const struct bodies *b, int i, int fast)
 {
     for (int k = 0; k < scene->n; k++)
-        if (surface_contains(&scene->surface[k], &c->pose[k],
-                             b->position_radius[i], b->position_radius[i][3]) ||
+        if (surface_contains(&scene->surface[k], &c->pose[k], b->place[i].x,
+                             b->place[i].R) ||
             (fast && jumps_through(c, scene, k, b, i)))
             return k;
     return -1;

@@ -42,7 +42,7 @@ void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
 void surfaces_choose_contacts(struct surfaces *sf, int s,
                               const struct bodies *b, double margin);
 void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
-                        const struct bodies *b, contact_sweep *sweep,
+                        const struct bodies *b,
                         const struct contact_constants *k, double dt);
 
 /* Adds to the survey the particles that are in the solid of a plane or cylinder
