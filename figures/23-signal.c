@@ -8,8 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "base/random/random.h"
-#include "base/statistics/correlation.h"
+#include "base/statistics.h"
 #include "coupling/effects/stochastic_drag.h"
 
 enum { N = 8192, SIGNALS = 400, LAGS = 250 };

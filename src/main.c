@@ -2,7 +2,6 @@
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
 #include "base/text.h"
-#include "base/version.h"
 #include "case/command.h"
 #include "case/nearest.h"
 

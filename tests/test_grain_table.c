@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/population/grain_table.h"
-#include "base/tables/csv.h"
+#include "base/csv.h"
 
 #include "facts.h"
 #include "scratch.h"

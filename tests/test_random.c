@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/random/random.h"
+#include "base/statistics.h"
 
 #include "facts.h"
 

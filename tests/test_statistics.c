@@ -1,13 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/statistics/correlation.h"
-#include "base/statistics/density.h"
-#include "base/statistics/filter.h"
-#include "base/statistics/moments.h"
-#include "base/statistics/sample.h"
-#include "base/statistics/temperature.h"
+#include "base/statistics.h"
 
 #include "base/alloc.h"
-#include "base/random/random.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/effects/stochastic_drag.h"
 
-#include "base/random/random.h"
+#include "base/statistics.h"
 #include "coupling/effect.h"
 #include "facts.h"
 #include "suspension.h"

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 struct file {
     FILE *stream;
@@ -166,4 +167,154 @@ int file_make_dirs(const char *path)
 char *file_join(const char *folder, const char *name)
 {
     return joined(folder, "/", name);
+}
+
+/* --- input ---------------------------------------------------------------- */
+
+const char *input_wrong(const char *path)
+{
+    struct stat info;
+
+    errno = 0;
+    if (stat(path, &info) != 0) return strerror(errno);
+    if (S_ISDIR(info.st_mode)) return "it is a folder";
+    if (!S_ISREG(info.st_mode)) return "it is a device or a pipe, not a file";
+    return access(path, R_OK) == 0 ? NULL : strerror(errno);
+}
+
+/* The length of an open file, or -1. */
+static long length_of(FILE *in)
+{
+    const long length = fseek(in, 0, SEEK_END) == 0 ? ftell(in) : -1;
+
+    return length >= 0 && fseek(in, 0, SEEK_SET) == 0 ? length : -1;
+}
+
+/* Room for so many bytes and the zero; NULL, with the reason, if there is not
+ * twice as much memory: the numbers of a file take about as much as itself. */
+static char *input_room(long size, const char **why)
+{
+    if (2.0 * (double)size < alloc_left())
+        return alloc_zeroed((size_t)size + 1, 1);
+    *why = "it takes more memory than is left";
+    errno = ENOMEM;
+    return NULL;
+}
+
+char *input_text(const char *path, size_t *length, const char **why)
+{
+    *why = input_wrong(path);
+    if (*why != NULL) return NULL;
+    FILE *const in = fopen(path, "rb");
+    const long size = in != NULL ? length_of(in) : -1;
+    char *text = NULL;
+
+    if (size >= 0) {
+        text = input_room(size, why);
+        if (text != NULL) *length = fread(text, 1, (size_t)size, in);
+    } else {
+        *why = strerror(errno);
+    }
+    if (in != NULL) fclose(in);
+    return text;
+}
+
+struct input input_of(const char *path)
+{
+    struct input in = {.path = strdup(path)};
+
+    in.text = input_text(path, &in.length, &in.why);
+    return in;
+}
+
+void input_release(struct input *in)
+{
+    free(in->path);
+    free(in->text);
+}
+
+/* One that was not there is looked for again: a run writes its bed. */
+const struct input *input_kept(struct inputs **all, const char *path)
+{
+    struct inputs *k = *all;
+
+    while (k != NULL && strcmp(k->in.path, path) != 0)
+        k = k->before;
+    if (k == NULL) {
+        k = alloc_zeroed(1, sizeof *k);
+        *k = (struct inputs){input_of(path), *all};
+        *all = k;
+    } else if (k->in.text == NULL) {
+        const struct input again = input_of(path);
+        input_release(&k->in);
+        k->in = again;
+    }
+    return &k->in;
+}
+
+void input_forget(struct inputs **all)
+{
+    while (*all != NULL) {
+        struct inputs *const k = *all;
+        *all = k->before;
+        input_release(&k->in);
+        free(k);
+    }
+}
+
+int input_is_packed(const struct input *in)
+{
+    return in->length > 2 && memcmp(in->text, "\x1f\x8b", 2) == 0;
+}
+
+/* Gives the stream its next bytes, which it counts by an int: of the file if it
+ * has taken all, and room in `to`. */
+static void feed(z_stream *z, const struct input *in, char *to, size_t room)
+{
+    static const size_t piece = 1 << 30;
+
+    if (z->avail_in == 0) {
+        if (z->next_in == NULL) z->next_in = (Bytef *)in->text;
+        const char *const at = (const char *)z->next_in;
+        const size_t rest = in->length - (size_t)(at - in->text);
+        z->avail_in = (unsigned)(rest < piece ? rest : piece);
+    }
+    z->next_out = (Bytef *)to;
+    z->avail_out = (unsigned)(room < piece ? room : piece);
+}
+
+/* Of what is packed in some megabytes, which may be without end, no more than
+ * `most` [byte] is counted; with `to`, which has room for one more, it is
+ * stored there. -1 if it is damaged. Files that follow one another are one. */
+static long unpack(const struct input *in, double most, char *to)
+{
+    char piece[1 << 14];
+    z_stream z = {0};
+    long size = 0;
+    int code = inflateInit2(&z, 15 + 16); /* with the header of gzip */
+
+    while (code == Z_OK && (double)size <= most) {
+        const size_t room =
+            to == NULL ? sizeof piece : (size_t)(most - (double)size) + 1;
+        feed(&z, in, to == NULL ? piece : to + size, room);
+        if (z.avail_in == 0) break;
+        const unsigned before = z.avail_out;
+        code = inflate(&z, Z_NO_FLUSH);
+        size += before - z.avail_out;
+        if (code == Z_STREAM_END && z.avail_in > 2 && z.next_in[0] == 0x1f)
+            code = inflateReset(&z);
+    }
+    inflateEnd(&z);
+    return code == Z_STREAM_END || (double)size > most ? size : -1;
+}
+
+char *input_unpacked(const struct input *in, size_t *length, const char **why)
+{
+    const long size = unpack(in, alloc_left(), NULL);
+    char *const text = size >= 0 ? input_room(size, why) : NULL;
+
+    if (size < 0) *why = "damaged";
+    *length = size < 0 ? 0 : (size_t)size;
+    if (text != NULL) unpack(in, (double)size, text);
+    return text;
 }

@@ -10,6 +10,9 @@
 
 #include <stdio.h>
 
+/* The version of the program, for --version and summaries. */
+#define VERSION_TEXT "0.1.0"
+
 /* The first control character, such as a line break or an escape code; NULL if
  * there is none. */
 const char *text_control(const char *text);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "case/schema.h"
 #include "case/source.h"
 #include "mesh/poly/poly.h"

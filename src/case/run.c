@@ -8,7 +8,7 @@
 
 #include "base/clock.h"
 #include "base/model.h"
-#include "base/threads/thread_tuner.h"
+#include "base/thread_tuner.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"

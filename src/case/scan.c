@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tables/input.h"
+#include "base/file.h"
 
 /* Of a word or a number. */
 static int is_of_word(char c)

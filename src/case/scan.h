@@ -8,7 +8,7 @@
 #ifndef CASE_SCAN_H
 #define CASE_SCAN_H
 
-#include "base/tables/input.h"
+#include "base/file.h"
 
 /* Numbers of both kinds, [0, -9.81, 0], are a list for libconfig, and no array:
  * the brackets around them become round. */

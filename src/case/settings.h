@@ -15,7 +15,7 @@
 
 #include "averaging/averaging.h"
 #include "base/key.h"
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/particles_setup.h"

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "base/text.h"
 #include "case/scan.h"
 

@@ -10,7 +10,7 @@
 
 #include <libconfig.h>
 
-#include "base/tables/input.h"
+#include "base/file.h"
 
 enum { SOURCE_TEXT = 512 }; /* bytes of a place or a value, at most */
 

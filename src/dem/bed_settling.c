@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/model.h"
-#include "base/threads/thread_tuner.h"
+#include "base/thread_tuner.h"
 #include "base/vector.h"
 #include "dem/limits.h"
 

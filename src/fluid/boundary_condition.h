@@ -8,7 +8,7 @@
 #ifndef FLUID_BOUNDARY_CONDITION_H
 #define FLUID_BOUNDARY_CONDITION_H
 
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "base/model.h"
 #include "fluid/boundary.h"
 #include "mesh/mesh.h"

@@ -2,7 +2,7 @@
 #include "linear/cg_many.h"
 
 #include "base/alloc.h"
-#include "base/field_groups.h"
+#include "linear/field_groups.h"
 #include "linear/reduce.h"
 #include "base/parallel_ranges.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/field_groups.h"
+#include "linear/field_groups.h"
 #include "base/parallel_ranges.h"
 
 /* c_k = (2 - [k = 0]) exp(-z/2) I_k(z/2) [-]. All c_k are positive, and their

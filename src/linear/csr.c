@@ -2,7 +2,7 @@
 #include "linear/csr.h"
 
 #include "base/alloc.h"
-#include "base/field_groups.h"
+#include "linear/field_groups.h"
 #include "base/parallel_ranges.h"
 
 #include <assert.h>

@@ -12,7 +12,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "base/version.h"
+#include "base/text.h"
 #include "coupling/coupling.h"
 #include "coupling/effect.h"
 #include "coupling/processes.h"

@@ -22,10 +22,7 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "base/statistics/correlation.h"
-#include "base/statistics/density.h"
-#include "base/statistics/moments.h"
-#include "base/statistics/temperature.h"
+#include "base/statistics.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
 #include "output/table.h"

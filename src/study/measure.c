@@ -3,7 +3,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/tables/input.h"
 #include "record/history.h"
 #include "case/nearest.h"
 #include "record/profiles.h"

@@ -5,7 +5,6 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "base/tables/input.h"
 #include "case/resume/read_summary.h"
 
 #include <math.h>

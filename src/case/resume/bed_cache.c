@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "case/resume/case_text.h"
 #include "output/checkpoint/state_file.h"
 

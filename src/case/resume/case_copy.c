@@ -7,8 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/tables/input.h"
-#include "base/version.h"
+#include "base/text.h"
 #include "case/resume/case_text.h"
 
 /* A file that the case names. */

@@ -8,7 +8,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/tables/input.h"
 
 /* The place of a value in the text of a summary, or NULL. Each entry has a line
  * of its own, which is indented by two blanks more than the line of its group;

@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "base/text.h"
-#include "base/version.h"
 
 static const char program[] = "winnow " VERSION_TEXT;
 

@@ -10,7 +10,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/tables/input.h"
 #include "base/text.h"
 #include "case/build.h"
 #include "case/case_file.h"

@@ -24,7 +24,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "base/random/random.h"
+#include "base/statistics.h"
 #include "coupling/coupling.h"
 #include "coupling/effect.h"
 #include "coupling/drag.h"

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/tables/csv.h"
-#include "base/tables/input.h"
+#include "base/csv.h"
+#include "base/file.h"
 #include "base/number.h"
 
 static const char atoms[] = "ITEM: ATOMS";

@@ -3,14 +3,14 @@
  *
  * A dump of LAMMPS or LIGGGHTS: of several snapshots the last. Or a data file
  * of theirs, with atoms of the style sphere. Or a table with a line of names
- * (base/tables/csv.h). All have columns x, y, z [m] and one of d, diameter,
+ * (base/csv.h). All have columns x, y, z [m] and one of d, diameter,
  * radius, r [m], in any order, among others. Or rows x y z d alone. What a file
  * says of its columns, units and number of grains must agree with its rows.
  */
 #ifndef DEM_POPULATION_GRAIN_TABLE_H
 #define DEM_POPULATION_GRAIN_TABLE_H
 
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "dem/population/insertion.h"
 
 /* The list in a file, to be freed; NULL after a message. */

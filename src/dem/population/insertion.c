@@ -7,7 +7,7 @@
 #include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/number.h"
-#include "base/random/random.h"
+#include "base/statistics.h"
 
 /* Positions tried for one sphere in a step: beyond 30 % of solids hardly any is
  * free, and a sphere without one is tried again in the next step. */

@@ -11,7 +11,7 @@
 #include <strings.h>
 
 #include "base/alloc.h"
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "base/number.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"

@@ -9,7 +9,7 @@
 #ifndef DEM_SURFACES_STL_H
 #define DEM_SURFACES_STL_H
 
-#include "base/tables/input.h"
+#include "base/file.h"
 
 struct stl {
     int n;

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/tables/csv.h"
+#include "base/csv.h"
 
 /* A row with two or three places. */
 struct point {

@@ -5,7 +5,7 @@
 #ifndef MESH_POLY_POLY_H
 #define MESH_POLY_POLY_H
 
-#include "base/tables/input.h"
+#include "base/file.h"
 #include "mesh/mesh.h"
 
 /* The mesh of the five files in dir, or in dir/polyMesh or

@@ -13,7 +13,7 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "base/tables/input.h"
+#include "base/file.h"
 
 void poly_file_wrong(struct poly_file *p, const char *format, ...)
 {

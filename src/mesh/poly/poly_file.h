@@ -7,7 +7,7 @@
 #ifndef MESH_POLY_POLY_FILE_H
 #define MESH_POLY_POLY_FILE_H
 
-#include "base/tables/input.h"
+#include "base/file.h"
 
 enum { POLY_WORD = 128 };
 

@@ -11,7 +11,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/tables/input.h"
 #include "base/text.h"
 
 struct state_file {

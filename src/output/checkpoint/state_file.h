@@ -16,7 +16,7 @@
 #define OUTPUT_CHECKPOINT_STATE_FILE_H
 
 #include "base/state.h"
-#include "base/tables/input.h"
+#include "base/file.h"
 
 struct state_file;
 

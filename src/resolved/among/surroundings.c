@@ -4,7 +4,7 @@
 #include "resolved/among/surroundings.h"
 
 #include "base/alloc.h"
-#include "base/statistics/filter.h"
+#include "base/statistics.h"
 #include "base/vector.h"
 #include "coupling/drag.h"
 #include "resolved/body_cells.h"

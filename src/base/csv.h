@@ -7,10 +7,10 @@
  * begin a file. A remark before the first row that speaks of another unit of
  * length than m is an error.
  */
-#ifndef BASE_TABLES_CSV_H
-#define BASE_TABLES_CSV_H
+#ifndef BASE_CSV_H
+#define BASE_CSV_H
 
-#include "base/tables/input.h"
+#include "base/file.h"
 
 #define CSV_UTF_8 "\xef\xbb\xbf"
 

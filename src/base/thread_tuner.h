@@ -7,8 +7,8 @@
  * time it takes some steps with more or fewer threads and keeps that number if
  * it was faster. Results do not depend on the number of threads.
  */
-#ifndef BASE_THREADS_THREAD_TUNER_H
-#define BASE_THREADS_THREAD_TUNER_H
+#ifndef BASE_THREAD_TUNER_H
+#define BASE_THREAD_TUNER_H
 
 struct thread_tuner {
     int max_threads;      /* [-] threads available */

@@ -6,8 +6,8 @@
  * kernel therefore works on a group of `width` fields, the first of them field
  * k of m, and is compiled once for each width.
  */
-#ifndef BASE_FIELD_GROUPS_H
-#define BASE_FIELD_GROUPS_H
+#ifndef LINEAR_FIELD_GROUPS_H
+#define LINEAR_FIELD_GROUPS_H
 
 enum { FIELD_GROUPS_WIDTH = 8 }; /* of the widest group */
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/threads/thread_tuner.h"
+#include "base/thread_tuner.h"
 
 #include <omp.h>
 #include <stdlib.h>

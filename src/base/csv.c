@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/tables/csv.h"
+#include "base/csv.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 #include <strings.h>
 
 #include "base/alloc.h"
-#include "base/tables/input.h"
+#include "base/file.h"
 
 static int csv_is_gap(char c)
 {
