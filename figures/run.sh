@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds a small program with Winnow's library, and runs it.
 #
-#   sh figures/run.sh figures/06-surface.c [PATCH...] [-- ARGUMENT...]
+#   sh figures/run.sh figures/06/06-surface.c [PATCH...] [-- ARGUMENT...]
 #
 # The library is the one that lies beside `winnow`. Files of src/ that a patch
 # changes are built anew, changed; the source itself stays as it is.

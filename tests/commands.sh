@@ -24,9 +24,9 @@ facts=0
 compile() {
     # shellcheck disable=SC2046 # one word a flag
     if ${CC:-gcc} -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -fsyntax-only \
-        -Werror=implicit-function-declaration -Wall -Wextra -Isrc -Itests -Ifigures \
-        $(pkg-config --cflags hdf5 2>/dev/null) figures/*.c; then
-        facts=$((facts + $(ls figures/*.c | wc -l)))
+        -Werror=implicit-function-declaration -Wall -Wextra -Isrc -Itests \
+        $(pkg-config --cflags hdf5 2>/dev/null) figures/*/*.c; then
+        facts=$((facts + $(ls figures/*/*.c | wc -l)))
     else
         echo "FAILED a program of figures/ does not compile"
         failed=$((failed + 1))
@@ -86,7 +86,7 @@ form_of() { # code command...
     mkdir\ * | 'awk -f cases/'*) echo "$*" ;; # a mesh for the run that follows
     diff\ *) echo "$*" ;;
     *validate/* | 'sh chapters/tools/check.sh') ;;
-    'sh figures/27-mueller.sh run'*) [ -z "$whole" ] || echo "${*% *} 2e-3" ;; # not 18 s
+    'sh figures/27/27-mueller.sh run'*) [ -z "$whole" ] || echo "${*% *} 2e-3" ;; # not 18 s
     xvfb-run*)
         [ -z "$whole" ] || ! command -v xvfb-run >/dev/null ||
             ! /usr/bin/python3 -c 'import vtkmodules, numpy' 2>/dev/null || echo "$*" ;;
@@ -130,7 +130,7 @@ while read -r where code command; do
     # shellcheck disable=SC2086 # words
     try "$where" "$code" $command
 done <"$work/commands"
-[ -z "$whole" ] || sh chapters/tools/transcript.sh -w "$build/winnow" moved 5 figures/*.txt |
+[ -z "$whole" ] || sh chapters/tools/transcript.sh -w "$build/winnow" moved 5 figures/*.txt figures/*/*.txt |
     awk -F: '
         { late = late "\n    " $1 }
         END { if (NR) print "note: slow results that may have moved (make figures):" late }'

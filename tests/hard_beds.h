@@ -1,5 +1,5 @@
 /* hard_beds.h -- cases that break a careless solver; for test_hard_beds.c and
- * figures/20-hard.c. */
+ * figures/20/20-hard.c. */
 #ifndef HARD_SCENES_H
 #define HARD_SCENES_H
 

@@ -1,6 +1,6 @@
 /* orders.h -- by which order in the step each force of the fluid is computed:
  * one scene a force, each with a solution that is not the program's. For
- * tests/test_orders.c and figures/22-orders.c.
+ * tests/test_orders.c and figures/22/22-orders.c.
  *
  * A sphere of 0.1 mm in water, 2.65 times as dense unless the scene says
  * otherwise, for two of its relaxation times.

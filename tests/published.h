@@ -1,6 +1,6 @@
 /* published.h -- what others have published of the drag on spheres, alone, in
  * a packed bed and in a suspension that settles, and what a drag law says of
- * the same. For tests/test_drag_published.c and figures/09-published.c.
+ * the same. For tests/test_drag_published.c and figures/09/09-published.c.
  */
 #ifndef PUBLISHED_H
 #define PUBLISHED_H

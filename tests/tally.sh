@@ -17,7 +17,7 @@ cp "$top/tests/tally.awk" tests
 unset MAKEFLAGS MAKELEVEL MFLAGS
 
 # The parts of the Makefile; a test overrides some of them.
-fine='@echo "    a_fact_of_five"; echo "    figures/25-late.txt"; echo "fine: 5 passed, 0 failed"'
+fine='@echo "    a_fact_of_five"; echo "    figures/25/25-late.txt"; echo "fine: 5 passed, 0 failed"'
 wrong='@echo "FAILED of_three:"; echo "wrong: 2 passed, 1 failed"; exit 1'
 early='@echo "    one_fact_and_no_sum"; exit 2'
 breaks='@echo "x.c:3:1: error: no"; exit 1'

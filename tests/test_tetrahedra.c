@@ -220,7 +220,7 @@ END_TEST
 
 /* --- a pipe --------------------------------------------------------------- */
 
-/* The exact value is 1.02 on this polygon (figures/19-tetrahedra.c); these 2592
+/* The exact value is 1.02 on this polygon (figures/19/19-tetrahedra.c); these 2592
  * cells have 0.979. Without the terms of deferred_correction.c it would be 4 %
  * more, without that of convection alone 3 %, and with slopes by Gauss 5 % more
  * again. */

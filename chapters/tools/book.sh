@@ -24,7 +24,7 @@ rm -rf "$out"
 mkdir -p "$out/figures"
 cp "$tools/book.css" "$tools/live.js" "$tools/book.js" "$tools/math.woff2" "$tools/math-licence.txt" "$out"
 find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
-    cp "$figure" "$out/figures"
+    mkdir -p "$out/${figure%/*}" && cp "$figure" "$out/$figure"
 done
 
 name() { case $1 in */steps/README.md) echo steps ;; *) basename "$1" .md ;; esac; }

@@ -31,7 +31,7 @@ text() {
 }
 
 results() {
-    step sh "$tools/transcript.sh" -w "$winnow" check figures/*.txt
+    step sh "$tools/transcript.sh" -w "$winnow" check figures/*.txt figures/*/*.txt
 }
 
 solutions() {

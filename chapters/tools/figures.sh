@@ -1,7 +1,7 @@
 #!/bin/sh
 # Remakes the slow transcripts and what is drawn from them, and says what moved.
 #
-#   sh chapters/tools/figures.sh build/winnow [figures/NAME.txt]...
+#   sh chapters/tools/figures.sh build/winnow [figures/25/25-NAME.txt]...
 #
 # Those that were made from what is there now are skipped, so that a run that was
 # interrupted goes on where it stopped; figures that are named are made anyway.
@@ -65,7 +65,7 @@ remake() { # file
 # What gnuplot draws from a transcript says so: it names the file, if only in the
 # comment at its top.
 draw() { # file
-    for script in $(grep -l "${1##*/}" figures/*.gp); do
+    for script in $(grep -l "${1##*/}" figures/*/*.gp); do
         gnuplot "$script" >"$work/said" 2>&1 ||
             printf '%-28s not drawn: %s\n' "$script" "$(tail -1 "$work/said")"
     done
@@ -73,7 +73,7 @@ draw() { # file
 
 chosen=$*
 if [ -z "$chosen" ]; then
-    chosen=$(transcript age figures/*.txt | cut -d: -f1 | while read -r file; do
+    chosen=$(transcript age figures/*.txt figures/*/*.txt | cut -d: -f1 | while read -r file; do
         echo "$(sed -n '1s/^# slow, made at [^ :]* in \([0-9]*\) s.*/\1/p' "$file") $file"
     done | awk '{ print NF == 2 ? $1 : 1e6, $NF }' | sort -n | cut -d' ' -f2)
 fi

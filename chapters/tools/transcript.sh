@@ -19,7 +19,7 @@
 # programs reach. These short runs stand for the code of src, which changes every
 # day while few changes move a number; what moves longer runs only is not noticed.
 # Where the revision has no short runs, the code of the rooms is compared. Comments
-# and layout do not count. moved runs those of them that took at most so many
+# and layout do not count; nor does it that figures have folders since. moved runs those of them that took at most so many
 # seconds, and leaves out the ones that still print the same.
 set -u
 winnow=build/winnow
@@ -98,8 +98,8 @@ slow() { head -1 "$1" | grep -q '^# slow'; }
 
 # The files that a text names but for pictures, which commands make.
 named() {
-    sed 's|program\.sh \([^ ]*\)|program.sh figures/\1.c|' "$@" |
-        grep -oE '(figures|cases|chapters/tools|tests|tests/bench)/[A-Za-z0-9_.-]+\.[a-z]+' |
+    sed 's|program\.sh \([0-9a-z]*\)\([^ ]*\)|program.sh figures/\1/\1\2.c|' "$@" |
+        grep -oE '(figures|figures/[0-9a-z]+|cases|chapters/tools|tests|tests/bench)/[A-Za-z0-9_.-]+\.[a-z]+' |
         grep -v -E '\.(svg|png)$' | sort -u
 }
 
@@ -156,7 +156,7 @@ code() { # name <text
     case $1 in
     *.c | *.h) ${CC:-gcc} -fpreprocessed -dD -E -P - 2>/dev/null ;;
     *.txt) cat ;;
-    *) sed '/^ *#/d' ;;
+    *) sed '/^ *#/d; s|figures/[0-9]*/|figures/|g' ;;
     esac | tr -d '[:space:]' | cksum
 }
 
@@ -227,7 +227,8 @@ unchanged() {
 
 same_code() { # revision name
     [ -f "$2" ] &&
-        [ "$(git show "$1:$2" 2>/dev/null | code "$2")" = "$(code "$2" <"$2")" ] && echo same
+        [ "$({ git show "$1:$2" || git show "$1:$(echo "$2" | sed 's|^figures/[0-9]*/|figures/|')"; } 2>/dev/null |
+            code "$2")" = "$(code "$2" <"$2")" ] && echo same
 }
 
 stamp() { # old new seconds

@@ -6,16 +6,16 @@
 #   <!-- code src/coupling/drag.c drag_beta drag_force -->   definitions by name
 #   <!-- code src/coupling/drag.h @head -->        the comment that opens a file
 #   <!-- code src/fluid/piso.c @label -->     from /*> label */ to /*< label */
-#   <!-- output figures/drag.txt -->                 a text file, whole
-#   <!-- output figures/drag.txt part -->            its part under "## part"
+#   <!-- output figures/09/drag.txt -->                 a text file, whole
+#   <!-- output figures/09/drag.txt part -->            its part under "## part"
 #   <!-- tests tests/test_drag.c -->                 the facts that a file shows
 # or, of a text file with lines | a | b |, the table below it:
 #   <!-- table figures/map.txt -->
 # and a number within a line, never at its beginning:
-#   about <!-- number figures/drag.txt u_mf %.2f -->0.88<!-- --> m/s
+#   about <!-- number figures/09/drag.txt u_mf %.2f -->0.88<!-- --> m/s
 # Figures of a chapter are numbered: below a paragraph that is an image stands one that
 # begins with **Figure 9.1.**; where it is missing it is made of what the image is called.
-# Sketches, figures/step-*.svg and sketch-*.svg, have no number but **Sketch.**
+# Sketches, figures/steps/step-*.svg and sketch-*.svg, have no number but **Sketch.**
 # With -v places=1 a code directive is printed with the line it was found on,
 # for the HTML. What cannot be found is said, as chapter:line, and ends in 1.
 
@@ -122,7 +122,7 @@ function see_image(line) {
         image = image (image == "" ? "" : " ") line
         if (line ~ /[.](svg|png)\)$/) {
             opened = ""
-            sketch = line ~ /figures\/(step|sketch)-/
+            sketch = line ~ /figures\/[a-z]*\/(step|sketch)-/
             sub(/^!\[/, "", image)
             sub(/\]\([^()]*\)$/, "", image)
             if (image !~ /[.]$/) image = image "."

@@ -131,8 +131,8 @@ liquid() {
         for re in ${RE:-4 6 8 11}; do
             for way in $ways; do row "$way-$re" "$re" "$way"; done
         done
-    } >$figures/23-liquid.txt
-    numbers 2 1 <$figures/23-liquid.txt >$figures/23-numbers.txt
+    } >$figures/23/23-liquid.txt
+    numbers 2 1 <$figures/23/23-liquid.txt >$figures/23/23-numbers.txt
     for file in series profile correlation; do
         {
             made liquid
@@ -141,7 +141,7 @@ liquid() {
                     block "$way-$re" $file "$([ $file = series ] && echo 10 || echo 1)"
                 done
             done
-        } >$figures/23-liquid-$file.txt
+        } >$figures/23/23-liquid-$file.txt
     done
 }
 
@@ -160,10 +160,10 @@ measured() {
         made measured
         echo "# Re_in way $columns"
         for re in ${RE:-8 11}; do
-            grep "^$re [gr]" figures/23-liquid.txt
+            grep "^$re [gr]" figures/23/23-liquid.txt
             row measured-$re $re measured
         done
-    } >$figures/23-measured.txt
+    } >$figures/23/23-measured.txt
 }
 
 # What EW18 leaves open, varied once each, at Re_in = 11; and other random numbers.
@@ -194,7 +194,7 @@ END
             random-11 seed-2 seed-3 memory-0.5 memory-0.1 thinner; do
             row $name $name
         done
-    } >$figures/23-choices.txt
+    } >$figures/23/23-choices.txt
 }
 
 # The drag law as the whole force or beside the pressure gradient, and two ways of
@@ -224,7 +224,7 @@ treatments() {
         row semi 4 whole semi-implicit 3e-3
         row gauss-11 11 whole explicit 1e-2
         row shared-11 11 shared explicit 1e-2
-    } >$figures/23-treatments.txt
+    } >$figures/23/23-treatments.txt
 }
 
 # Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
@@ -248,7 +248,7 @@ kernels() {
         row cells-2 2 1
         row width-1.5 1 1.5
         row width-2 1 2
-    } >$figures/23-kernels.txt
+    } >$figures/23/23-kernels.txt
 }
 
 # Figs. 18 to 20: coarse, with a Gaussian on cells of one diameter, with a random
@@ -273,21 +273,21 @@ gas() {
         made gas
         echo "# bed way $columns"
         for way in $ways; do row gas-$way gas $way; done
-    } >$figures/23-gas.txt
+    } >$figures/23/23-gas.txt
     {
-        numbers 1 2 <$figures/23-gas.txt
+        numbers 1 2 <$figures/23/23-gas.txt
         for way in $ways; do
             echo "## swing-$way"
             echo "height = $(value gas-$way bed_height deviation) [-]"
         done
-    } >$figures/23-gas-numbers.txt
+    } >$figures/23/23-gas-numbers.txt
     for file in series profile; do
         {
             made gas
             for way in $ways; do
                 block gas-$way $file "$([ $file = series ] && echo 5 || echo 1)"
             done
-        } >$figures/23-gas-$file.txt
+        } >$figures/23/23-gas-$file.txt
     done
 }
 

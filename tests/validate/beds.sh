@@ -20,26 +20,26 @@ whole() {
 for part; do
     case $part in
     mueller)
-        sh figures/27-mueller.sh run C-0.9-1 0.9 1 2.4e-3 18,50,4 18.0
-        sh figures/27-mueller.sh run C-0.9-2 0.9 2 2.4e-3 18,50,4 18.0
-        sh figures/27-mueller.sh run Bp-0.9-1 0.9 1 2.4e-3 12,32,3 18.0
+        sh figures/27/27-mueller.sh run C-0.9-1 0.9 1 2.4e-3 18,50,4 18.0
+        sh figures/27/27-mueller.sh run C-0.9-2 0.9 2 2.4e-3 18,50,4 18.0
+        sh figures/27/27-mueller.sh run Bp-0.9-1 0.9 1 2.4e-3 12,32,3 18.0
         { echo "# Made by sh tests/validate/beds.sh build/winnow mueller"
-          sh figures/27-mueller.sh collect; } >out/27-table
-        mv out/27-table figures/27-mueller.txt
-        gnuplot figures/27-mueller.gp
-        python3 figures/27-compare.py distance figures/27-mueller.txt
+          sh figures/27/27-mueller.sh collect; } >out/27-table
+        mv out/27-table figures/27/27-mueller.txt
+        gnuplot figures/27/27-mueller.gp
+        python3 figures/27/27-compare.py distance figures/27/27-mueller.txt
         ;;
     six)
         mkdir -p out/27-mueller-06
-        sh figures/27-mueller.sh run C-0.6-1 0.6 1 2.4e-3 18,50,4 18.0
+        sh figures/27/27-mueller.sh run C-0.6-1 0.6 1 2.4e-3 18,50,4 18.0
         mv out/27-mueller/C-0.6-1 out/27-mueller-06
         { echo "# Made by sh tests/validate/beds.sh build/winnow six"
-          sh figures/27-mueller.sh collect out/27-mueller-06; } >figures/27-mueller-06.txt
-        python3 figures/27-compare.py profile figures/27-mueller-06.txt
+          sh figures/27/27-mueller.sh collect out/27-mueller-06; } >figures/27/27-mueller-06.txt
+        python3 figures/27/27-compare.py profile figures/27/27-mueller-06.txt
         ;;
     wachem)
         whole wachem cases/van-wachem-bed.cfg
-        python3 figures/27-pulse.py out/27-wachem/probes.csv 1 2
+        python3 figures/27/27-pulse.py out/27-wachem/probes.csv 1 2
         ;;
     goldschmidt)
         whole goldschmidt cases/goldschmidt-bed.cfg
@@ -47,9 +47,9 @@ for part; do
         ;;
     spouted)
         whole spouted cases/spouted-bed.cfg
-        sh figures/27-spouted.sh out/27-spouted >figures/27-spouted.txt
-        gnuplot figures/27-spouted.gp
-        python3 figures/27-spouted.py figures/27-spouted.txt
+        sh figures/27/27-spouted.sh out/27-spouted >figures/27/27-spouted.txt
+        gnuplot figures/27/27-spouted.gp
+        python3 figures/27/27-spouted.py figures/27/27-spouted.txt
         ;;
     esac
 done

@@ -46,9 +46,9 @@ two() {
         run pcm-8x40 $two $sums $coarse
         run short-step $two -s particles.step=2e-6 -s output.end=1.6
     }
-    { made two; sh figures/30-two-sizes.sh series $out; } >$figures/30-two-sizes.txt
-    { made two; sh figures/30-two-sizes.sh numbers $out; } >$figures/30-two-numbers.txt
-    { made two; sh figures/30-two-sizes.sh steps $out; } >$figures/30-two-steps.txt
+    { made two; sh figures/30/30-two-sizes.sh series $out; } >$figures/30/30-two-sizes.txt
+    { made two; sh figures/30/30-two-sizes.sh numbers $out; } >$figures/30/30-two-numbers.txt
+    { made two; sh figures/30/30-two-sizes.sh steps $out; } >$figures/30/30-two-steps.txt
 }
 
 # Case 2 again, Fig. 7: what moves the grains at the lower sensor?
@@ -80,7 +80,7 @@ sensor() {
     scene=$out/periodic.cfg
     try periodic -s "mesh.periodic=[false,false,true]"
     # shellcheck disable=SC2086
-    { made sensor; sh figures/30-sensor.sh $out $tried; } >$figures/30-sensor.txt
+    { made sensor; sh figures/30/30-sensor.sh $out $tried; } >$figures/30/30-sensor.txt
 }
 
 # Case 1, Figs. 4 and 5, with springs ten times as soft. (30-ramp-stiff.txt is the
@@ -97,18 +97,18 @@ ramp() {
         run ramp-pcm-25x100 $ramp $fine -s averaging.method=pcm -s output.end=15
     }
     for name in stiff 15x75 seed2 25x100 pcm-25x100; do
-        sh figures/30-ramp.sh series $out ramp-$name >$figures/30-ramp-$name.txt
+        sh figures/30/30-ramp.sh series $out ramp-$name >$figures/30/30-ramp-$name.txt
     done
     # the sums of each cell do not get as far as 1 m/s
-    set -- $figures/30-ramp-stiff.txt $figures/30-ramp-15x75.txt \
-        $figures/30-ramp-seed2.txt $figures/30-ramp-25x100.txt
-    { made ramp; sh figures/30-ramp.sh numbers "$@"; } >$figures/30-ramp-numbers.txt
+    set -- $figures/30/30-ramp-stiff.txt $figures/30/30-ramp-15x75.txt \
+        $figures/30/30-ramp-seed2.txt $figures/30/30-ramp-25x100.txt
+    { made ramp; sh figures/30/30-ramp.sh numbers "$@"; } >$figures/30/30-ramp-numbers.txt
 }
 
 # Case 4, Figs. 10 and 11.
 seepage() {
     run seepage cases/seepage.cfg
-    { made seepage; $python figures/30-classes.py heights $out/seepage; } >$figures/30-seepage.txt
+    { made seepage; $python figures/30/30-classes.py heights $out/seepage; } >$figures/30/30-seepage.txt
 }
 
 # Case 4 again, all grains from one bed: with springs of 50 N/m, with ten times as
@@ -118,19 +118,19 @@ springs() {
     # shellcheck disable=SC2086
     {
         run poured cases/seepage.cfg $stiff -s output.end=1e-3
-        $python figures/30-classes.py scene $out/poured 0.0 >$out/placed.cfg
-        $python figures/30-classes.py scene $out/poured 1e-6 >$out/moved.cfg
+        $python figures/30/30-classes.py scene $out/poured 0.0 >$out/placed.cfg
+        $python figures/30/30-classes.py scene $out/poured 1e-6 >$out/moved.cfg
         run k500 $out/placed.cfg $stiff -s output.end=0.3
         run k50 $out/placed.cfg -s output.end=0.3
         run k50-moved $out/moved.cfg -s output.end=0.3
     }
     set -- $out/k50 $out/k50-moved $out/k500
-    { made springs; $python figures/30-classes.py compare "$@"; } >$figures/30-springs.txt
+    { made springs; $python figures/30/30-classes.py compare "$@"; } >$figures/30/30-springs.txt
 }
 
 # Who carries the bed of Case 1.
 weight() {
-    if [ -z "${END:-}" ]; then sh chapters/tools/transcript.sh figures/30-weight.txt
+    if [ -z "${END:-}" ]; then sh chapters/tools/transcript.sh figures/30/30-weight.txt
     else sh figures/program.sh 30-weight "$END" 1.0; fi
 }
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The cylinder of Schaefer and Turek [ST96], flow 2D-2: Re = 100, the eddies are
-# shed in turn. An hour or less; what it finds goes to figures/19-cylinder.txt.
+# shed in turn. An hour or less; what it finds goes to figures/19/19-cylinder.txt.
 #
 #   sh tests/validate/cylinder.sh build/winnow [32 48 ...]   (cells a side)
 #
@@ -108,7 +108,7 @@ done
     echo "# smallest drag and lift coefficient; lift from peak to peak"
     for n; do found "$n"; done
     reference
-} >figures/19-cylinder.txt
-order figures/19-cylinder.txt >"$out/orders"
-cat "$out/orders" >>figures/19-cylinder.txt
-cat figures/19-cylinder.txt
+} >figures/19/19-cylinder.txt
+order figures/19/19-cylinder.txt >"$out/orders"
+cat "$out/orders" >>figures/19/19-cylinder.txt
+cat figures/19/19-cylinder.txt

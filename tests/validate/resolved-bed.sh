@@ -8,9 +8,9 @@
 # Re_in is 4, 6, 8 or 11 (8). By default the small bed: 4 x 4 x 15 d, 128 grains, 8 cells
 # in a diameter, up to 10 d/u_in: some minutes for each. In the environment WIDTH=8 CELLS=12
 # END=100 make it that of EW18, 512 grains and 1.7 million cells: 8 hours of a processor
-# for each, and 3.1 GB (make validate-bed). Writes figures/24-liquid-RE.txt, or
+# for each, and 3.1 GB (make validate-bed). Writes figures/24/24-liquid-RE.txt, or
 # 24-liquid-RE-WIDTH-CELLS.txt of another bed than the small one, and the integral times
-# of all velocities that there are, for fig. 13; figures/24-liquid.gp draws them.
+# of all velocities that there are, for fig. 13; figures/24/24-liquid.gp draws them.
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
@@ -72,13 +72,13 @@ done
 
 # [EW18 fig. 13] T over Re_in, and the line through them.
 {
-    echo "# [EW18 fig. 13] Re_in, integral time to the first zero and from 4 on [d/u_in]; from figures/24-liquid-*.txt"
+    echo "# [EW18 fig. 13] Re_in, integral time to the first zero and from 4 on [d/u_in]; from figures/24/24-liquid-*.txt"
     for re in 4 6 8 11; do
-        [ ! -e "figures/24-liquid-$re$bed.txt" ] ||
+        [ ! -e "figures/24/24-liquid-$re$bed.txt" ] ||
             sed -n "s/^# integral time to the first zero \\([0-9.]*\\), mean from 4 on \\([0-9.-]*\\) .*/$re \\1 \\2/p" \
-                "figures/24-liquid-$re$bed.txt"
+                "figures/24/24-liquid-$re$bed.txt"
     done | awk '
         { print; n++; x += $1; y += $2; xx += $1 * $1; xy += $1 * $2 }
         END { d = n * xx - x * x
               if (n > 1) printf "# T = %.4f %+.4f Re_in\n", (y * xx - x * xy) / d, (n * xy - x * y) / d }'
-} >"figures/24-liquid-times$bed.txt"
+} >"figures/24/24-liquid-times$bed.txt"

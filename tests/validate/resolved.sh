@@ -5,7 +5,7 @@
 #
 #   sh tests/validate/resolved.sh build/winnow [PART...]
 #
-# Writes figures/24-*.txt and fails where a band is left.
+# Writes figures/24/24-*.txt and fails where a band is left.
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
@@ -213,7 +213,7 @@ boxes() {
         case " ${GRAINS:-$n} " in
         *" $n "*) ;;
         *)
-            awk -v n="$n" '!/^#/ && $(NF - 1) == n' "figures/24-$part_of.txt"
+            awk -v n="$n" '!/^#/ && $(NF - 1) == n' "figures/24/24-$part_of.txt"
             continue
             ;;
         esac
@@ -352,7 +352,7 @@ coefficients() {
             b = (n * xy - sx * sy) / (n * xx - sx * sx); a = exp((sy - b * sx) / n)
             printf "# sigma = %.1f Re_p^%.3f\n", a, b
             printf "# sigma_low = %.2f; Re_low = %.2f; sigma_high = %.2f; Re_high = %.2f; time = %.2f;\n", a * low ^ b, low, a * high ^ b, high, T / n
-        }' figures/24-suspension.txt
+        }' figures/24/24-suspension.txt
 }
 
 # The rebound from a floor over the Stokes number, for rough and for smooth spheres:
@@ -638,7 +638,7 @@ held() {
 
 for part; do
     { made "$part"; $part; } >$out/24-"$part".txt
-    cp $out/24-"$part".txt figures/24-"$part".txt
+    cp $out/24-"$part".txt figures/24/24-"$part".txt
 done
 
 # The bands: 3 % at 12 cells in a diameter (9 % in the densest array), a spread of
@@ -655,4 +655,4 @@ awk '
     }
     FILENAME ~ /places/ && $1 < 0.4 { if (!first) first = $5; want(off($5 / first - 1) <= 0.01, FILENAME ": " $0) }
     FILENAME ~ /falls/ && $2 > 7 && $1 != "E1" { want(off($6) <= 4, FILENAME ": " $0) }
-    END { exit bad }' figures/24-arrays.txt figures/24-methods.txt figures/24-places.txt figures/24-falls.txt
+    END { exit bad }' figures/24/24-arrays.txt figures/24/24-methods.txt figures/24/24-places.txt figures/24/24-falls.txt

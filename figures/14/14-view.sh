@@ -1,0 +1,16 @@
+#!/bin/sh
+# Runs the three scenes and draws moments of them: half a minute.
+#
+#   sh figures/14/14-view.sh
+set -eu
+for scene in chute stirred-box collision-3d; do
+    winnow run cases/$scene.cfg -o out/$scene --quiet
+done
+view() {
+    xvfb-run -a /usr/bin/python3 figures/14/scene.py "$@"
+}
+view out/chute figures/14/14-chute.png 0.5,0.45,1 speed:1.5 430 330 1.25 0 0.2 0.4
+view out/stirred-box figures/14/14-stirred-box.png 0,0,1 id:108 300 340 1.3 \
+    0 0.5 0.7 0.9
+view out/collision-3d figures/14/14-collision-3d.png 0.2,0.3,1 speed:2 420 240 \
+    1.1 0 0.036 0.12
