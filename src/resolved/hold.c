@@ -12,16 +12,15 @@
  * treated otherwise (face_jump.c), by a jump of the pressure gradient: with
  * that, a sphere would be the staircase of its cells.
  */
-#include "resolved/solid_bodies.h"
-
-#include <math.h>
-
 #include "base/vector.h"
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
 #include "resolved/mark.h"
+#include "resolved/solid_bodies.h"
+
+#include <math.h>
 
 static struct solid_bodies *bodies_of(struct immersed *self)
 {
@@ -190,4 +189,272 @@ const struct body_method hold_method = {
     .equations = "EW18 1-5, 15, 16",
     .function = "hold_fluid",
     .set = hold_fluid,
+};
+
+/* --- fraction methods ----------------------------------------------------- */
+
+/* Two older ways to hold the fluid, by solid fractions.
+ * Chapter "Resolving the grains".
+ *
+ * Both set the velocity in a cell by its solid fraction b after the viscous
+ * step is done, so that what they give depends on nu dt / h^2. They are here to
+ * show that. LS calls the first one a fictitious domain method [LS 5.17-5.20],
+ * the second one PISO-IB [LS 5.21].
+ */
+
+/* Takes the impulse of a force that changes the velocity of a cell by du in
+ * this step: rho V du, in a two-step scheme 3/2 of it. */
+static void take_impulse(struct solid_bodies *b, const struct fluid *fl, int i,
+                         const struct hold_link *l, const double du[3])
+{
+    const double m =
+        fl->levels->weights.now * fl->options.rho * fl->mesh->V[l->cell];
+    double J[3], turn[3];
+
+    for (int k = 0; k < 3; k++) {
+        J[k] = -m * du[k];
+        b->hooks.impulse[k] -= J[k];
+        b->hooks.gross += fabs(J[k]);
+        J[k] *= fl->impulse_weight;
+        b->impulse[3 * i + k] += J[k];
+    }
+    vector_cross(l->r, J, turn);
+    for (int k = 0; k < 3; k++)
+        b->angular[3 * i + k] += turn[k];
+}
+
+static void clear_impulse(struct immersed *self)
+{
+    for (int k = 0; k < 3; k++)
+        self->impulse[k] = 0.0;
+    self->gross = 0.0;
+}
+
+static void fraction_methods_mark(struct immersed *self, struct fluid *fl)
+{
+    mark_bodies((struct solid_bodies *)self, fl);
+}
+
+static void fraction_methods_nothing(struct immersed *self, struct fluid *fl)
+{
+    (void)self, (void)fl;
+}
+
+/* --- fictitious domain -----------------------------------------------------
+ */
+
+/* u~ = (1 - b) u^ + b u_b, and the same change in the fluxes; f = rho (u~ -
+ * u^)/dt [LS 5.18]. */
+static void set_velocity(struct solid_bodies *b, struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int i = 0; i < b->ps->n; i++)
+        for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+            const struct hold_link *const l = &b->link[j];
+            double *const u = &fl->u[3 * l->cell], du[3];
+            for (int k = 0; k < 3; k++) {
+                du[k] = l->hold * (l->u[k] - u[k]);
+                u[k] += du[k];
+            }
+            take_impulse(b, fl, i, l, du);
+            for (int a = m->cell_start[l->cell]; a < m->cell_start[l->cell + 1];
+                 a++) {
+                const int f = m->cell_face[a];
+                const double share = m->out[a] > 0.0 ? m->w[f] : 1.0 - m->w[f];
+                if (f < m->n_internal)
+                    fl->phi[f] += share * vector_dot(du, &m->S[3 * f]);
+            }
+        }
+}
+
+/* What a pressure gradient changes in a step [m^3 s/kg]. */
+static double step_over_density(const struct fluid *fl)
+{
+    return fl->options.dt / (fl->levels->weights.now * fl->options.rho);
+}
+
+/* dt/rho S.S / S.d of the faces through which the pressure acts. */
+static void set_conductances(struct fluid *fl)
+{
+    struct pressure_system *const pressure = fl->pressure;
+    const double scale = step_over_density(fl);
+
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        pressure->boundary_conductance[c] = pressure->divergence[c] = 0.0;
+    for (int f = 0; f < fl->mesh->n_faces; f++) {
+        const int open = pressure->conductance[f] > 0.0, o = fl->mesh->owner[f];
+        pressure->conductance[f] =
+            open * scale * fl->geometry->face_coefficient[f];
+        pressure->divergence[o] -= fl->phi[f];
+        if (f < fl->mesh->n_internal)
+            pressure->divergence[fl->mesh->neighbour[f]] += fl->phi[f];
+        else
+            pressure->boundary_conductance[o] += pressure->conductance[f];
+    }
+    if (pressure->pinned_cell >= 0)
+        pressure->boundary_conductance[pressure->pinned_cell] +=
+            scale * cbrt(fl->mesh->V[pressure->pinned_cell]);
+}
+
+/* phi and u lose the gradient of q; p gains q. At walls q is that of the
+ * cell, at outlets 0. */
+static void subtract_gradient(struct fluid *fl, const double *q)
+{
+    const struct mesh *const m = fl->mesh;
+    const double scale = step_over_density(fl);
+
+    for (int f = 0; f < m->n_faces; f++) {
+        const int o = m->owner[f], inner = f < m->n_internal;
+        const int n = inner ? m->neighbour[f] : o;
+        const int outlet = !inner && fl->pressure->conductance[f] > 0.0;
+        const double of_n = outlet ? 0.0 : q[n];
+        const double face = m->w[f] * q[o] + (1.0 - m->w[f]) * of_n;
+        fl->p_face[f] += face;
+        fl->phi[f] -= fl->pressure->conductance[f] * (of_n - q[o]);
+        for (int k = 0; k < 3; k++) {
+            const double g = scale * face * m->S[3 * f + k];
+            fl->u[3 * o + k] -= g / m->V[o];
+            if (inner) fl->u[3 * n + k] += g / m->V[n];
+        }
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        fl->p[c] += q[c];
+}
+
+/* u = u~ - grad q dt/rho [LS 5.19], with lap q dt/rho = div u~ [LS 5.20]; phi
+ * of LS is q dt/rho. Where a body begins to move in a fluid at rest, the step
+ * has no scale of its fluxes before: then the divergence is the scale. */
+static void project(struct solid_bodies *b, struct fluid *fl)
+{
+    struct pressure_system *const pressure = fl->pressure;
+
+    set_conductances(fl);
+    preconditioned_set(pressure->matrix, pressure->conductance,
+                       pressure->boundary_conductance);
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        b->hold_u[c] = 0.0; /* work space */
+    const double tolerance = fl->options.tolerance;
+    const struct solve_report r =
+        cg_solve(pressure->matrix, pressure->divergence, b->hold_u,
+                 pressure->scale > 0.0 ? 0.0 : tolerance,
+                 tolerance * pressure->scale, 500, pressure->cg);
+    if (!r.converged) fl->report.pressure = r;
+    subtract_gradient(fl, b->hold_u);
+}
+
+/* The interim velocity, of the fluid everywhere, is there [LS 5.17]. The
+ * boundaries have acted upon that velocity, and the balance of momentum counts
+ * them with the final one: their difference is an impulse, too. */
+static void fictitious_end(struct immersed *self, struct fluid *fl)
+{
+    struct solid_bodies *const b = (struct solid_bodies *)self;
+    double interim[3], final[3];
+
+    momentum_balance_of_boundaries(fl, interim);
+    clear_impulse(self);
+    set_velocity(b, fl);
+    project(b, fl);
+    momentum_balance_of_boundaries(fl, final);
+    for (int k = 0; k < 3; k++)
+        self->impulse[k] += interim[k] - final[k];
+}
+
+static void set_fictitious(struct solid_bodies *b)
+{
+    b->by_fraction = 1;
+    b->hooks = (struct immersed){.begin = fraction_methods_mark,
+                                 .add_friction = fraction_methods_nothing,
+                                 .change_faces = fraction_methods_nothing,
+                                 .end = fictitious_end};
+}
+
+/* --- PISO-IB ----------------------------------------------------------------
+ */
+
+/* b->hold_u is here the force per mass f [m/s^2], which lasts from step to step
+ * where there is still a body. */
+static void keep_force(struct immersed *self, struct fluid *fl)
+{
+    struct solid_bodies *const b = (struct solid_bodies *)self;
+
+    mark_bodies(b, fl);
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        for (int k = 0; k < 3 && b->hold[c] == 0.0; k++)
+            b->hold_u[3 * c + k] = 0.0;
+}
+
+static void add_force(struct immersed *self, struct fluid *fl)
+{
+    const struct solid_bodies *const b = (struct solid_bodies *)self;
+
+    for (int j = 0; j < b->n_cells; j++) {
+        const int c = b->cell[j];
+        for (int k = 0; k < 3; k++)
+            fl->momentum->b[3 * c + k] +=
+                fl->options.rho * fl->mesh->V[c] * b->hold_u[3 * c + k];
+    }
+}
+
+static const double relaxation = 0.9; /* alpha */
+
+/* f += alpha b (u_b - u)/dt [LS 5.21], in each corrector. */
+static void correct_force(struct immersed *self, struct fluid *fl)
+{
+    struct solid_bodies *const b = (struct solid_bodies *)self;
+
+    for (int j = 0; j < b->n_links; j++) {
+        const struct hold_link *const l = &b->link[j];
+        for (int k = 0; k < 3; k++) {
+            const double df = relaxation * l->hold / fl->options.dt *
+                              (l->u[k] - fl->u[3 * l->cell + k]);
+            b->hold_u[3 * l->cell + k] += df;
+            fl->momentum->b[3 * l->cell + k] +=
+                fl->options.rho * fl->mesh->V[l->cell] * df;
+        }
+    }
+}
+
+/* The whole f of a cell is of the first body that shares it. */
+static void piso_ib_end(struct immersed *self, struct fluid *fl)
+{
+    struct solid_bodies *const b = (struct solid_bodies *)self;
+
+    clear_impulse(self);
+    for (int i = 0; i < b->ps->n; i++)
+        for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+            const struct hold_link *const l = &b->link[j];
+            const double dt = fl->options.dt,
+                         share = l->hold / b->hold[l->cell];
+            const double *const f = &b->hold_u[3 * l->cell];
+            const double du = share * dt / fl->levels->weights.now;
+            take_impulse(b, fl, i, l,
+                         (double[3]){du * f[0], du * f[1], du * f[2]});
+        }
+}
+
+static void set_piso_ib(struct solid_bodies *b)
+{
+    b->by_fraction = 1;
+    b->hooks = (struct immersed){.begin = keep_force,
+                                 .add_friction = add_force,
+                                 .change_faces = fraction_methods_nothing,
+                                 .corrected = correct_force,
+                                 .end = piso_ib_end};
+}
+
+const struct body_method fraction_methods_fictitious = {
+    .name = "fictitious-domain",
+    .what = "velocity set after the step, and projected again",
+    .equations = "LS 5.17-5.20",
+    .function = "project",
+    .set = set_fictitious,
+};
+
+const struct body_method fraction_methods_piso_ib = {
+    .name = "piso-ib",
+    .what = "force accumulated in the correctors of PISO",
+    .equations = "LS 5.21",
+    .function = "correct_force",
+    .set = set_piso_ib,
 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* serve.c -- what each rank does with its part, and the ranks that wait for
  * what they are asked. */
-#include "distributed/ranks/engine_internal.h"
+#include "distributed/ranks/engine.h"
 
 #include <stdio.h>
 #include <stdlib.h>

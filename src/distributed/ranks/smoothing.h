@@ -10,7 +10,7 @@
 #define DISTRIBUTED_RANKS_SMOOTHING_H
 
 #include "averaging/averaging.h"
-#include "distributed/ranks/halo.h"
+#include "distributed/ranks/partition.h"
 
 /* The context of the method, which averaging_options.parts is. */
 struct smoothing {

@@ -9,7 +9,7 @@
 #ifndef DISTRIBUTED_RANKS_SOLVE_H
 #define DISTRIBUTED_RANKS_SOLVE_H
 
-#include "distributed/ranks/halo.h"
+#include "distributed/ranks/partition.h"
 #include "fluid/fluid.h"
 
 struct solve;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* spheres_report.c -- sums over the spheres of all ranks, and which are lost.
  */
-#include "distributed/ranks/spheres_internal.h"
+#include "distributed/ranks/spheres.h"
 
 #include <math.h>
 #include <stdlib.h>

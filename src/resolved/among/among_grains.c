@@ -9,7 +9,7 @@
 #include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/among/surroundings.h"
-#include "resolved/body_cells.h"
+#include "resolved/mark.h"
 #include "resolved/body_motion.h"
 
 #include <math.h>

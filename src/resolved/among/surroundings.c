@@ -7,7 +7,6 @@
 #include "base/statistics.h"
 #include "base/vector.h"
 #include "coupling/drag.h"
-#include "resolved/body_cells.h"
 #include "resolved/mark.h"
 #include "resolved/shapes/shapes.h"
 
