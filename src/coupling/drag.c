@@ -152,6 +152,24 @@ double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re)
     return drag_stokes_time(rho_p, d, mu) / (1.0 + 0.15 * pow(Re, 0.687));
 }
 
+double drag_settling_slip(const struct drag_law *law, double rho_s,
+                          double eps_s, double rho_f, double mu, double d,
+                          double g)
+{
+    const double pull = fabs(rho_s - rho_f) * g; /* [N/m^3] */
+    double low = 0.0, high = 1e3;
+
+    for (int i = 0; i < 100; i++) {
+        const double w = 0.5 * (low + high);
+        if (w * drag_resistance(law, 1.0 - eps_s, rho_f, mu, d, w) <
+            pull * (1.0 - eps_s))
+            low = w;
+        else
+            high = w;
+    }
+    return low;
+}
+
 struct stream {
     const struct drag_law *law;
     double rho_s, eps_s, rho_f, mu, d, u_f;

@@ -89,6 +89,12 @@ double drag_stokes_time(double rho_p, double d, double mu);
 /* The same with the correction of Schiller and Naumann [s] [LS 5.13]. */
 double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re);
 
+/* The slip at which the drag carries the weight less the buoyancy, where eps_s
+ * is solid [m/s]. */
+double drag_settling_slip(const struct drag_law *law, double rho_s,
+                          double eps_s, double rho_f, double mu, double d,
+                          double g);
+
 /* Velocity after the time t of a particle at rest that a fluid of velocity u_f
  * takes along, du/dt = (u_f - u) / tau_p(|u_f - u|) with tau_p of
  * Syamlal-O'Brien at a constant solids fraction [m/s]; nan for t < 0.

@@ -13,12 +13,16 @@ struct effect_scales {
     double gravity;       /* [m/s^2] */
     double mean_gradient; /* [Pa/m] that drives the fluid through a period */
     double eps_s;         /* [-] solids fraction where the particles are */
-    int carried;   /* [-] 1: the particles move with the stream, or fall */
-    double slip;   /* [m/s] of a particle in the stream */
-    double length; /* [m] over which the velocity changes by that */
-    double shear;  /* [1/s] of the stream */
-    double spin;   /* [rad/s] of a particle against the fluid */
-    double tau;    /* [s] relaxation time */
+    int partners;         /* [-] 1: there are others that a particle can meet */
+    int carried;     /* [-] 1: the particles move with the stream, or fall */
+    int rests;       /* [-] 1: they lie on each other, at the end at least */
+    int stirred;     /* [-] 1: the spin is what collisions leave */
+    double slip;     /* [m/s] of a particle in the stream */
+    double length;   /* [m] over which the velocity changes by that */
+    double shear;    /* [1/s] of the stream */
+    double spin;     /* [rad/s] of a particle against the fluid */
+    double tau;      /* [s] relaxation time */
+    double meetings; /* [1/s] of a particle with others */
     double acceleration;           /* [m/s^2] of the slip, in the mean */
     double time;                   /* [s] that the slip has had to develop */
     double weight, drag;           /* [N] */
@@ -27,11 +31,15 @@ struct effect_scales {
     const double *numbers;         /* its parameters, if it is named */
 };
 
-/* Size of the force over the larger one of weight and drag. */
+/* What an effect would do, as a share of `of`; and whether that is known before
+ * a run, from the range of the data behind it. */
 struct effect_estimate {
-    double share;       /* [-] in the mean, or as the remark says */
-    const char *remark; /* "" if there is nothing to add */
-    int conditional;    /* [-] 1: only if the remark holds */
+    double share;     /* [-] its size, in the mean or at most */
+    double loss;      /* [-] of this the part that is missed without it: less
+                         where its direction is random */
+    const char *of;   /* "the force on a grain" */
+    int unknown;      /* [-] 1: only what the remark says would tell */
+    char remark[112]; /* "" if there is nothing to add */
 };
 
 /* The mass that accelerates with a particle, over the mass of the fluid that it

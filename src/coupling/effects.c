@@ -9,6 +9,8 @@
 #include "coupling/transfer.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 void effects_add(struct simulation *sim, const struct effect *e, void *memory)
@@ -65,6 +67,28 @@ void effects_measure_scale(struct simulation *sim)
         effects_tally_add(&sim->force_scale,
                           fmax(drag, sim->particles->m[i] * size), 1.0);
     }
+}
+
+static const char of_force[] = "the force on a grain";
+
+struct effect_estimate effects_estimate(double share, const char *remark)
+{
+    struct effect_estimate e = {.share = share, .loss = share, .of = of_force};
+
+    snprintf(e.remark, sizeof e.remark, "%s", remark);
+    return e;
+}
+
+struct effect_estimate effects_unknown(double most, const char *format, ...)
+{
+    struct effect_estimate e = {
+        .share = most, .loss = most, .of = of_force, .unknown = 1};
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(e.remark, sizeof e.remark, format, args);
+    va_end(args);
+    return e;
 }
 
 const struct key effects_keys[] = {

@@ -8,6 +8,7 @@
 #define COUPLING_EFFECTS_H
 
 #include "coupling/effect.h"
+#include "coupling/effect_scales.h"
 #include "coupling/simulation.h"
 
 /* What a case says of the effects that others than these ask for. */
@@ -71,5 +72,11 @@ void effect_force_add(struct simulation *sim, int i, const double f[3]);
  * particles have moved, for the step of the fluid that follows. */
 void effect_force_inertia(struct simulation *sim);
 void effect_force_charge(struct simulation *sim, int i, double m);
+
+/* An estimate that is known, of the force on a grain; and one that is not, at
+ * most so large, with what would tell. */
+struct effect_estimate effects_estimate(double share, const char *remark);
+struct effect_estimate effects_unknown(double most, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -44,7 +44,7 @@ static void gravity_before_particles(void *memory, struct simulation *sim)
 
 static struct effect_estimate gravity_estimate(const struct effect_scales *k)
 {
-    return (struct effect_estimate){k->weight / k->force, "", 0};
+    return effects_estimate(k->weight / k->force, "");
 }
 
 static const struct key gravity_keys[] = {
@@ -166,9 +166,9 @@ pressure_gradient_estimate(const struct effect_scales *k)
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
     const double gradient = k->eps_s * k->drag / V / (1.0 - k->eps_s);
 
-    return (struct effect_estimate){
+    return effects_estimate(
         V * (gradient + k->mean_gradient + k->rho_f * k->gravity) / k->force,
-        "", 0};
+        "");
 }
 
 static const struct key pressure_gradient_keys[] = {

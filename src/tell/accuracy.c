@@ -307,6 +307,6 @@ void check_accuracy(const struct settings *s, const struct case_scales *k)
     if (flow) print_correctors(s, k);
     if (s->has.averaging) accuracy_print_bandwidth(s);
     if (s->has.exchange) print_substeps(s, k);
-    if (k->particles > 0 && !case_scales_no_contacts(s))
+    if (k->particles > 0 && !s->particles.list->no_contacts)
         print_particles(s, k, flow);
 }

@@ -126,7 +126,7 @@ static void print_contacts(const struct settings *s,
     const double safe = case_scales_tightest(s, k->impact).longest;
 
     puts("Contacts");
-    if (case_scales_no_contacts(s)) {
+    if (s->particles.list->no_contacts) {
         text_line("particle step", k->dem_dt, "s",
                   "safe: particles.list = \"none\", no contacts");
         return;

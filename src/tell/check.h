@@ -24,4 +24,8 @@ void check_cohesion(const struct settings *s, const struct case_scales *k);
 void check_effects(const struct settings *s, const struct case_scales *k);
 void check_accuracy(const struct settings *s, const struct case_scales *k);
 
+/* The scales from which the effects estimate themselves. */
+struct effect_scales check_scales(const struct settings *s,
+                                  const struct case_scales *in);
+
 #endif

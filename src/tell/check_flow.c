@@ -63,20 +63,6 @@ static double fill_rate(const struct mesh *m, const double u[3])
     return rate;
 }
 
-/* Into the mesh, normal to a patch on the whole, with length 1. Of the outline
- * of a box the patches come in the order left, right, bottom, ... */
-static void inward(const struct mesh *m, const struct patch *p, double e[3])
-{
-    e[0] = e[1] = e[2] = 0.0;
-    for (int i = 0; i < 6 && m->face_centre == NULL; i++)
-        if (mesh_patch(m, mesh_sides[i]) == p) e[i / 2] = i % 2 ? -1.0 : 1.0;
-    for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
-        vector_along(e, -1.0, &m->S[3 * f], e);
-    const double length = vector_length(e);
-    for (int k = 0; k < 3 && length > 0.0; k++)
-        e[k] /= length;
-}
-
 static void add_inlet(const struct settings *s, const struct mesh *m,
                       const struct patch *p, const struct key_series *inlet,
                       struct rates *r)
@@ -86,7 +72,7 @@ static void add_inlet(const struct settings *s, const struct mesh *m,
     for (int i = 0; i < inlet->n; i++)
         U = fmax(U, inlet->value[i]);
     build_boundaries_shares(s, p->name, &mean, &peak);
-    inward(m, p, e);
+    case_scales_inward(m, p, e);
     for (int k = 0; k < 3; k++)
         e[k] *= U * peak;
     r->inlet = fmax(r->inlet, U * mean);

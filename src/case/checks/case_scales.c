@@ -51,12 +51,66 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
     }
 }
 
-/* [m/s] the largest in time, in the mean over its side: where a jet comes
- * through a slot, the grains beside it are not struck at the speed of the jet.
- */
-static double largest_inlet(const struct settings *s, const struct mesh *m)
+/* Of the outline of a box the patches come in the order left, right, bottom,
+ * ... */
+void case_scales_inward(const struct mesh *m, const struct patch *p,
+                        double e[3])
 {
-    double largest = 0.0, mean, peak;
+    e[0] = e[1] = e[2] = 0.0;
+    for (int i = 0; i < 6 && m->face_centre == NULL; i++)
+        if (mesh_patch(m, mesh_sides[i]) == p) e[i / 2] = i % 2 ? -1.0 : 1.0;
+    for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
+        vector_along(e, -1.0, &m->S[3 * f], e);
+    const double length = vector_length(e);
+    for (int k = 0; k < 3 && length > 0.0; k++)
+        e[k] /= length;
+}
+
+/* The section of the mesh across gravity, in the mean [m^2]. */
+static double mean_section(const struct settings *s, const struct mesh *m)
+{
+    const double *const g = s->effects.gravity;
+    int up = 0;
+
+    for (int i = 1; i < 3; i++)
+        if (fabs(g[i]) > fabs(g[up])) up = i;
+    return case_mesh_volume(s) / (m->hi[up] - m->lo[up]);
+}
+
+/* The area of a patch over that section, where it is not that of a box: a
+ * vessel may widen [-]. */
+static double share_of_section(const struct settings *s, const struct mesh *m,
+                               const struct patch *p)
+{
+    double area = 0.0;
+
+    if (m->face_centre == NULL) return 1.0;
+    for (int f = p->first; f < p->first + p->n; f++)
+        area += vector_length(&m->S[3 * f]);
+    return area / mean_section(s, m);
+}
+
+/* A stream of U [m/s] along e, with length 1: its part against the fall of the
+ * particles, which rise if they are lighter; in the mean over the section. */
+static void add_stream(const struct settings *s, double U, double share,
+                       const double e[3], struct case_scales *k)
+{
+    const double g = vector_length(s->effects.gravity);
+    const double falls =
+        s->particles.grains.density < s->fluid.rho ? -1.0 : 1.0;
+
+    k->inlet = fmax(k->inlet, U);
+    if (g > 0.0)
+        k->up = fmax(k->up, -falls * U * share *
+                                vector_dot(e, s->effects.gravity) / g);
+}
+
+/* The largest in time, in the mean over its side: where a jet comes through a
+ * slot, the grains beside it are not struck at the speed of the jet. */
+static void stream_scales(const struct settings *s, const struct mesh *m,
+                          struct case_scales *k)
+{
+    double mean, peak, e[3];
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct boundary_options *const o =
@@ -64,10 +118,15 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
 
         if (o == NULL || o->inlet.n == 0) continue;
         build_boundaries_shares(s, m->patches[i].name, &mean, &peak);
+        case_scales_inward(m, &m->patches[i], e);
         for (int j = 0; j < o->inlet.n; j++)
-            largest = fmax(largest, o->inlet.value[j] * mean);
+            add_stream(s, o->inlet.value[j] * mean,
+                       share_of_section(s, m, &m->patches[i]), e, k);
     }
-    return largest;
+    const double U = vector_length(s->fluid.mean_flow);
+    for (int i = 0; i < 3 && U > 0.0; i++)
+        e[i] = s->fluid.mean_flow[i] / U;
+    if (U > 0.0) add_stream(s, U, 1.0, e, k);
 }
 
 /* The speed [m/s] at which a sphere meets a wall or another one that starts
@@ -154,7 +213,7 @@ struct case_scales case_scales_of(const struct settings *s)
     k.end = s->output.end;
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);
-    if (s->has.fluid) k.inlet = largest_inlet(s, m);
+    if (s->has.fluid) stream_scales(s, m, &k);
     if (s->has.particles) {
         particle_scales(s, &k);
         add_inserted(s, &k);
@@ -189,7 +248,7 @@ int case_scales_auto_step(struct settings *s)
         const struct case_limits one = case_scales_limits(s, m, k.impact);
         if (one.d > 0.0) least = fmin(least, one.suggested);
     }
-    if (least == HUGE_VAL || case_scales_no_contacts(s))
+    if (least == HUGE_VAL || s->particles.list->no_contacts)
         return settings_wrong(s, "particles.step",
                               "\"auto\": there are no contacts that a step "
                               "would have to resolve; expected a number of s");
@@ -228,7 +287,7 @@ int case_scales_check(const struct settings *s)
     if (!s->has.particles) return 0;
     const struct case_scales k = case_scales_of(s);
     if (case_scales_check_memory(s, &k) != 0) return 2;
-    if (case_scales_no_contacts(s)) return case_scales_check_no_contacts(s);
+    if (s->particles.list->no_contacts) return case_scales_check_no_contacts(s);
     if (s->particles.unsafe_step) return 0;
     const struct case_limits m = case_scales_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
@@ -247,11 +306,6 @@ int case_scales_check(const struct settings *s)
         "particles.unsafe_step = true",
         k.dem_dt, case_scales_name(s, m.material), m.d, m.contact, m.longest,
         m.suggested);
-}
-
-int case_scales_no_contacts(const struct settings *s)
-{
-    return s->particles.list->no_contacts;
 }
 
 const char *case_scales_name(const struct settings *s, int m)

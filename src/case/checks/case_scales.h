@@ -17,11 +17,17 @@ struct case_scales {
     double density;    /* [kg/m^3] of the particles */
     double dt, dem_dt; /* [s] of the loop, of the particles */
     int dem_steps;     /* [-] in one step of the loop */
-    double inlet;      /* [m/s] largest superficial velocity of an inlet */
+    double inlet;      /* [m/s] largest superficial velocity of an inlet, or the
+                          mean one of a periodic flow */
+    double up;         /* [m/s] of that the part against the fall of grains */
     double impact;     /* [m/s] speed of collisions that is assumed */
     double end;        /* [s] */
 };
 struct case_scales case_scales_of(const struct settings *s);
+
+/* Into the mesh, normal to a patch on the whole, with length 1. */
+void case_scales_inward(const struct mesh *m, const struct patch *p,
+                        double e[3]);
 
 /* particles.step = "auto": 1, or 0 if the case has a number or no particles. */
 int case_scales_is_auto(const struct settings *s);
@@ -49,10 +55,6 @@ struct case_limits {
     double suggested; /* [s] */
     double longest;   /* [s] that still resolves the impact */
 };
-
-/* 1 if particles.list chooses a method without contacts: particles pass through
- * each other, and no impact has to be resolved. */
-int case_scales_no_contacts(const struct settings *s);
 
 /* Of material number m, for impacts at v [m/s]; d = 0 if no particle is of
  * it. */

@@ -109,7 +109,7 @@ int case_cohesion_check_pairs(const struct settings *s)
         range = fmax(range, all[i].range);
     }
     free(all);
-    if (skin + range == 0.0 || case_scales_no_contacts(s)) return 0;
+    if (skin + range == 0.0 || s->particles.list->no_contacts) return 0;
     const double apart = (k.d_most + skin + range) / k.d;
     const double around = fmin(k.particles, 8.0 * packed * gsl_pow_3(apart));
     return case_memory_check_pairs(s, key, 0.5 * k.particles * around);

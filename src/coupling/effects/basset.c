@@ -195,18 +195,21 @@ static void basset_after_particles(void *memory, struct simulation *sim)
 }
 
 /* C (2 sqrt(t)) dw/dt for as long as the slip develops, but no longer than it
- * takes to. */
+ * takes to. Beyond Re = 1 the kernel fades sooner. */
 static struct effect_estimate basset_estimate(const struct effect_scales *k)
 {
     const double C = basset_coefficient(k->rho_f, k->mu, k->d);
-
-    return (struct effect_estimate){
+    const double Re = k->rho_f * k->slip * k->d / k->mu;
+    const double share = /* 0 of an endless time */
         k->acceleration > 0.0
             ? 2.0 * C * sqrt(k->time) * k->acceleration / k->force
-            : 0.0, /* of an endless time */
-        k->slip * k->d * k->rho_f > k->mu ? "Re > 1: the kernel fades too late"
-                                          : "",
-        0};
+            : 0.0;
+
+    return Re > 1.0 ? effects_unknown(share,
+                                      "no data for Re %.3g (below 1): "
+                                      "at most %.3g %%; check --try",
+                                      Re, 100.0 * share)
+                    : effects_estimate(share, "");
 }
 
 static void basset_added_mass(const struct effect_scales *k,

@@ -12,6 +12,7 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* --- vorticity ------------------------------------------------------------ */
@@ -155,7 +156,7 @@ static struct effect_estimate saffman_estimate(const struct effect_scales *k)
     double F[3];
 
     saffman_lift(k->rho_f, k->mu, k->d, w, curl, F);
-    return (struct effect_estimate){fabs(F[1]) / k->force, "", 0};
+    return effects_estimate(fabs(F[1]) / k->force, "");
 }
 
 static const struct key saffman_keys[] = {
@@ -259,15 +260,20 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
     }
 }
 
+/* A force of random direction adds to another one, on average, half the square
+ * of its share. */
 static struct effect_estimate magnus_estimate(const struct effect_scales *k)
 {
     const double Re = k->rho_f * k->slip * k->d / k->mu;
     const double Re_r = spin_reynolds(k->rho_f, k->mu, k->d, k->spin);
     const double F =
         spin_force(k->rho_f, spin_lift_coefficient(Re, Re_r), k->d, k->slip);
+    struct effect_estimate e =
+        effects_estimate(Re > 0.0 && Re_r > 0.0 ? F / k->force : 0.0,
+                         k->stirred ? "collisions turn it any way" : "");
 
-    return (struct effect_estimate){Re > 0.0 && Re_r > 0.0 ? F / k->force : 0.0,
-                                    "with the spin that collisions leave", 0};
+    if (k->stirred) e.loss = 0.5 * e.share * e.share;
+    return e;
 }
 
 static const struct key magnus_keys[] = {
@@ -327,15 +333,23 @@ static void fluid_torque_before_substep(void *memory, struct simulation *sim)
     }
 }
 
+/* The part of a spin that is lost in a relaxation time matters by the lift that
+ * comes from it. */
 static struct effect_estimate
 fluid_torque_estimate(const struct effect_scales *k)
 {
     const double rate =
         spin_decay_rate(k->rho_f, k->mu, k->d, k->rho_s, k->spin);
+    const double lost = k->spin > 0.0 ? -expm1(-rate * k->tau) : 0.0;
+    struct effect_estimate e = magnus_estimate(k);
 
-    return (struct effect_estimate){
-        k->spin > 0.0 ? -expm1(-rate * k->tau) : 0.0,
-        "of a spin is lost in a relaxation time", 1};
+    e.share *= lost;
+    e.loss *= lost;
+    snprintf(e.remark, sizeof e.remark,
+             lost > 0.0 ? "slows a spin by %.2g %%, and so the lift"
+                        : "no spin",
+             100.0 * lost);
+    return e;
 }
 
 static const struct key fluid_torque_keys[] = {

@@ -214,17 +214,21 @@ static void *lubrication_create(struct simulation *sim,
 
 /* A pair that closes with the slip loses ln(z_out/z_min), about 7, times 6 pi
  * mu R*^2/m* of its speed on the way through the gap: all of it at St = rho_s u
- * d/(9 mu) of about 10. */
+ * d/(9 mu) of about 10. Grains that meet less often than the fluid takes them
+ * along again, in tau, hardly notice. */
 static struct effect_estimate
 lubrication_estimate(const struct effect_scales *k)
 {
     const double St = k->rho_s * k->slip * k->d / (9.0 * k->mu);
+    const int meets =
+        k->carried && ((k->partners && k->eps_s > 1e-3) || k->numbers != NULL);
+    struct effect_estimate e = effects_estimate(
+        St > 0.0 && meets ? fmin(1.0, 10.0 / St) : 0.0,
+        !meets ? "grains at rest, or far from each other" : "10/St");
 
-    return (struct effect_estimate){
-        St > 0.0 && k->carried && (k->eps_s > 1e-3 || k->pair != NULL)
-            ? fmin(1.0, 10.0 / St)
-            : 0.0,
-        "of the speed of an impact is lost, 10/St", 0};
+    e.of = "the speed of an impact";
+    if (k->meetings > 0.0) e.loss *= fmin(1.0, k->tau * k->meetings);
+    return e;
 }
 
 static const struct key lubrication_keys[] = {
@@ -287,6 +291,14 @@ static void *create_capillary(struct simulation *sim, const double *parameters)
     return pair_share_create(sim, &capillary);
 }
 
+/* 1 in a liquid, which has a twentieth of the density of the grains at least:
+ * no bridge forms in it, charges leak away, and the attraction of surfaces is a
+ * tenth. */
+static int is_liquid(const struct effect_scales *k)
+{
+    return k->rho_f > 0.05 * k->rho_s;
+}
+
 /* The force of two that touch, F [N] if the effect is not named: then it has no
  * strength, and F is that of ordinary materials. */
 static struct effect_estimate cohesion_touching(const struct effect_scales *k,
@@ -294,33 +306,48 @@ static struct effect_estimate cohesion_touching(const struct effect_scales *k,
 {
     const double R = 0.5 * k->d;
 
-    if (k->pair == NULL)
-        return (struct effect_estimate){fabs(F) / k->force, remark, 1};
-    return (struct effect_estimate){
-        fabs(k->pair->law->pair(k->pair, 0, 0, R, R, 0.0)) / k->force,
-        "of two particles that touch", 0};
+    if (k->pair != NULL)
+        return effects_estimate(
+            fabs(k->pair->law->pair(k->pair, 0, 0, R, R, 0.0)) / k->force,
+            "of two that touch");
+    if (!k->partners || k->eps_s < 1e-3)
+        return effects_estimate(0.0, "grains hardly meet");
+    return effects_estimate(fabs(F) / k->force, remark);
 }
 
 static struct effect_estimate
 estimate_electrostatic(const struct effect_scales *k)
 {
     const double q = 1e-5 * M_PI * k->d * k->d;
-    return cohesion_touching(k, electrostatic_force(q, q, 1.0, k->d),
-                             "if they touch and are charged to 1e-5 C/m^2");
+    struct effect_estimate e =
+        cohesion_touching(k, electrostatic_force(q, q, 1.0, k->d),
+                          "are they charged? this is for 1e-5 C/m^2");
+
+    if (k->pair == NULL && is_liquid(k))
+        return effects_estimate(0.0, "charges leak away in a liquid");
+    e.unknown = k->pair == NULL && e.share > 0.0;
+    return e;
 }
 
 static struct effect_estimate
 estimate_van_der_waals(const struct effect_scales *k)
 {
     return cohesion_touching(
-        k, van_der_waals_force(1e-19, 1e-7, 4e-10),
-        "if they touch by asperities of 0.1 um, A = 1e-19 J");
+        k, van_der_waals_force(is_liquid(k) ? 1e-20 : 1e-19, 1e-7, 4e-10),
+        is_liquid(k) ? "asperities of 0.1 um, A = 1e-20 J"
+                     : "asperities of 0.1 um, A = 1e-19 J");
 }
 
 static struct effect_estimate estimate_capillary(const struct effect_scales *k)
 {
-    return cohesion_touching(k, capillary_force(0.072, 0.5 * k->d),
-                             "if they touch and are wet");
+    struct effect_estimate e =
+        cohesion_touching(k, capillary_force(0.072, 0.5 * k->d),
+                          "are they wet? this is for bridges of water");
+
+    if (k->pair == NULL && is_liquid(k))
+        return effects_estimate(0.0, "no bridge forms in a liquid");
+    e.unknown = k->pair == NULL && e.share > 0.0;
+    return e;
 }
 
 static struct attraction electrostatic_of(const double *p,

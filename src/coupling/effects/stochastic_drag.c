@@ -21,6 +21,7 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -195,26 +196,39 @@ static const char *stochastic_drag_wrong(const double *parameters,
     return parameters[3] < parameters[2] ? "Re_high is below Re_low" : NULL;
 }
 
-/* sqrt(2 / pi) of sigma over C_d, on average. Where the case gives no sigma,
- * that of EW18's liquid bed, whose Re_p went from 3 to 10.5. */
+/* sqrt(2 / pi) of sigma over C_d, on average, of which the velocity follows the
+ * part that lasts: the fluctuation does so for T, about d / u, and a grain
+ * answers within tau. In a gas tau is far longer. Where the case gives no
+ * sigma, it is that of EW18's liquid bed, whose Re_p went from 3 to 10.5;
+ * beyond, the drag is its bound. */
 static struct effect_estimate
 stochastic_drag_estimate(const struct effect_scales *k)
 {
-    static const struct stochastic_drag_sigma liquid = {93.5, 13.43, 3.0, 10.5,
-                                                        0};
+    static const struct stochastic_drag_sigma bed = {93.5, 13.43, 3.0, 10.5, 0};
     const double *const n = k->numbers, eps = 1.0 - k->eps_s;
-    const struct stochastic_drag_sigma s = n != NULL ? sigma_of(n) : liquid;
+    const struct stochastic_drag_sigma s = n != NULL ? sigma_of(n) : bed;
     const double Re = coefficient_reynolds(eps, k->rho_f, k->mu, k->d, k->slip);
-    const double sigma = stochastic_drag_sigma(&s, Re);
-    const double F =
-        M_PI / 8.0 * k->rho_f * gsl_pow_2(k->d * eps * k->slip) * sigma;
+    const double T = k->slip > 0.0 ? k->d / (eps * k->slip) : 0.0;
+    const double F = M_PI / 8.0 * k->rho_f * gsl_pow_2(k->d * eps * k->slip) *
+                     stochastic_drag_sigma(&s, Re);
+    const int no_data = /* to a tenth, as Re is an estimate */
+        n == NULL && (Re < 0.9 * s.Re_low || Re > 1.1 * s.Re_high);
+    struct effect_estimate e = effects_estimate(
+        sqrt(2.0 / M_PI) * (no_data ? k->drag : fmin(F, k->drag)) / k->force,
+        "");
 
-    return (struct effect_estimate){
-        sqrt(2.0 / M_PI) * fmin(F, k->drag) / k->force,
-        n == NULL && (Re < 3.0 || Re > 10.5)
-            ? "the data of EW18 are for Re_p from 3 to 10.5"
-            : "",
-        0};
+    if (n == NULL && (!k->partners || k->eps_s < 0.01 || !k->carried))
+        return effects_estimate(0.0, k->carried ? "no neighbours that disturb"
+                                                : "grains at rest");
+    e.loss = T > 0.0 ? e.share * sqrt(T / (T + k->tau)) : 0.0;
+    e.unknown = no_data;
+    if (e.share < 5.0 * e.loss && no_data)
+        snprintf(e.remark, sizeof e.remark, "no data for Re_p %.3g (%g to %g)",
+                 Re, s.Re_low, s.Re_high);
+    else if (no_data)
+        snprintf(e.remark, sizeof e.remark,
+                 "gone in %.2g s, and a grain follows in %.2g s", T, k->tau);
+    return e;
 }
 
 static int stochastic_drag_counts(const void *memory, struct effect_count *c)

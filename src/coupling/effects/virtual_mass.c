@@ -155,8 +155,7 @@ virtual_mass_estimate(const struct effect_scales *k)
     const double C = k->numbers != NULL ? k->numbers[0] : 0.5;
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
 
-    return (struct effect_estimate){
-        C * k->rho_f * V * k->acceleration / k->force, "", 0};
+    return effects_estimate(C * k->rho_f * V * k->acceleration / k->force, "");
 }
 
 static void virtual_mass_added_mass(const struct effect_scales *k,

@@ -145,10 +145,10 @@ viscous_stress_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
 
-    return (struct effect_estimate){
+    return effects_estimate(
         V * (k->mu * k->slip / (k->length * k->length) + k->mean_gradient) /
             k->force,
-        "", 0};
+        "");
 }
 
 static const struct key viscous_stress_keys[] = {
@@ -234,10 +234,10 @@ static struct effect_estimate whole_drag_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * gsl_pow_3(k->d);
 
-    return (struct effect_estimate){
+    return effects_estimate(
         (k->drag * k->eps_s / (1.0 - k->eps_s) + V * k->rho_f * k->gravity) /
             k->force,
-        "in place of the pressure gradient", 1};
+        "");
 }
 
 static const struct key whole_drag_keys[] = {

@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scales.c -- how the particles of a case will move through its fluid, before
+ * it is run.  Chapter "Further forces".
+ *
+ * Three ways: a stream against gravity carries a bed or goes through it;
+ * particles fall, or rise, and come to rest on a floor; or they drift with the
+ * fluid. A solids fraction is at most that of a packed bed and at least that of
+ * all particles in the whole box. */
+#include "tell/check.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "base/vector.h"
+#include "case/build.h"
+#include "case/case_mesh.h"
+#include "coupling/drag.h"
+
+/* What was measured in beds of gas and of water: the share of the slip by which
+ * a grain's velocity changes in the time of a fall over its diameter, most of
+ * it by contacts [-], and its spin over slip/d [-]. */
+static const double stirred = 0.3, spun = 0.1;
+
+/* The mean diameter [m], velocity [m/s] and spin [rad/s] of placed spheres. */
+struct placed {
+    double d, speed, spin;
+};
+
+static struct placed placed_of(const struct settings *s,
+                               const struct case_scales *in)
+{
+    const int n = s->particles.place.n;
+    struct placed p = {0.0, 0.0, 0.0};
+
+    if (n == 0) /* all of them are inserted */
+        return (struct placed){.d = 0.5 * (in->d + in->d_most),
+                               .speed = case_scales_initial_speed(s)};
+
+    for (int i = 0; i < n; i++) {
+        const struct place_setup *const one = &s->particles.place.item[i];
+        p.d += one->diameter / n;
+        p.speed += vector_length(one->velocity) / n;
+        p.spin += vector_length(one->spin) / n;
+    }
+    return p;
+}
+
+static double scales_volume(const struct effect_scales *k)
+{
+    return M_PI / 6.0 * gsl_pow_3(k->d);
+}
+
+/* The volume of the smallest box around all that are placed [m^3]. */
+static double around_placed(const struct settings *s)
+{
+    const int n = s->particles.place.n;
+    double around = 1.0;
+
+    for (int a = 0; a < 3; a++) {
+        double lo = HUGE_VAL, hi = -HUGE_VAL;
+        for (int i = 0; i < n; i++) {
+            const struct place_setup *const one = &s->particles.place.item[i];
+            lo = fmin(lo, one->position[a] - 0.5 * one->diameter);
+            hi = fmax(hi, one->position[a] + 0.5 * one->diameter);
+        }
+        around *= hi - lo;
+    }
+    return around;
+}
+
+/* The fastest moving wall over the narrowest way across the box [1/s]. */
+static double shear_of_walls(const struct settings *s)
+{
+    double lo[3], hi[3], fastest = 0.0, narrow = HUGE_VAL;
+
+    case_mesh_ends(s, lo, hi);
+    for (int i = 0; i < s->sides.n; i++)
+        fastest = fmax(fastest, vector_length(s->sides.item[i].wall));
+    for (int i = 0; i < 3; i++)
+        narrow = fmin(narrow, hi[i] - lo[i]);
+    return fastest / narrow;
+}
+
+/* The slip of a free fall or rise where eps_s is solid [m/s]. */
+static double falls_with(const struct settings *s,
+                         const struct effect_scales *k, double eps_s)
+{
+    const struct drag_law law = build_drag_law(s);
+
+    return drag_settling_slip(&law, k->rho_s, eps_s, k->rho_f, k->mu, k->d,
+                              k->gravity);
+}
+
+/* The solids fraction at which a stream of this superficial velocity carries
+ * the particles: that of a packed bed if it does not. */
+static double expanded(const struct settings *s, const struct effect_scales *k,
+                       double up)
+{
+    double low = 0.0, high = CHECK_PACKED;
+
+    if (falls_with(s, k, high) * (1.0 - high) > up) return high;
+    for (int i = 0; i < 60; i++) {
+        const double eps_s = 0.5 * (low + high);
+        if (falls_with(s, k, eps_s) * (1.0 - eps_s) > up)
+            low = eps_s;
+        else
+            high = eps_s;
+    }
+    return low;
+}
+
+/* A bed in a stream that goes against its fall: fluidized, or at rest. In it
+ * the gas velocity changes by the slip over a few cells between bubbles, and
+ * particles behind a bubble fall for the time of a diameter. In a bed at rest
+ * the slip changes only when the stream begins. */
+static void bed_scales(const struct settings *s, struct effect_scales *k,
+                       const struct case_scales *in, double load)
+{
+    k->eps_s = fmax(expanded(s, k, in->up), load);
+    k->carried = k->eps_s < CHECK_PACKED;
+    k->slip = in->up / (1.0 - k->eps_s);
+    k->length = 2.0 * in->S_c;
+    k->shear = k->slip / k->length;
+    k->stirred = k->carried;
+    if (!k->carried) { /* the stream begins, and then nothing changes */
+        k->time = in->end;
+        k->acceleration = k->slip / k->time;
+        return;
+    }
+    k->spin = spun * k->slip / k->d;
+    k->time = sqrt(k->d / k->gravity);
+    k->acceleration = stirred * k->slip / k->time * fabs(k->rho_s - k->rho_f) /
+                      (k->rho_s + 0.5 * k->rho_f);
+}
+
+/* A bed that lies there as the run begins. */
+static int is_laid(const struct settings *s, const struct effect_scales *k)
+{
+    return s->particles.has_bed && s->particles.bed.settle > 0.0 &&
+           k->rho_s > k->rho_f;
+}
+
+/* The slip of spheres that fall or rise, that a stream takes along or passes
+ * as they lie, or that walls stir; or, of the push alone. */
+static double free_slip(const struct settings *s, const struct effect_scales *k,
+                        const struct case_scales *in, const struct placed *p)
+{
+    double slip = fmax(in->inlet, p->speed);
+
+    if (k->gravity > 0.0) {
+        const double fall = falls_with(s, k, k->eps_s);
+        const int stirs = s->particles.surfaces.n > 0;
+        slip = is_laid(s, k) ? stirs * fmin(fall, in->impact)
+                             : fmin(fall, 0.5 * k->gravity * in->end);
+        slip = fmax(slip, p->speed);
+        if (k->partners) slip = fmax(slip, in->inlet);
+    }
+    return slip > 0.0 || !(k->mu > 0.0)
+               ? slip
+               : k->mean_gradient * k->d * k->d / (18.0 * k->mu);
+}
+
+/* Spheres that fall or rise through the box, or that the stream carries across
+ * it. */
+static void free_scales(const struct settings *s, struct effect_scales *k,
+                        const struct case_scales *in, const struct placed *p,
+                        double load)
+{
+    double lo[3], size[3];
+
+    case_mesh_ends(s, lo, size);
+    for (int i = 0; i < 3; i++)
+        size[i] -= lo[i];
+    k->eps_s = load;
+    if (s->particles.place.n > 1) /* a cloud of them */
+        k->eps_s = fmin(CHECK_PACKED,
+                        in->particles * scales_volume(k) / around_placed(s));
+    k->slip = free_slip(s, k, in, p);
+    k->carried = k->slip > 0.0;
+    k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
+    k->shear = shear_of_walls(s);
+    if (k->mean_gradient > 0.0 && k->mu > 0.0) /* at the wall of a channel */
+        k->shear = fmax(k->shear, k->mean_gradient * k->length / k->mu);
+    k->spin = p->spin;
+    k->time = s->output.end;
+    k->acceleration = k->slip / k->time;
+    if (k->gravity == 0.0) k->time = 0.0; /* the slip dies out within tau */
+}
+
+/* Spheres that come to rest lie as densely as a bed, on whatever floor. */
+static void pack(const struct settings *s, struct effect_scales *k,
+                 const struct case_scales *in)
+{
+    const double *const g = s->effects.gravity;
+    double lo[3], hi[3], way = 0.0;
+    int periodic[3], ends = 0;
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    for (int i = 0; i < 3; i++)
+        if (g[i] != 0.0 && !periodic[i]) {
+            way = hypot(way, hi[i] - lo[i]);
+            ends = 1;
+        }
+    k->rests = k->partners && ends &&
+               (is_laid(s, k) || way < falls_with(s, k, k->eps_s) * in->end);
+    if (k->rests) k->eps_s = CHECK_PACKED;
+}
+
+/* A slip that dies out does so within tau. Of its history force the two parts,
+ * of the first slip and of its decay, have opposite signs, and leave a quarter
+ * of the size: that of a 16th of the time. */
+static void settle_time(struct effect_scales *k)
+{
+    if (k->time == 0.0) {
+        k->acceleration = k->slip / k->tau;
+        k->time = k->tau / 16.0;
+    }
+    k->acceleration = fmin(k->acceleration, k->slip / k->time);
+}
+
+/* Drag [N] where eps_s is solid, of this slip. */
+static double drag_at(const struct settings *s, const struct effect_scales *k,
+                      double eps_s)
+{
+    const struct drag_law law = build_drag_law(s);
+
+    return scales_volume(k) * k->slip *
+           drag_resistance(&law, 1.0 - eps_s, k->rho_f, k->mu, k->d, k->slip);
+}
+
+static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
+                            const struct case_scales *in,
+                            const struct placed *p)
+{
+    const double crowd = 0.05; /* [-] of the whole mesh: a bed */
+
+    k->mean_gradient = vector_length(s->fluid.mean_gradient);
+    k->rho_f = s->fluid.rho;
+    k->mu = s->fluid.mu;
+    k->dt = in->dt;
+    const double load = in->particles * scales_volume(k) / case_mesh_volume(s);
+    const int is_bed = in->volume > 0.0 || load > crowd;
+    if (is_bed && k->gravity > 0.0 && in->up > 0.0)
+        bed_scales(s, k, in, load);
+    else
+        free_scales(s, k, in, p, load);
+    const double eps_s = k->eps_s;
+    k->drag = drag_at(s, k, eps_s);
+    k->tau =
+        k->slip > 0.0 ? k->rho_s * scales_volume(k) * k->slip / k->drag : 0.0;
+    if (k->partners) /* at the relative speed that was measured in beds */
+        k->meetings = 6.0 * k->eps_s * stirred * k->slip / k->d;
+    settle_time(k);
+    if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);
+}
+
+struct effect_scales check_scales(const struct settings *s,
+                                  const struct case_scales *in)
+{
+    const struct placed p = placed_of(s, in);
+    struct effect_scales k = {
+        .rho_s = s->particles.grains.density,
+        .partners = in->particles > 1,
+        .d = in->volume > 0.0 ? cbrt(6.0 / M_PI * in->volume / in->particles)
+                              : p.d,
+        .gravity = vector_length(s->effects.gravity)};
+
+    k.weight = k.rho_s * scales_volume(&k) * k.gravity;
+    if (s->has.exchange) scales_in_fluid(s, &k, in, &p);
+    k.force = fmax(k.weight, k.drag);
+    return k;
+}
