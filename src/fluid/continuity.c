@@ -8,16 +8,16 @@
 #include "fluid/piso.h"
 
 /* Sets the flux of solid volume through an inner face, by linear interpolation
- * [m^3/s]. */
-FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
-                       double *flux)
+ * [m^3/s]; p_face is work space until the pressure is known. */
+FACE_KERNEL solid_flux(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const double *const S = &fl->mesh->S[3 * f], w = fl->mesh->w[f];
     const double *const a = &fl->eps_us[3 * o], *const b = &fl->eps_us[3 * n];
 
-    flux[f] = (w * a[0] + (1.0 - w) * b[0]) * S[0] +
-              (w * a[1] + (1.0 - w) * b[1]) * S[1] +
-              (w * a[2] + (1.0 - w) * b[2]) * S[2];
+    fl->p_face[f] = (w * a[0] + (1.0 - w) * b[0]) * S[0] +
+                    (w * a[1] + (1.0 - w) * b[1]) * S[1] +
+                    (w * a[2] + (1.0 - w) * b[2]) * S[2];
 }
 
 /* dt times d eps/dt of cell c by the time scheme [-]. */
@@ -43,21 +43,20 @@ static void mixture_rows(int first, int last, const struct fluid *fl,
 
     for (int c = first; c < last; c++)
         source[c] = 0.0;
-    SUM_OVER_FACES(fl->faces, first, last, source, face_loops_outflow, flux);
+    face_loops_sum(first, last, fl->faces, face_loops_outflow, flux, source);
 }
 
 void continuity_source(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    double *const flux =
-        fl->p_face; /* work space until the pressure is known */
+    double *const flux = fl->p_face;
 
     if (!fl->options.coupled) return;
     if (fl->options.continuity == CONTINUITY_VOID_RATE) { /* [XS11 2.3] */
         PARALLEL_RANGES(m->n_cells, 8, void_rate_rows, fl);
         return;
     }
-    FOR_EACH_FACE(fl->faces, 8, solid_flux, fl, flux); /* [XS11 2.7] */
+    FOR_EACH_FACE(fl->faces, 8, solid_flux, fl); /* [XS11 2.7] */
     for (int f = m->n_internal; f < m->n_faces; f++)
         flux[f] = 0.0; /* particles do not cross the boundary */
     PARALLEL_RANGES(m->n_cells, 8, mixture_rows, fl, flux);
@@ -73,10 +72,10 @@ static double continuity_larger(double a, double b)
     return b > a ? b : a;
 }
 
-FACE_SUM_KERNEL half_size(int f, double out, const double *phi)
+FACE_SUM_KERNEL half_size(int f, double out, const void *phi)
 {
     (void)out;
-    return 0.5 * fabs(phi[f]);
+    return 0.5 * fabs(((const double *)phi)[f]);
 }
 
 static void continuity_residual_rows(int first, int last,
@@ -94,8 +93,8 @@ static void continuity_residual_rows(int first, int last,
         defect[c] = source[c];
         through[c] = 0.0;
     }
-    SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow, fl->phi);
-    SUM_OVER_FACES(fl->faces, first, last, through, half_size, fl->phi);
+    face_loops_sum(first, last, fl->faces, face_loops_outflow, fl->phi, defect);
+    face_loops_sum(first, last, fl->faces, half_size, fl->phi, through);
     for (int c = first; c < last; c++) {
         l.defect = continuity_larger(l.defect, fabs(defect[c]));
         l.through =

@@ -76,9 +76,9 @@ static inline void split_jump(const struct fluid *fl, int f, int o, int n,
     jump->neighbour_part[f] = s * j;
 }
 
-FACE_KERNEL split_by_cell_velocities(int f, int o, int n,
-                                     const struct fluid *fl)
+FACE_KERNEL split_by_cell_velocities(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
     const double q = w * fl->eps[o] * vector_dot(&fl->u[3 * o], S) +
                      (1.0 - w) * fl->eps[n] * vector_dot(&fl->u[3 * n], S);
@@ -87,8 +87,9 @@ FACE_KERNEL split_by_cell_velocities(int f, int o, int n,
                fl->momentum->owner_weight[f] - fl->jump->upwind_bias[f], q);
 }
 
-FACE_KERNEL split_by_flux(int f, int o, int n, const struct fluid *fl)
+FACE_KERNEL split_by_flux(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     split_jump(fl, f, o, n, fl->momentum->owner_weight[f],
                fl->levels->convecting_flux[f]);
 }
@@ -174,8 +175,9 @@ static inline double normal_force(const struct fluid *fl, int c, int f)
 }
 
 /* Adds the flux that the contribution to p_N - p_O drives. */
-FACE_KERNEL gamma_flux(int f, int o, int n, struct fluid *fl)
+FACE_KERNEL gamma_flux(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     fl->phi[f] += fl->pressure->conductance[f] *
                   (gamma_jump_factor(fl, f, o, n) *
                    (normal_force(fl, n, f) - normal_force(fl, o, f)));
@@ -189,8 +191,9 @@ void face_jump_add_gamma_fluxes(struct fluid *fl)
     FOR_EACH_FACE(fl->faces, 8, gamma_flux, fl);
 }
 
-FACE_KERNEL gamma_pressure(int f, int o, int n, struct fluid *fl)
+FACE_KERNEL gamma_pressure(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const double w = fl->mesh->w[f];
 
     fl->p_face[f] +=

@@ -32,8 +32,9 @@ static inline double drag_implicit_part(const struct fluid *fl, int c)
 }
 
 /* p_f minus the linear mean: offset - (pressure per flux) phi. */
-FACE_KERNEL face_offset(int f, int o, int n, const struct fluid *fl)
+FACE_KERNEL face_offset(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const struct face_jump *const jump = fl->jump;
     const double w = fl->mesh->w[f];
     const double reach =
@@ -52,31 +53,30 @@ void gradient_begin(struct fluid *fl)
     if (fl->options.coupled) FOR_EACH_FACE(fl->faces, 8, face_offset, fl);
 }
 
-FACE_KERNEL linear_pressure(int f, int o, int n, const double *w,
-                            const double *p, double *p_face)
+FACE_KERNEL linear_pressure(int f, int o, int n, const void *with)
 {
-    p_face[f] = w[f] * p[o] + (1.0 - w[f]) * p[n];
+    const struct fluid *const fl = with;
+    const double w = fl->mesh->w[f];
+
+    fl->p_face[f] = w * fl->p[o] + (1.0 - w) * fl->p[n];
 }
 
-FACE_KERNEL offset_pressure(int f, int o, int n, const double *w,
-                            const double *p, const struct fluid *fl,
-                            double *p_face)
+FACE_KERNEL offset_pressure(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const struct face_jump *const jump = fl->jump;
 
-    linear_pressure(f, o, n, w, p, p_face);
-    p_face[f] +=
+    linear_pressure(f, o, n, with);
+    fl->p_face[f] +=
         jump->pressure_offset[f] - jump->pressure_per_flux[f] * fl->phi[f];
 }
 
 static void inner_pressures(struct fluid *fl)
 {
-    const double *const w = fl->mesh->w;
-
     if (fl->options.coupled)
-        FOR_EACH_FACE(fl->faces, 4, offset_pressure, w, fl->p, fl, fl->p_face);
+        FOR_EACH_FACE(fl->faces, 4, offset_pressure, fl);
     else
-        FOR_EACH_FACE(fl->faces, 4, linear_pressure, w, fl->p, fl->p_face);
+        FOR_EACH_FACE(fl->faces, 4, linear_pressure, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_pressures(fl);
 }
 

@@ -68,8 +68,8 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
         diag[c] = levels->ddt[c] - diag[c];
         defect[c] = mass_change(fl->levels, c) * m->V[c] / fl->options.dt;
     }
-    SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow,
-                   levels->convecting_flux);
+    face_loops_sum(first, last, fl->faces, face_loops_outflow,
+                   levels->convecting_flux, defect);
     for (int c = first; c < last && levels->ddt_older != NULL; c++)
         diag[c] += levels->ddt_older[c];
     for (int i = 3 * first; i < 3 * last; i++)

@@ -75,8 +75,9 @@ static void store_old_time_fluxes(struct fluid *fl)
 
 /* Sets m_f, and the terms that are the same for all correctors: the conductance
  * and the part of the flux by the time derivative. */
-FACE_KERNEL inner_mobility(int f, int o, int n, const struct fluid *fl)
+FACE_KERNEL inner_mobility(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const struct pressure_system *const pressure = fl->pressure;
     const double *const r = pressure->resistance;
     const double *const per_flux = pressure->per_flux;
@@ -92,8 +93,9 @@ FACE_KERNEL inner_mobility(int f, int o, int n, const struct fluid *fl)
 
 /* The inertia at jumps of eps acts as a jump of the pressure and not as a
  * gradient: it is subtracted from H, the forces of the cells. */
-FACE_KERNEL inner_jump(int f, int o, int n, const struct fluid *fl)
+FACE_KERNEL inner_jump(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const struct face_jump *const jump = fl->jump;
     const struct pressure_system *const pressure = fl->pressure;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
@@ -173,8 +175,9 @@ void pressure_assemble(struct fluid *fl)
                            pressure->boundary_conductance);
 }
 
-FACE_KERNEL pressure_inner_flux(int f, int o, int n, struct fluid *fl)
+FACE_KERNEL pressure_inner_flux(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const struct pressure_system *const pressure = fl->pressure;
     const double w = fl->mesh->w[f], *const H = fl->momentum->H;
     const double from_o = (1.0 - w) * pressure->per_force[o];
@@ -205,9 +208,9 @@ static void predicted_fluxes(struct fluid *fl)
     }
 }
 
-FACE_SUM_KERNEL inflow(int f, double out, const double *phi)
+FACE_SUM_KERNEL inflow(int f, double out, const void *phi)
 {
-    return -out * phi[f];
+    return -face_loops_outflow(f, out, phi);
 }
 
 /* Sets the residual of continuity of these fluxes, the right-hand side. */
@@ -217,15 +220,16 @@ static void rhs_rows(int first, int last, const struct fluid *fl)
 
     for (int c = first; c < last; c++)
         pressure->divergence[c] = -pressure->source[c];
-    SUM_OVER_FACES(fl->faces, first, last, pressure->divergence, inflow,
-                   fl->phi);
+    face_loops_sum(first, last, fl->faces, inflow, fl->phi,
+                   pressure->divergence);
 }
 
-FACE_SUM_KERNEL mean_size(int f, double out, const double *phi,
-                          const double *phi_old)
+FACE_SUM_KERNEL mean_size(int f, double out, const void *with)
 {
+    const struct fluid *const fl = with;
+
     (void)out;
-    return 0.5 * (fabs(phi[f]) + fabs(phi_old[f]));
+    return 0.5 * (fabs(fl->phi[f]) + fabs(fl->levels->phi_old[f]));
 }
 
 /* Returns the sum of squares of the sums of |phi| over the faces of each cell
@@ -236,8 +240,7 @@ static double scale_rows(int first, int last, const struct fluid *fl)
 
     for (int c = first; c < last; c++)
         pressure->divergence[c] = fabs(pressure->source[c]);
-    SUM_OVER_FACES(fl->faces, first, last, pressure->divergence, mean_size,
-                   fl->phi, fl->levels->phi_old);
+    face_loops_sum(first, last, fl->faces, mean_size, fl, pressure->divergence);
     return reduce_range(first, last, pressure->divergence,
                         pressure->divergence);
 }
@@ -264,18 +267,18 @@ static void pressure_rhs(struct fluid *fl)
                 pressure->conductance[f] * b->pressure;
 }
 
-FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
-                                const double *p, double *phi)
+FACE_KERNEL inner_pressure_flux(int f, int o, int n, const void *with)
 {
-    phi[f] -= conductance[f] * (p[n] - p[o]);
+    const struct fluid *const fl = with;
+
+    fl->phi[f] -= fl->pressure->conductance[f] * (fl->p[n] - fl->p[o]);
 }
 
 static void add_pressure_fluxes(struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
 
-    FOR_EACH_FACE(fl->faces, 4, inner_pressure_flux, pressure->conductance,
-                  fl->p, fl->phi);
+    FOR_EACH_FACE(fl->faces, 4, inner_pressure_flux, fl);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         if (b->kind == BOUNDARY_OUTLET)
             fl->phi[f] -= pressure->conductance[f] *

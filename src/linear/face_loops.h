@@ -1,10 +1,13 @@
-/* face_loops.h -- the loops of faces.h, as macros. Chapter "Linear solvers".
+/* face_loops.h -- the loops of faces.h. Chapter "Linear solvers".
  *
- * The function of one face is declared with FACE_KERNEL or FACE_SUM_KERNEL: the
- * compiler forms one vectorised loop only if the function is inlined.
+ * The function of one face, `each`, must be inlined into them: the compiler
+ * forms one vectorised loop only then. It is declared with FACE_KERNEL or
+ * FACE_SUM_KERNEL, and what it needs is handed on in `with`.
  */
 #ifndef LINEAR_FACE_LOOPS_H
 #define LINEAR_FACE_LOOPS_H
+
+#include <stddef.h>
 
 #include "base/parallel_ranges.h"
 #include "linear/faces.h"
@@ -12,76 +15,61 @@
 #define FACE_KERNEL static inline __attribute__((always_inline)) void
 #define FACE_SUM_KERNEL static inline __attribute__((always_inline)) double
 
-/* clang-format off: it would break the pragmas apart. */
-
-/* Calls each(f, owner, neighbour, ...) for all inner faces; m is how many
+/* Calls each(f, owner, neighbour, with) for all inner faces; m is how many
  * numbers the loop reads and writes for each face. */
-#define FOR_EACH_FACE(of, m, each, ...)                                        \
-    PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each, __VA_ARGS__)
+#define FOR_EACH_FACE(of, m, each, with)                                       \
+    PARALLEL_RANGES((of)->n_inner, m, face_loops_each, of, each, with)
 
 /* The same for the inner faces first .. last - 1. */
-#define FACES_OF_RANGE(first, last, of, each, ...)                             \
-    do {                                                                       \
-        const struct faces *const fs_ = (of);                                  \
-        if (fs_->pieces)                                                       \
-            FACES_BY_PIECES(fs_, first, last, each, __VA_ARGS__);              \
-        else                                                                   \
-            FACES_BY_LISTS(fs_, first, last, each, __VA_ARGS__);               \
-    } while (0)
-
-#define FACES_BY_LISTS(fs, first, last, each, ...)                             \
-    do {                                                                       \
-        const int *const o_ = (fs)->owner, *const n_ = (fs)->neighbour;        \
-        const int end_ = (last);                                               \
-        _Pragma("omp simd") for (int f_ = (first); f_ < end_; f_++)            \
-            each(f_, o_[f_], n_[f_], __VA_ARGS__);                             \
-    } while (0)
-
-#define FACES_BY_PIECES(fs, first, last, each, ...)                            \
-    do {                                                                       \
-        const struct face_pieces *const r_ = (fs)->pieces;                     \
-        const int begin_ = (first), end_ = (last);                             \
-        struct face_piece p_ = {0};                                            \
-        while (r_->next_of_faces(r_, begin_, end_, &p_)) {                     \
-            const int f_ = p_.face, o_ = p_.cell, n_ = p_.other, m_ = p_.n;    \
-            _Pragma("omp simd") for (int j_ = 0; j_ < m_; j_++)                \
-                each(f_ + j_, o_ + j_, n_ + j_, __VA_ARGS__);                  \
-        }                                                                      \
-    } while (0)
-
-/* Adds each(f, out, ...) of all faces f of cell c to sum[c], for the cells
- * first
- * .. last - 1. */
-#define SUM_OVER_FACES(of, first, last, sum, each, ...)                        \
-    do {                                                                       \
-        const struct faces *const fs_ = (of);                                  \
-        if (fs_->pieces)                                                       \
-            SUM_BY_PIECES(fs_->pieces, first, last, sum, each, __VA_ARGS__);   \
-        for (int c_ = (first); !fs_->pieces && c_ < (last); c_++) {            \
-            const int *const start_ = &fs_->cell_start[c_];                    \
-            for (int a_ = start_[0]; a_ < start_[1]; a_++)                     \
-                (sum)[c_] +=                                                   \
-                    each(fs_->cell_face[a_], fs_->out[a_], __VA_ARGS__);       \
-        }                                                                      \
-    } while (0)
-
-#define SUM_BY_PIECES(r, first, last, sum, each, ...)                          \
-    do {                                                                       \
-        struct face_piece p_ = {0};                                            \
-        while ((r)->next_of_cells(r, first, last, &p_)) {                      \
-            double *const s_ = (sum) + p_.cell;                                \
-            const int f_ = p_.face, m_ = p_.n;                                 \
-            const double out_ = p_.out;                                        \
-            _Pragma("omp simd") for (int j_ = 0; j_ < m_; j_++) s_[j_] +=      \
-                each(f_ + j_, out_, __VA_ARGS__);                              \
-        }                                                                      \
-    } while (0)
-/* clang-format on */
-
-/* The flux out of a cell through a face, for SUM_OVER_FACES; unit of phi. */
-FACE_SUM_KERNEL face_loops_outflow(int f, double out, const double *phi)
+FACE_KERNEL face_loops_each(int first, int last, const struct faces *of,
+                            void (*each)(int f, int o, int n, const void *with),
+                            const void *with)
 {
-    return out * phi[f];
+    struct face_piece p = {0};
+
+    while (faces_next(of, first, last, &p)) {
+        const int f = p.face, o = p.cell, n = p.other, m = p.n;
+        const int *const owner = p.owner, *const neighbour = p.neighbour;
+
+        if (owner == NULL) {
+#pragma omp simd
+            for (int j = 0; j < m; j++)
+                each(f + j, o + j, n + j, with);
+        } else {
+#pragma omp simd
+            for (int j = 0; j < m; j++)
+                each(f + j, owner[j], neighbour[j], with);
+        }
+    }
+}
+
+/* Adds each(f, out, with) of all faces f of cell c to sum[c], for the cells
+ * first .. last - 1. */
+FACE_KERNEL face_loops_sum(int first, int last, const struct faces *of,
+                           double (*each)(int f, double out, const void *with),
+                           const void *with, double *sum)
+{
+    struct face_piece p = {0};
+
+    for (int c = first; of->pieces == NULL && c < last; c++)
+        for (int a = of->cell_start[c]; a < of->cell_start[c + 1]; a++)
+            sum[c] += each(of->cell_face[a], of->out[a], with);
+    while (of->pieces != NULL &&
+           of->pieces->next_of_cells(of->pieces, first, last, &p)) {
+        double *const s = sum + p.cell;
+        const int f = p.face, m = p.n;
+        const double out = p.out;
+
+#pragma omp simd
+        for (int j = 0; j < m; j++)
+            s[j] += each(f + j, out, with);
+    }
+}
+
+/* The flux out of a cell through a face, for face_loops_sum; unit of phi. */
+FACE_SUM_KERNEL face_loops_outflow(int f, double out, const void *phi)
+{
+    return out * ((const double *)phi)[f];
 }
 
 #endif

@@ -11,6 +11,18 @@ void faces_divide(struct faces *f)
     f->pieces = contiguous_faces_find(f->n_inner, f->n, f->owner, f->neighbour);
 }
 
+int faces_next(const struct faces *f, int first, int last, struct face_piece *p)
+{
+    if (f->pieces != NULL)
+        return f->pieces->next_of_faces(f->pieces, first, last, p);
+    if (p->n > 0 || first >= last) return 0;
+    *p = (struct face_piece){.face = first,
+                             .n = last - first,
+                             .owner = f->owner + first,
+                             .neighbour = f->neighbour + first};
+    return 1;
+}
+
 void faces_release(struct faces *f)
 {
     if (f->pieces != NULL) f->pieces->free(f->pieces);

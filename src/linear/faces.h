@@ -3,7 +3,7 @@
  * Chapter "Linear solvers".
  *
  * A loop is written once, as an inline function of one face: FOR_EACH_FACE of
- * face_loops.h calls it for each inner face, SUM_OVER_FACES for each face of
+ * face_loops.h calls it for each inner face, face_loops_sum for each face of
  * each cell. The plain way follows the lists: owner[f] and neighbour[f] of face
  * f, and cell_face[a] of cell c for cell_start[c] <= a < cell_start[c + 1].
  * Where the faces form contiguous pieces, in which face f + 1 joins the cells
@@ -22,7 +22,9 @@
 struct face_piece {
     int face, cell, other, n;
     double out;
-    int group, range; /* where the next piece is searched */
+    const int *owner, *neighbour; /* [-] of a list of faces, in the place of
+                                     cell and other; NULL */
+    int group, range;             /* where the next piece is searched */
 };
 
 /* A way to divide the faces into contiguous pieces. Both functions iterate from
@@ -46,6 +48,11 @@ struct faces {
     const double *out;          /* [-] 1: cell_face[a] leaves the cell, or -1 */
     struct face_pieces *pieces; /* NULL: loops follow the lists */
 };
+
+/* The next piece of the inner faces first .. last - 1, as next_of_faces:
+ * without pieces all of them are one, a list. */
+int faces_next(const struct faces *f, int first, int last,
+               struct face_piece *p);
 
 /* Finds the pieces of f; faces_release frees them. */
 void faces_divide(struct faces *f);

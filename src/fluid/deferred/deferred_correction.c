@@ -153,9 +153,10 @@ static inline double skew_term(const struct deferred *d, const struct mesh *m,
            (1.0 - w) * vector_dot(&slope[per * n], off);
 }
 
-FACE_KERNEL inner_pressure(int f, int o, int n, const struct deferred *d,
-                           const struct fluid *fl)
+FACE_KERNEL inner_pressure(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
+    const struct deferred *const d = fl->deferred;
     fl->p_face[f] += skew_term(d, fl->mesh, fl->grad_p, 3, f, o, n) -
                      vector_dot(fl->mean_gradient, &d->off[3 * f]);
 }
@@ -167,7 +168,7 @@ static void skewness_add_pressures(const struct deferred *d, struct fluid *fl)
 
     if (d->normal_equations != NULL)
         PARALLEL_RANGES(m->n_cells, 30, pressure_slopes, d, fl);
-    FOR_EACH_FACE(fl->faces, 12, inner_pressure, d, fl);
+    FOR_EACH_FACE(fl->faces, 12, inner_pressure, fl);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
         const double *const off = &d->off[3 * f];
         if (b->kind == BOUNDARY_OUTLET) continue;
@@ -179,9 +180,10 @@ static void skewness_add_pressures(const struct deferred *d, struct fluid *fl)
 /* Adds the term to the flux. The time derivative at the face contains the old
  * flux as it is, so that only the part 1 - m_f c_f of the term is added, by the
  * other forces; in a steady flow that makes all of it, for any step. */
-FACE_KERNEL skewness_inner_flux(int f, int o, int n, const struct deferred *d,
-                                const struct fluid *fl)
+FACE_KERNEL skewness_inner_flux(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
+    const struct deferred *const d = fl->deferred;
     const struct pressure_system *const pressure = fl->pressure;
     const double *const slope = d->slope;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
@@ -214,9 +216,10 @@ static double resistance_of_neighbours(const struct fluid *fl, int c)
  * m_N. That is right for drag and inertia, which are forces of one cell. For
  * those of the neighbours it replaces this mean by the linear one less the
  * height of a parabola's chord, w (1 - w) (grad u_N - grad u_P) . d / 2. */
-FACE_KERNEL inner_mean(int f, int o, int n, const struct deferred *d,
-                       const struct fluid *fl)
+FACE_KERNEL inner_mean(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
+    const struct deferred *const d = fl->deferred;
     const double *const slope = d->slope;
     const double *const link = &fl->mesh->d[3 * f], *const S =
                                                         &fl->mesh->S[3 * f];
@@ -242,9 +245,9 @@ FACE_KERNEL inner_mean(int f, int o, int n, const struct deferred *d,
  * equation, as far as the scheme is of second order. */
 static void skewness_add_fluxes(const struct deferred *d, struct fluid *fl)
 {
-    FOR_EACH_FACE(fl->faces, 24, skewness_inner_flux, d, fl);
+    FOR_EACH_FACE(fl->faces, 24, skewness_inner_flux, fl);
     if (d->normal_equations != NULL)
-        FOR_EACH_FACE(fl->faces, 32, inner_mean, d, fl);
+        FOR_EACH_FACE(fl->faces, 32, inner_mean, fl);
 }
 
 /* The fraction of linear interpolation in the weights of a scheme of two cells

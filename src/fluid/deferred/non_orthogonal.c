@@ -48,8 +48,9 @@ static void oblique_part(const struct fluid *fl, int f, double oblique[3])
  * correctors would diverge for a shear above 1/sqrt(8): their factor solves x^2
  * + 2 r x - r = 0, with r the fraction of the non-orthogonal part. With the
  * gradient that balances the momentum equation the factor is -r. */
-FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
+FACE_KERNEL non_orthogonal_flux(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
     const double w = fl->mesh->w[f];
     double oblique[3], a[3], b[3];
 
