@@ -49,7 +49,7 @@ check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
 slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
-      cylinder-slow steps-slow bare-slow
+      cylinder-slow steps-slow bare-slow view-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
@@ -57,6 +57,8 @@ cylinder-slow: $B/winnow
 	@sh tests/cylinder.sh $B/winnow
 bare-slow: $B/winnow
 	@sh tests/bare.sh $B
+view-slow: $B/winnow
+	@sh tests/view.sh $B
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
@@ -255,7 +257,7 @@ $B/tests/fuzz $B/tests/test_crafted: $B/tests/winnow_main.o
 
 .PHONY: install uninstall distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \
-        commands-slow sanitized-slow style-slow cylinder-slow bare-slow solutions results text pages \
+        commands-slow sanitized-slow style-slow cylinder-slow bare-slow view-slow solutions results text pages \
         validate validate-bed bench figures fuzz replay weave book pdf help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

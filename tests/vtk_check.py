@@ -92,7 +92,7 @@ def load(path):
 def on_cells(path):
     """A box and the walls have their numbers on cells, particles on points."""
     return path.suffix in (".vtr", ".vtu") or path.stem.startswith(
-        ("surfaces", "walls", "contacts"))
+        ("surfaces", "walls", "contacts", "body_surfaces"))
 
 
 def arrays_of(path, data):
