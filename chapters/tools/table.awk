@@ -26,13 +26,13 @@ function table(    i, doc) {
     print "# Equations\n"
     print "Every equation of the four documents: the functions that compute it,"
     print "the tests that prove it, the sections that explain it, and the command"
-    print "that evaluates it. Made by `make weave`; the documents are among"
-    print "the [references](references.md)."
+    print "that evaluates it. Made by `make weave`. Their figures and tables have a page"
+    print "for [each document](documents/documents.md)."
     for (i = 1; i <= n_keys; i++) {
         if (key[i] !~ "^" doc " " || doc == "") {
             doc = key[i]
             sub(/ .*/, "", doc)
-            print "\n## " doc "\n"
+            print "\n## " doc "\n\n[" doc "'s figures and tables](documents/" tolower(doc) ".md)\n"
             print "| equation | computed by | tested by | explained in | evaluate |"
             print "| --- | --- | --- | --- | --- |"
         }
