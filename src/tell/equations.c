@@ -21,6 +21,7 @@
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
 #include "dem/limits.h"
+#include "resolved/body_numbers.h"
 
 /* A function of one to seven numbers as the value of an equation whose inputs
  * are these: EQUATION_OF_2(f), and EQUATION_BY(f) as the end of its row. */
@@ -53,6 +54,10 @@ EQUATION_OF_4(drag_force)
 EQUATION_OF_3(drag_stokes_time)
 EQUATION_OF_4(drag_schiller_naumann_time)
 EQUATION_OF_2(drag_wen_yu_cd)
+EQUATION_OF_4(body_numbers_reynolds)
+EQUATION_OF_3(body_numbers_inverse_froude)
+EQUATION_OF_2(body_numbers_density_ratio)
+EQUATION_OF_2(body_numbers_stokes)
 
 static double syamlal_b(const double *x)
 {
@@ -264,6 +269,17 @@ static double sphere_cd(const double *x)
 }
 
 static const struct equation equations_ew18[] = {
+    {"EW18:6", "Reynolds number of the inlet", "Re_in = rho_f V L / mu",
+     "rho_f [kg/m^3], V [m/s], L [m], mu [Pa s]", "Re_in", "-",
+     EQUATION_BY(body_numbers_reynolds)},
+    {"EW18:7", "inverse Froude number", "Fr = g L / V^2",
+     "g [m/s^2], L [m], V [m/s]", "Fr", "-",
+     EQUATION_BY(body_numbers_inverse_froude)},
+    {"EW18:8", "density ratio", "rho_r = rho_p / rho_f",
+     "rho_p [kg/m^3], rho_f [kg/m^3]", "rho_r", "-",
+     EQUATION_BY(body_numbers_density_ratio)},
+    {"EW18:9", "Stokes number", "St = rho_r Re_in / 18", "rho_r [-], Re_in [-]",
+     "St", "-", EQUATION_BY(body_numbers_stokes)},
     {"EW18:19", "Gaussian kernel",
      "W = exp(-r^2 / (2 sigma_k^2)) / (2 pi sigma_k^2)^(3/2)",
      "r [m], sigma_k [m]", "W", "1/m^3", EQUATION_BY(images_kernel)},
