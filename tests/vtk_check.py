@@ -24,6 +24,7 @@ import math
 import os
 import re
 import sys
+import zlib
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -90,9 +91,9 @@ def load(path):
 
 
 def on_cells(path):
-    """A box and the walls have their numbers on cells, particles on points."""
-    return path.suffix in (".vtr", ".vtu") or path.stem.startswith(
-        ("surfaces", "walls", "contacts", "body_surfaces"))
+    """A fluid and the walls have their numbers on cells, particles on points."""
+    return path.suffix == ".vtr" or path.stem.startswith(
+        ("fluid", "surfaces", "walls", "contacts", "body_surfaces"))
 
 
 def arrays_of(path, data):
@@ -262,7 +263,7 @@ def check_collection(pvd, box):
         first = first or shapes
         check(shapes == first, path, "has other arrays than the first")
         check_sense(path, data, arrays, box)
-        if path.suffix in (".vtr", ".vtu"):
+        if path.stem.startswith("fluid"):
             box = data.GetBounds()
     return box
 
@@ -275,7 +276,7 @@ def check_sense(path, data, arrays, box):
     if void is not None:
         check(void.min() > 0 and void.max() <= 1, path,
               f"void_fraction goes from {void.min()} to {void.max()}")
-    if path.suffix == ".vtu":
+    if path.suffix == ".vtu" and path.stem.startswith("fluid"):
         check_volumes(path, data)
     if path.suffix != ".vtp":
         return
@@ -352,6 +353,53 @@ def check_moved(folder, here):
               f"contact numbers {number}")
 
 
+def plain(path):
+    """The arrays in the order of the bytes, as readers without VTK find them:
+    each begins where the one before ends, at the number that its offset is."""
+    head, tail = path.read_bytes().split(b'<AppendedData encoding="raw">', 1)
+    root = ET.fromstring(head + b"</VTKFile>")
+    data = tail.split(b"_", 1)[1].rsplit(b"\n</AppendedData>", 1)[0]
+    at, found = 0, {}
+    while at < len(data):
+        array = root.find(f".//DataArray[@offset='{at}']")
+        if not check(array is not None, path, f"no array begins at {at}"):
+            return found
+        blocks = int.from_bytes(data[at:at + 8], "little")
+        sizes = np.frombuffer(data[at + 24:at + 8 * (3 + blocks)], "<u8")
+        at += 8 * (3 + blocks)
+        numbers = b""
+        for size in sizes.tolist():
+            numbers += zlib.decompress(data[at:at + size])
+            at += size
+        kind = array.get("type").lower()
+        found[array.get("Name")] = np.frombuffer(numbers, kind)
+    return found
+
+
+def check_grids(folder, other):
+    """All files are .vtu, and hold what those of the other run hold."""
+    for path in sorted(folder.rglob("*.vt?")):
+        check(path.suffix == ".vtu", path, "is no .vtu")
+        twin = next((other / path.parent.name).glob(path.stem + ".*"))
+        data, same = load(path), load(twin)
+        if not check(data.GetNumberOfCells() == same.GetNumberOfCells(), path,
+                     "has another number of cells"):
+            continue
+        # VTK goes around the faces of a hexahedron, and across those of a voxel.
+        around = [0, 1, 3, 2, 4, 5, 7, 6] if twin.suffix == ".vtr" else ...
+        for i in range(data.GetNumberOfCells()):
+            got, want = (vtk_to_numpy(d.GetCell(i).GetPoints().GetData())
+                         for d in (data, same))
+            check(got.shape == want.shape and (got[around] == want).all(),
+                  path, f"cell {i} has other corners")
+        a, b = arrays_of(path, data), arrays_of(twin, same)
+        check(list(a) == list(b) and
+              all((a[n] == b[n]).all() for n in a), path, "has other numbers")
+        raw = plain(path)
+        check(all(n in raw and (raw[n] == a[n].reshape(-1)).all() for n in a),
+              path, "has other bytes where its offsets point")
+
+
 def check_run(folder):
     box = None
     for pvd in sorted(folder.glob("*.pvd"), key=lambda p: p.stem != "fluid"):
@@ -361,6 +409,8 @@ def check_run(folder):
         check_table(path, path.name in ("history.csv", "surfaces.csv"))
     if folder.name == "pressed":
         check_pressed(folder)
+    if folder.name.endswith("-grids"):
+        check_grids(folder, folder.with_name(folder.name[:-6]))
     if folder.name.endswith("-moved"):
         check_moved(folder, folder.with_name(folder.name[:-5] + "here"))
     summary = folder / "summary.json"

@@ -22,6 +22,11 @@ const struct key output_keys[] = {
      "time between two rows of history.csv; left out: every fluid step", "", "",
      .at = KEY_AT(output_options, history), .mark = KEY_MAY_CHANGE,
      .divided = KEY_DIVIDED},
+    {"output.format", KEY_NAME, "", "vtk | vtu", "vtk",
+     "kind of the files for ParaView: vtk, .vtr, .vtp and .vtu, the leanest "
+     "for "
+     "each; vtu, unstructured grids alone, for readers that know only these",
+     "", "", .at = KEY_AT(output_options, format)},
     {"output.statistics", KEY_GROUP, "", "", KEY_OPTIONAL,
      "means, errors, correlations of a bed, in the folder statistics",
      "EW18 23-31", "particles", .given = KEY_AT(output_options, statistics.on)},

@@ -1,6 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/vtk.h"
 
+#include <string.h>
+
+static int vtk_is_grid(const char *path)
+{
+    const char *const end = strrchr(path, '.');
+    return end != NULL && strcmp(end, ".vtu") == 0;
+}
+
 /* The edges of the cells along x, y and z: n + 1 numbers each. */
 static void put_edges(struct vtk_file *f, const struct box *b)
 {
@@ -41,14 +49,59 @@ int vtk_write_box_at(struct vtk_file *f, const char *path, const struct mesh *m,
     return vtk_file_end(f);
 }
 
-/* Points without a cell are not drawn, so each point is a cell. */
-static void put_verts(struct vtk_file *f, int n)
-{
-    const struct vtk_array verts[2] = {
-        {.name = "connectivity", .components = 1, .from = 0},
-        {.name = "offsets", .components = 1, .from = 1}};
+/* What a file of points, lines or polygons consists of. */
+struct items {
+    const char *section; /* of PolyData */
+    int type;            /* of a cell of an UnstructuredGrid */
+    const char *data;    /* what the values belong to */
+};
+static const struct items verts = {"Verts", 1, "PointData"};
+static const struct items lines = {"Lines", 3, "CellData"};
+static const struct items polys = {"Polys", 7, "CellData"};
 
-    vtk_file_section(f, "Verts", n, 2, verts);
+static void put_piece(FILE *out, const struct items *is, int grid, int points,
+                      int n)
+{
+    if (grid)
+        fprintf(out, "<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n",
+                points, n);
+    else
+        fprintf(out,
+                "<Piece NumberOfPoints=\"%d\" NumberOfVerts=\"%d\" "
+                "NumberOfLines=\"%d\" NumberOfStrips=\"0\" "
+                "NumberOfPolys=\"%d\">\n",
+                points, is == &verts ? n : 0, is == &lines ? n : 0,
+                is == &polys ? n : 0);
+}
+
+/* n items with their corners among so many points, as PolyData or, where the
+ * path ends in .vtu, as cells. Points without a cell are not drawn, so each
+ * point is one. */
+static int write_items(struct vtk_file *f, const char *path,
+                       const struct items *is, int n_points,
+                       const struct vtk_array *points, int n, const int *corner,
+                       const int *end, double time, int n_arrays,
+                       const struct vtk_array *arrays)
+{
+    const int grid = vtk_is_grid(path);
+    const struct vtk_array list[3] = {
+        {.name = "connectivity", .components = 1, .ints = corner},
+        {.name = "offsets", .components = 1, .ints = end, .from = 1},
+        {.name = "types", .components = 1, .from = is->type, .same = 1}};
+
+    if (vtk_file_begin(f, path, grid ? "UnstructuredGrid" : "PolyData", "",
+                       time) != 0)
+        return 1;
+    put_piece(vtk_file_stream(f), is, grid, n_points, n);
+    vtk_file_section(f, "Points", n_points, 1, points);
+    fprintf(vtk_file_stream(f), "<%s>\n", grid ? "Cells" : is->section);
+    vtk_file_array(f, &list[0], n_points);
+    vtk_file_array(f, &list[1], n);
+    if (grid) vtk_file_array(f, &list[2], n);
+    fprintf(vtk_file_stream(f), "</%s>\n", grid ? "Cells" : is->section);
+    vtk_file_section(f, is->data, n, n_arrays, arrays);
+    fprintf(vtk_file_stream(f), "</Piece>\n");
+    return vtk_file_end(f);
 }
 
 int vtk_write_particles(struct vtk_file *f, const char *path, int n,
@@ -62,58 +115,32 @@ int vtk_write_particles(struct vtk_file *f, const char *path, int n,
         .components = 3,
         .split = {n ? x[0] : &none, n ? x[1] : &none, n ? x[2] : &none}};
 
-    if (vtk_file_begin(f, path, "PolyData", "", time) != 0) return 1;
-    fprintf(vtk_file_stream(f),
-            "<Piece NumberOfPoints=\"%d\" NumberOfVerts=\"%d\" "
-            "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-            n, n);
-    vtk_file_section(f, "Points", n, 1, &centres);
-    put_verts(f, n);
-    vtk_file_section(f, "PointData", n, n_arrays, arrays);
-    fprintf(vtk_file_stream(f), "</Piece>\n");
-    return vtk_file_end(f);
+    return write_items(f, path, &verts, n, &centres, n, NULL, NULL, time,
+                       n_arrays, arrays);
 }
 
-/* As lines or as polygons. */
-static int write_shapes(struct vtk_file *f, const char *path, int as_lines,
-                        const struct vtk_polygons *p, double time, int n_arrays,
+static int write_shapes(struct vtk_file *f, const char *path,
+                        const struct items *is, const struct vtk_polygons *p,
+                        double time, int n_arrays,
                         const struct vtk_array *arrays)
 {
-    const char *const kind = as_lines ? "Lines" : "Polys";
     const struct vtk_array points = {
         .name = "position", .components = 3, .values = p->x};
-    const struct vtk_array corner = {
-        .name = "connectivity", .components = 1, .ints = p->corner};
-    const struct vtk_array end = {
-        .name = "offsets", .components = 1, .ints = p->end};
 
-    if (vtk_file_begin(f, path, "PolyData", "", time) != 0) return 1;
-    fprintf(vtk_file_stream(f),
-            "<Piece NumberOfPoints=\"%d\" NumberOfVerts=\"0\" "
-            "NumberOfLines=\"%d\" NumberOfStrips=\"0\" "
-            "NumberOfPolys=\"%d\">\n",
-            p->n_points, as_lines ? p->n_polygons : 0,
-            as_lines ? 0 : p->n_polygons);
-    vtk_file_section(f, "Points", p->n_points, 1, &points);
-    fprintf(vtk_file_stream(f), "<%s>\n", kind);
-    vtk_file_array(f, &corner, p->n_points);
-    vtk_file_array(f, &end, p->n_polygons);
-    fprintf(vtk_file_stream(f), "</%s>\n", kind);
-    vtk_file_section(f, "CellData", p->n_polygons, n_arrays, arrays);
-    fprintf(vtk_file_stream(f), "</Piece>\n");
-    return vtk_file_end(f);
+    return write_items(f, path, is, p->n_points, &points, p->n_polygons,
+                       p->corner, p->end, time, n_arrays, arrays);
 }
 
 int vtk_write_polygons(struct vtk_file *f, const char *path,
                        const struct vtk_polygons *p, double time, int n_arrays,
                        const struct vtk_array *arrays)
 {
-    return write_shapes(f, path, 0, p, time, n_arrays, arrays);
+    return write_shapes(f, path, &polys, p, time, n_arrays, arrays);
 }
 
 int vtk_write_lines(struct vtk_file *f, const char *path,
                     const struct vtk_polygons *p, double time, int n_arrays,
                     const struct vtk_array *arrays)
 {
-    return write_shapes(f, path, 1, p, time, n_arrays, arrays);
+    return write_shapes(f, path, &lines, p, time, n_arrays, arrays);
 }

@@ -1,8 +1,9 @@
 /* vtk.h -- the files that ParaView opens: cells, particles, walls.
  *
  * .vtr: the cells of a box, with values a cell; .vtu: those of any mesh. .vtp:
- * a point a particle, with values a particle; or polygons with values each. The
- * files are XML followed by binary data compressed by zlib, and contain the
+ * a point a particle, with values a particle; or polygons with values each;
+ * where the path ends in .vtu, the same as cells, for readers of .vtu alone.
+ * The files are XML followed by binary data compressed by zlib, and contain the
  * time of the state. The caller chooses the values.
  *
  * A write allocates nothing but the stream of the file, and buffers when an
@@ -46,7 +47,7 @@ int vtk_write_lines(struct vtk_file *f, const char *path,
                     const struct vtk_polygons *p, double time, int n_arrays,
                     const struct vtk_array *arrays);
 
-/* The cells of any mesh, which has a shape and is borrowed, as lists of points.
+/* The cells of any mesh, which is borrowed, as lists of points.
  * Hexahedra and tetrahedra have these types, all other cells are polyhedra. */
 struct vtk_cells;
 struct vtk_cells *vtk_cells_create(const struct mesh *m);

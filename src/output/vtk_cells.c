@@ -25,7 +25,10 @@ struct list {
 };
 
 struct vtk_cells {
-    const struct mesh *mesh;   /* borrowed */
+    const struct mesh *mesh; /* borrowed */
+    int n_points;
+    const double *point;       /* [m] 3 a point */
+    double *corners;           /* the same, of a box; else NULL */
     struct list points, faces; /* connectivity, faces */
     int *end, *faces_end;      /* [-] offsets of each cell */
     unsigned char *type;
@@ -163,6 +166,32 @@ static void add_polyhedron(struct vtk_cells *v, int c)
     v->polyhedra++;
 }
 
+/* The corners of the cells of a box, and the eight of each cell. */
+static void add_box(struct vtk_cells *v, const struct box *b)
+{
+    const int nx = b->n[0] + 1, ny = b->n[1] + 1, nz = b->n[2] + 1;
+
+    v->n_points = nx * ny * nz;
+    v->point = v->corners = alloc_doubles(3 * v->n_points);
+    for (int p = 0; p < v->n_points; p++) {
+        v->corners[3 * p] = b->edge[0][p % nx];
+        v->corners[3 * p + 1] = b->edge[1][p / nx % ny];
+        v->corners[3 * p + 2] = b->edge[2][p / nx / ny];
+    }
+    for (int c = 0; c < v->mesh->n_cells; c++) {
+        const int i = c % b->n[0], j = c / b->n[0] % b->n[1],
+                  k = c / b->n[0] / b->n[1];
+        const int p = i + nx * (j + ny * k), up = nx * ny;
+        const int corner[8] = {
+            p,      p + 1,      p + 1 + nx,      p + nx,
+            p + up, p + 1 + up, p + 1 + nx + up, p + nx + up};
+        for (int q = 0; q < 8; q++)
+            vtk_cells_add(&v->points, corner[q]);
+        v->type[c] = HEXAHEDRON;
+        v->end[c] = v->points.n;
+    }
+}
+
 static void add_cell(struct vtk_cells *v, int c)
 {
     int point[8];
@@ -186,6 +215,12 @@ struct vtk_cells *vtk_cells_create(const struct mesh *m)
     v->end = alloc_ints(m->n_cells);
     v->faces_end = alloc_ints(m->n_cells);
     v->type = alloc_zeroed((size_t)m->n_cells, 1);
+    if (m->shape == NULL) {
+        add_box(v, &m->box);
+        return v;
+    }
+    v->n_points = m->shape->n_points;
+    v->point = m->shape->point;
     for (int c = 0; c < m->n_cells; c++)
         add_cell(v, c);
     return v;
@@ -199,6 +234,7 @@ void vtk_cells_free(struct vtk_cells *v)
     free(v->end);
     free(v->faces_end);
     free(v->type);
+    free(v->corners);
     free(v);
 }
 
@@ -206,12 +242,12 @@ static void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *v)
 {
     const struct mesh *const m = v->mesh;
     const struct vtk_array points = {
-        .name = "position", .components = 3, .values = m->shape->point};
+        .name = "position", .components = 3, .values = v->point};
 
     fprintf(vtk_file_stream(f),
-            "<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n",
-            m->shape->n_points, m->n_cells);
-    vtk_file_section(f, "Points", m->shape->n_points, 1, &points);
+            "<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n", v->n_points,
+            m->n_cells);
+    vtk_file_section(f, "Points", v->n_points, 1, &points);
     fprintf(vtk_file_stream(f), "<Cells>\n");
     vtk_file_array(f,
                    &(struct vtk_array){.name = "connectivity",

@@ -21,7 +21,7 @@ static int vtk_array_is_real(const struct vtk_array *a)
 
 const char *vtk_array_type(const struct vtk_array *a)
 {
-    if (a->bytes != NULL) return "UInt8";
+    if (a->bytes != NULL || a->same) return "UInt8";
     if (!vtk_array_is_real(a)) return "Int32";
     return a->single ? "Float32" : "Float64";
 }
@@ -29,7 +29,7 @@ const char *vtk_array_type(const struct vtk_array *a)
 /* Bytes of one number in the file. */
 static size_t vtk_array_width(const struct vtk_array *a)
 {
-    if (a->bytes != NULL) return 1;
+    if (a->bytes != NULL || a->same) return 1;
     return vtk_array_is_real(a) && !a->single ? 8 : 4;
 }
 
@@ -56,7 +56,9 @@ static void vtk_array_copy(const struct vtk_array *a, size_t first, size_t n,
     float *const narrow = bytes;
 
     assert(a->values != NULL || a->split[0] == NULL || a->components <= 3);
-    if (a->bytes != NULL)
+    if (a->same)
+        memset(bytes, a->from, n);
+    else if (a->bytes != NULL)
         memcpy(bytes, a->bytes + first, n);
     else if (!vtk_array_is_real(a))
         copy_whole(a, first, n, bytes);

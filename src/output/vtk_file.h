@@ -29,6 +29,7 @@ struct vtk_array {
     const int *ints;            /* whole numbers, side by side, Int32; or */
     const unsigned char *bytes; /* small ones, UInt8; or */
     int from;   /* if all are NULL: from, from + 1, ... as Int32 */
+    int same;   /* [-] 1: or every one is `from`, as UInt8 */
     int single; /* [-] 1: Float32 */
 };
 

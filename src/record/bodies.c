@@ -163,8 +163,7 @@ static void *create_bodies(const struct recorder_view *v, int *failed)
     if (width > 0.0)
         r->filter = surroundings_create(r->bodies, v->sim->fluid, width);
     r->table = bodies_create_table(r, v->folder);
-    r->pictures =
-        r->table != NULL ? series_in(v->folder, "bodies", "vtp") : NULL;
+    r->pictures = r->table != NULL ? recorder_series(v, "bodies") : NULL;
     r->d = alloc_doubles(r->bodies->ps->n);
     if (r->pictures != NULL) return r;
     bodies_release(r);
@@ -381,9 +380,8 @@ static void *outlines_create(const struct recorder_view *v, int *failed)
     r->bodies = b;
     outlines_count(r);
     outlines_make_room(r);
-    if (r->n_balls > 0) r->clumps = series_in(v->folder, "body_clumps", "vtp");
-    if (r->n_triangles > 0)
-        r->surfaces = series_in(v->folder, "body_surfaces", "vtp");
+    if (r->n_balls > 0) r->clumps = recorder_series(v, "body_clumps");
+    if (r->n_triangles > 0) r->surfaces = recorder_series(v, "body_surfaces");
     if ((r->n_balls == 0 || r->clumps != NULL) &&
         (r->n_triangles == 0 || r->surfaces != NULL))
         return r;

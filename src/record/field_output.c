@@ -20,14 +20,14 @@ struct field_output {
 };
 
 struct field_output *field_output_create(const struct simulation *sim,
-                                         struct folder *folder)
+                                         struct folder *folder, int grids)
 {
     struct field_output *const p = alloc_zeroed(1, sizeof *p);
 
     p->sim = sim;
     p->mesh = sim->mesh;
     p->last = -1.0;
-    if (sim->fluid != NULL && p->mesh->shape != NULL)
+    if (sim->fluid != NULL && (p->mesh->shape != NULL || grids))
         p->cells = vtk_cells_create(p->mesh);
     if (sim->fluid != NULL)
         p->fluid = series_in(folder, "fluid",
@@ -36,7 +36,9 @@ struct field_output *field_output_create(const struct simulation *sim,
                                                     : "vtr");
     if (sim->particles != NULL)
         p->particles = series_in(folder, "particles",
-                                 sim->processes != NULL ? "pvtp" : "vtp");
+                                 sim->processes != NULL ? "pvtp"
+                                 : grids                ? "vtu"
+                                                        : "vtp");
     if ((sim->fluid == NULL || p->fluid != NULL) &&
         (sim->particles == NULL || p->particles != NULL))
         return p;

@@ -9,9 +9,10 @@
 
 struct field_output;
 
-/* The collections of the phases of the simulation; NULL after a message. */
+/* The collections of the phases of the simulation, of unstructured grids alone
+ * if `grids` is not 0; NULL after a message. */
 struct field_output *field_output_create(const struct simulation *sim,
-                                         struct folder *folder);
+                                         struct folder *folder, int grids);
 void field_output_free(struct field_output *p);
 
 /* The arrays of the files besides cells and centres. Both return their number.

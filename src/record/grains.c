@@ -283,7 +283,7 @@ static void *contacts_create(const struct recorder_view *v, int *failed)
     struct contacts *const c = alloc_zeroed(1, sizeof *c);
 
     c->found = contact_list_create(v->sim);
-    c->series = series_in(v->folder, "contacts", "vtp");
+    c->series = recorder_series(v, "contacts");
     if (c->series != NULL) return c;
     *failed = 1;
     contacts_release(c);

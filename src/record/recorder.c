@@ -17,6 +17,7 @@
 #include "coupling/effect.h"
 #include "coupling/processes.h"
 #include "dem/population/population.h"
+#include "output/series.h"
 #include "output/table.h"
 #include "record/field_output.h"
 
@@ -63,6 +64,17 @@ const struct recorder_part *const recorder_parts[] = {&recorder_second_half,
                                                       &recorder_surfaces,
                                                       &recorder_pictures,
                                                       NULL};
+
+/* 1: all files are unstructured grids. */
+static int all_grids(const struct recording *of)
+{
+    return strcmp(of->output->format, "vtu") == 0;
+}
+
+struct series *recorder_series(const struct recorder_view *v, const char *name)
+{
+    return series_in(v->folder, name, all_grids(v->of) ? "vtu" : "vtp");
+}
 
 /* Non-zero after a message: a file cannot be written. */
 static int choose_parts(struct recorder *r)
@@ -361,7 +373,7 @@ static int create_files(struct recorder *r)
     if (choose_parts(r) != 0) return 1;
     r->history = create_history(r);
     if (r->history == NULL) return 1;
-    r->pictures = field_output_create(r->sim, r->folder);
+    r->pictures = field_output_create(r->sim, r->folder, all_grids(&r->of));
     return r->pictures == NULL;
 }
 

@@ -64,6 +64,10 @@ extern const struct recorder_part recorder_second_half, recorder_profiles,
     recorder_pictures;
 extern const struct recorder_part *const recorder_parts[];
 
+/* The collection NAME.pvd of files of the format that the case asks for; NULL
+ * after a message. */
+struct series *recorder_series(const struct recorder_view *v, const char *name);
+
 /* The means over the second half of a run, to `end` [s], which several
  * processes sum together (second_half.c). The simulation is borrowed. */
 void *second_half_create(const struct simulation *sim, double end);

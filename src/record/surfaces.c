@@ -145,7 +145,7 @@ static void *surface_fields_create(const struct recorder_view *v, int *failed)
     p->sim = v->sim;
     p->last = v->whole;
     p->folder = v->folder;
-    p->series = series_in(v->folder, "surfaces", "vtp");
+    p->series = recorder_series(v, "surfaces");
     if (p->series != NULL) return p;
     *failed = 1;
     surface_fields_release(p);
@@ -318,7 +318,7 @@ static void *walls_create(const struct recorder_view *v, int *failed)
     w->y_plus = alloc_doubles(n);
     w->shear = alloc_doubles(3 * n);
     w->u = alloc_doubles(3 * n);
-    w->series = series_in(v->folder, "walls", "vtp");
+    w->series = recorder_series(v, "walls");
     if (w->series != NULL) return w;
     *failed = 1;
     walls_release(w);
