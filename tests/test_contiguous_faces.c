@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
 #include "linear/ldu.h"
-#include "linear/fast/contiguous_faces.h"
+#include "linear/faces.h"
 #include "linear/reduce.h"
 
 #include "facts.h"
@@ -20,8 +20,7 @@ static struct mesh *box(int nx, int ny, int nz, int periodic)
 
 static struct face_pieces *runs_of(const struct mesh *m)
 {
-    return contiguous_faces_find(m->n_internal, m->n_faces, m->owner,
-                                 m->neighbour);
+    return faces_find_pieces(m->n_internal, m->n_faces, m->owner, m->neighbour);
 }
 
 /* Odd sizes, so that rows end anywhere in a range; and one cell thick. */
@@ -41,7 +40,7 @@ START_TEST(each_face_occurs_once_from_its_owner)
         const int last =
             first + 50 < m->n_internal ? first + 50 : m->n_internal;
         struct face_piece p = {0};
-        while (r->next_of_faces(r, first, last, &p))
+        while (faces_next_of_faces(r, first, last, &p))
             for (int j = 0; j < p.n; j++) {
                 ck_assert(p.face + j >= first && p.face + j < last);
                 ck_assert_int_eq(p.cell + j, m->owner[p.face + j]);
@@ -52,7 +51,7 @@ START_TEST(each_face_occurs_once_from_its_owner)
     for (int f = 0; f < m->n_internal; f++)
         ck_assert_int_eq(met[f], 1);
     free(met);
-    r->free(r);
+    faces_free_pieces(r);
     mesh_free(m);
 }
 END_TEST
@@ -71,7 +70,7 @@ START_TEST(each_cell_has_its_faces_in_one_order)
         for (int first = 0; first < n; first += lengths[a]) {
             const int last = first + lengths[a] < n ? first + lengths[a] : n;
             struct face_piece p = {0};
-            while (r->next_of_cells(r, first, last, &p))
+            while (faces_next_of_cells(r, first, last, &p))
                 for (int j = 0; j < p.n; j++) {
                     const int c = p.cell + j, f = p.face + j;
                     const int own = p.out > 0.0;
@@ -90,7 +89,7 @@ START_TEST(each_cell_has_its_faces_in_one_order)
     }
     free(seen);
     free(of);
-    r->free(r);
+    faces_free_pieces(r);
     mesh_free(m);
 }
 END_TEST
@@ -101,7 +100,7 @@ START_TEST(faces_in_disorder_have_no_contiguous_ranges)
 
     links_shuffle(&b, 3);
     ck_assert_ptr_null(
-        contiguous_faces_find(b.n_links, b.n_links, b.owner, b.neighbour));
+        faces_find_pieces(b.n_links, b.n_links, b.owner, b.neighbour));
     links_free(&b);
 }
 END_TEST
@@ -157,7 +156,7 @@ START_TEST(product_by_contiguous_faces_is_that_by_rows)
     free(plain);
     ldu_free(fast);
     ldu_free(rows);
-    r->free(r);
+    faces_free_pieces(r);
     mesh_free(m);
 }
 END_TEST

@@ -220,10 +220,10 @@ END_TEST
 
 /* --- a pipe --------------------------------------------------------------- */
 
-/* The exact value is 1.02 on this polygon (figures/19/19-tetrahedra.c); these 2592
- * cells have 0.979. Without the terms of deferred_correction.c it would be 4 %
- * more, without that of convection alone 3 %, and with slopes by Gauss 5 % more
- * again. */
+/* The exact value is 1.02 on this polygon (figures/19/19-tetrahedra.c); these
+ * 2592 cells have 0.979. Without the terms of deferred_correction.c it would be
+ * 4 % more, without that of convection alone 3 %, and with slopes by Gauss 5 %
+ * more again. */
 START_TEST(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop)
 {
     ck_assert_double_eq_tol(pipe_of_tetrahedra(6, "second-upwind", NULL, 0.5),

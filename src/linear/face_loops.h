@@ -55,7 +55,7 @@ FACE_KERNEL face_loops_sum(int first, int last, const struct faces *of,
         for (int a = of->cell_start[c]; a < of->cell_start[c + 1]; a++)
             sum[c] += each(of->cell_face[a], of->out[a], with);
     while (of->pieces != NULL &&
-           of->pieces->next_of_cells(of->pieces, first, last, &p)) {
+           faces_next_of_cells(of->pieces, first, last, &p)) {
         double *const s = sum + p.cell;
         const int f = p.face, m = p.n;
         const double out = p.out;

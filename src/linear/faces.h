@@ -8,7 +8,7 @@
  * f, and cell_face[a] of cell c for cell_start[c] <= a < cell_start[c + 1].
  * Where the faces form contiguous pieces, in which face f + 1 joins the cells
  * after those that face f joins, the loops follow the pieces and need no lists
- * (fast/contiguous_faces.h). Both ways compute the same terms, and in each way
+ * (faces.c). Both ways compute the same terms, and in each way
  * the sum over the faces of a cell has one order of its terms.
  *
  * The function must not read what is written for another face.
@@ -27,18 +27,22 @@ struct face_piece {
     int group, range;             /* where the next piece is searched */
 };
 
-/* A way to divide the faces into contiguous pieces. Both functions iterate from
- * a piece {0} and return 0 after the last piece: next_of_faces over the inner
- * and boundary faces first .. last - 1 from their owners, next_of_cells over
+/* The faces as contiguous pieces. Both functions iterate from a piece {0} and
+ * return 0 after the last piece: faces_next_of_faces over the inner and
+ * boundary faces first .. last - 1 from their owners, faces_next_of_cells over
  * all faces of the cells first .. last - 1. The order of the faces of a cell
  * does not depend on first and last. */
-struct face_pieces {
-    int (*next_of_faces)(const struct face_pieces *r, int first, int last,
-                         struct face_piece *p);
-    int (*next_of_cells)(const struct face_pieces *r, int first, int last,
-                         struct face_piece *p);
-    void (*free)(struct face_pieces *r);
-};
+struct face_pieces;
+int faces_next_of_faces(const struct face_pieces *r, int first, int last,
+                        struct face_piece *p);
+int faces_next_of_cells(const struct face_pieces *r, int first, int last,
+                        struct face_piece *p);
+
+/* Finds the pieces of the n_inner faces that have neighbours and of the
+ * boundary faces after them; NULL if they are too short on average. */
+struct face_pieces *faces_find_pieces(int n_inner, int n, const int *owner,
+                                      const int *neighbour);
+void faces_free_pieces(struct face_pieces *r);
 
 /* The faces of a mesh; all arrays are borrowed. */
 struct faces {

@@ -69,8 +69,7 @@ void ldu_row_sums(int first, int last, const struct ldu *A, double *sum)
                 sum[i] += A->rows->a[e];
         return;
     }
-    while (A->pieces->next_of_cells(A->pieces, first, last, &p) &&
-           is_inner(A, &p)) {
+    while (faces_next_of_cells(A->pieces, first, last, &p) && is_inner(A, &p)) {
         const double *restrict a = entries(A, &p);
         double *restrict s = sum + p.cell;
 
@@ -93,7 +92,6 @@ void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
     else
         for (long i = 3L * first; i < 3L * last; i++)
             y[i] = diag3[i] * x[i];
-    while (A->pieces->next_of_cells(A->pieces, first, last, &p) &&
-           is_inner(A, &p))
+    while (faces_next_of_cells(A->pieces, first, last, &p) && is_inner(A, &p))
         vec3_add(p.n, 1.0, entries(A, &p), x + 3L * p.other, y + 3L * p.cell);
 }

@@ -4,7 +4,7 @@
  * Each cell owns the faces on its upper sides: first all faces across x, then
  * the periodic ones across x; then those across y, then z. So the faces between
  * a row of cells and the next row have consecutive numbers, and a loop over
- * them reads contiguous memory (linear/fast/contiguous_faces.h).
+ * them reads contiguous memory (linear/faces.h).
  */
 #include "mesh/mesh.h"
 

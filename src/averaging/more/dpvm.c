@@ -25,7 +25,6 @@
 #include "base/alloc.h"
 
 /* --- weights that are computed once and stored
- * --------------------------------
  *
  * The weights of a particle are few and take long to compute: they are computed
  * once after the particles have moved, and those that are not 0 are stored,
@@ -112,8 +111,7 @@ static struct weight_list stored_weights_list(const struct stored_weights *k,
                                 &k->index_offset[first], &k->w[first]};
 }
 
-/* --- the volumes that cells have of a body
- * -------------------------------------------------------------------------- */
+/* --- the volumes that cells have of a body --- */
 
 struct dpvm;
 

@@ -14,8 +14,10 @@
  * the heights of the cells are scaled until it is: each cell has one height,
  * and the weights of each particle still add up to one.
  */
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "averaging/averaging.h"
 #include "averaging/kernel/weights.h"
@@ -173,3 +175,168 @@ const struct averaging_method images_poly_method = {
     .spread = images_poly_spread,
     .gather = images_poly_gather,
 };
+
+/* --- the moments of cells
+ */
+
+static const double far = 9.0; /* [-] exp(-9) is 1.2e-4 */
+
+/* Adds s a a^T. */
+static void add_outer(double M[6], double s, const double a[3])
+{
+    M[0] += s * a[0] * a[0];
+    M[1] += s * a[0] * a[1];
+    M[2] += s * a[0] * a[2];
+    M[3] += s * a[1] * a[1];
+    M[4] += s * a[1] * a[2];
+    M[5] += s * a[2] * a[2];
+}
+
+/* The tetrahedron from the centre of the cell to a triangle: 6 times its volume
+ * with that sign, and its part of the integral of r r^T [m^5]. */
+static double add_tetrahedron(double M[6], double sign, const double a[3],
+                              const double b[3], const double c[3])
+{
+    double n[3], sum[3];
+
+    vector_cross(a, b, n);
+    const double V6 = sign * vector_dot(n, c);
+    for (int k = 0; k < 3; k++)
+        sum[k] = a[k] + b[k] + c[k];
+    add_outer(M, V6 / 120.0, a);
+    add_outer(M, V6 / 120.0, b);
+    add_outer(M, V6 / 120.0, c);
+    add_outer(M, V6 / 120.0, sum);
+    return V6;
+}
+
+/* The mean of r r^T over cell c [m^2]. */
+static void find_moment(const struct facets *f, int c, double M[6])
+{
+    const struct mesh_shape *const s = f->mesh->shape;
+    double V6 = 0.0;
+
+    for (int k = 0; k < 6; k++)
+        M[k] = 0.0;
+    for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++)
+        for (int j = f->of[s->polygon[i]]; j < f->of[s->polygon[i] + 1]; j++) {
+            const int *const at = &f->corner[f->start[j]];
+            double x[3][3];
+            vector_between(&f->point[3 * at[0]], &f->mesh->centre[3 * c], x[0]);
+            for (int e = 1; e + 1 < f->start[j + 1] - f->start[j]; e++) {
+                for (int k = 0; k < 2; k++)
+                    vector_between(&f->point[3 * at[e + k]],
+                                   &f->mesh->centre[3 * c], x[1 + k]);
+                V6 += add_tetrahedron(M, s->turned[i], x[0], x[1], x[2]);
+            }
+        }
+    for (int k = 0; k < 6; k++)
+        M[k] *= 6.0 / V6;
+}
+
+/* A = half the inverse of C, and the determinant of C is returned. */
+static double half_inverse(const double C[6], double A[6])
+{
+    const double c00 = C[3] * C[5] - C[4] * C[4];
+    const double c01 = C[2] * C[4] - C[1] * C[5];
+    const double c02 = C[1] * C[4] - C[2] * C[3];
+    const double det = C[0] * c00 + C[1] * c01 + C[2] * c02;
+
+    A[0] = 0.5 * c00 / det;
+    A[1] = 0.5 * c01 / det;
+    A[2] = 0.5 * c02 / det;
+    A[3] = 0.5 * (C[0] * C[5] - C[2] * C[2]) / det;
+    A[4] = 0.5 * (C[1] * C[2] - C[0] * C[4]) / det;
+    A[5] = 0.5 * (C[0] * C[3] - C[1] * C[1]) / det;
+    return det;
+}
+
+/* T M T^T. */
+static void turned(const double T[9], const double M[6], double out[6])
+{
+    const double full[9] = {M[0], M[1], M[2], M[1], M[3],
+                            M[4], M[2], M[4], M[5]};
+    static const int row[6] = {0, 0, 0, 1, 1, 2}, col[6] = {0, 1, 2, 1, 2, 2};
+
+    for (int k = 0; k < 6; k++) {
+        out[k] = 0.0;
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                out[k] +=
+                    T[3 * row[k] + i] * full[3 * i + j] * T[3 * col[k] + j];
+    }
+}
+
+/* M = L L^T, column after column; a direction without width has none. */
+static void find_spread(const double M[6], double L[9])
+{
+    memset(L, 0, 9 * sizeof *L);
+    L[0] = sqrt(fmax(0.0, M[0]));
+    if (L[0] > 0.0) L[1] = M[1] / L[0];
+    if (L[0] > 0.0) L[2] = M[2] / L[0];
+    L[4] = sqrt(fmax(0.0, M[3] - L[1] * L[1]));
+    if (L[4] > 0.0) L[5] = (M[4] - L[1] * L[2]) / L[4];
+    L[8] = sqrt(fmax(0.0, M[5] - L[2] * L[2] - L[5] * L[5]));
+}
+
+/* The normal of cell c, for b^2 / 2 of the Gaussian [m^2]. */
+static void find_normal(const struct facets *f, int c, double variance,
+                        struct gaussian_moment *n, double L[9])
+{
+    double C[6];
+
+    find_moment(f, c, C);
+    find_spread(C, L);
+    C[0] += variance;
+    C[3] += variance;
+    C[5] += variance;
+    const double det = half_inverse(C, n->A) / gsl_pow_3(variance);
+    n->height = f->mesh->V[c] / sqrt(det);
+    n->offset[0] = n->offset[1] = n->offset[2] = 0.0;
+}
+
+struct gaussian_moments *gaussian_moments_create(const struct facets *f,
+                                                 const struct wall_images *m,
+                                                 double b)
+{
+    const int n_cells = f->mesh->n_cells;
+    struct gaussian_moments *const s = alloc_zeroed(1, sizeof *s);
+    int n = 0;
+
+    s->start = alloc_ints(n_cells + 1);
+    s->spread = alloc_doubles(9 * n_cells);
+    s->moment = alloc_zeroed((size_t)n_cells + (size_t)m->start[n_cells],
+                             sizeof *s->moment);
+    for (int c = 0; c < n_cells; c++) {
+        const struct gaussian_moment *const own = &s->moment[n];
+        find_normal(f, c, 0.5 * b * b, &s->moment[n++], &s->spread[9 * c]);
+        for (int i = m->start[c]; i < m->start[c + 1]; i++, n++) {
+            struct gaussian_moment *const image = &s->moment[n];
+            turned(m->images[i].rotation, own->A, image->A);
+            image->height = own->height * m->images[i].weight;
+            memcpy(image->offset, m->images[i].offset, sizeof image->offset);
+        }
+        s->start[c + 1] = n;
+    }
+    return s;
+}
+
+void gaussian_moments_free(struct gaussian_moments *s)
+{
+    if (s == NULL) return;
+    free(s->start);
+    free(s->moment);
+    free(s->spread);
+    free(s);
+}
+
+double gaussian_moments_value(const struct gaussian_moment *n,
+                              const double r[3])
+{
+    const double x = r[0] - n->offset[0], y = r[1] - n->offset[1],
+                 z = r[2] - n->offset[2];
+    const double *const A = n->A;
+    const double zeta2 = x * (A[0] * x + 2.0 * (A[1] * y + A[2] * z)) +
+                         y * (A[3] * y + 2.0 * A[4] * z) + A[5] * z * z;
+    return zeta2 < far ? n->height * exp(-zeta2) : 0.0;
+}

@@ -31,7 +31,6 @@
 #include "linear/face_loops.h"
 
 /* --- faces whose middle the link of their cells misses
- * -------------------------
  *
  * The value linear between two cells is that where their link crosses the face.
  * On tetrahedra the middle of the face is off that point, by a vector off, and
@@ -302,8 +301,7 @@ static void skewness_add_convection(const struct deferred *d, struct fluid *fl,
     }
 }
 
-/* --- all terms
- * -------------------------------------------------------------------------- */
+/* --- all terms --- */
 
 static void fill_velocity_gradients(struct deferred *d, const struct fluid *fl,
                                     const double *u)

@@ -234,7 +234,7 @@ struct graph *graph_aggregated(const struct graph *g, const int *root,
     return big;
 }
 
-/* --- pairwise aggregation ----------------------------------------------------
+/* --- pairwise aggregation
  */
 
 /* A link is strong if its S/d is at least this fraction of the largest of

@@ -192,8 +192,7 @@ static void level_prolong(const struct level *v, struct level *fine)
     PARALLEL_RANGES(fine->n, 1, prolong_rows, fine, v->y);
 }
 
-/* --- all levels
- * -------------------------------------------------------------------------- */
+/* --- all levels --- */
 
 enum {
     LEVELS = 40,        /* at most */

@@ -256,7 +256,6 @@ int *poly_face_order(int n, int n_cells, const int *least, const int *distance)
 }
 
 /* --- rows
- * ---------------------------------------------------------------------
  *
  * A row leads from a cell through a face and then through the face opposite to
  * it. Starting from one cell, every other cell is thus assigned three integers,

@@ -53,7 +53,7 @@ struct mesh_shape *poly_shape_create(struct poly_raw *r);
  * are numbered in rows, as in a block, keep their numbers, and cells that can
  * be numbered in rows are (poly_order.c); the faces are then sorted by the
  * difference of the numbers of their cells, which gives contiguous ranges
- * (linear/fast/contiguous_faces.h). Otherwise neighbouring cells receive close
+ * (linear/faces.h). Otherwise neighbouring cells receive close
  * numbers, and the faces are sorted by owner.
  */
 
