@@ -268,13 +268,13 @@ START_TEST(a_mesh_and_the_profile_of_an_inlet_are_read_once)
     snprintf(copy, sizeof copy, "cp -R tests/data/poly/one-cell %s/mesh", dir);
     ck_assert_int_eq(system(copy), 0);
     put_text(scratch_path(dir, "u.csv"), "x [m], u\n0, 1\n1, 1\n");
-    put_text(
-        scratch_path(dir, "case.cfg"),
-        "mesh = { polymesh = \"mesh\"; };\n"
-        "fluid = { density = 1.0; viscosity = 1e-5; step = 1e-3;\n"
-        "bottom = { inlet = 1.0; profile = \"file\"; file = \"u.csv\"; };\n"
-        "top = { outlet = 0.0; }; defaultFaces = \"slip\"; };\n"
-        "output = { end = 1.0; every = 1.0; };\n");
+    put_text(scratch_path(dir, "case.cfg"),
+             "mesh = { polymesh = \"mesh\"; };\n"
+             "fluid = { density = 1.0; viscosity = 1e-5; step = 1e-3;\n"
+             "defaultFaces = { inlet = 1.0; profile = \"file\";\n"
+             "file = \"u.csv\"; }; top = { outlet = 0.0; };\n"
+             "bottom = \"no-slip\"; };\n"
+             "output = { end = 1.0; every = 1.0; };\n");
     struct settings *const s =
         read_case(scratch_path(dir, "case.cfg"), NULL, &code);
     ck_assert_msg(s != NULL, "%s", said);
@@ -283,8 +283,25 @@ START_TEST(a_mesh_and_the_profile_of_an_inlet_are_read_once)
     ck_assert_ptr_nonnull(sim);
     char *const lines = case_text_lines(s);
     ck_assert_ptr_null(strstr(lines, "crc32 00000000"));
+    ck_assert_ptr_nonnull(strstr(lines, "defaultFaces.file = crc32 "));
     free(lines);
     build_free(sim);
+    settings_free(s);
+}
+END_TEST
+
+START_TEST(member_of_the_settings_knows_its_key)
+{
+    int code;
+    struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
+
+    ck_assert_msg(s != NULL, "%s", said);
+    ck_assert_str_eq(KEY_OF(s, fluid.cfl), "fluid.cfl");
+    ck_assert_str_eq(KEY_OF(s, mesh.box.periodic), "mesh.periodic");
+    ck_assert_str_eq(KEY_OF(s, particles.contact), "particles.contact");
+    ck_assert_str_eq(KEY_OF(s, particles.has_bed), "particles.bed");
+    ck_assert_str_eq(KEY_OF(s, particles.place), "particles.place");
+    ck_assert_str_eq(KEY_OF(s, particles.skin), "particles.skin");
     settings_free(s);
 }
 END_TEST
@@ -751,6 +768,7 @@ FACTS("scene")
     FACT(sink_without_a_side_requires_a_region);
     FACT(files_that_a_case_names_are_read_once);
     FACT(a_mesh_and_the_profile_of_an_inlet_are_read_once);
+    FACT(member_of_the_settings_knows_its_key);
     FACT(source_with_one_corner_reaches_to_the_end_of_the_box);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(profiles_along_other_directions_have_other_names);

@@ -47,7 +47,9 @@ struct model;
 /* What else is known of a key, and of all keys of its group. */
 enum key_mark {
     KEY_MAY_CHANGE = 1, /* a run may be resumed with another value */
-    KEY_AFTER_BED = 2   /* it comes after the bed, which settles without it */
+    KEY_AFTER_BED = 2,  /* it comes after the bed, which settles without it */
+    KEY_FOLDER = 4,     /* the file is the folder of a mesh */
+    KEY_MADE_BY_RUN = 8 /* a run makes the file where it is not there */
 };
 
 #define KEY_DIVIDED ""

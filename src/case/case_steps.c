@@ -6,8 +6,6 @@
 
 #include "base/number.h"
 
-static const char end_key[] = "output.end";
-
 /* Particle steps between two insertions and removals where there is no fluid.
  */
 enum { POPULATION_STEPS = 20 };
@@ -97,17 +95,17 @@ int case_steps_check(const struct settings *s)
 
     case_steps_given(s, &key);
     if (number_long(until_end(s), &steps) != 0)
-        return settings_wrong(s, end_key,
+        return settings_wrong(s, KEY_OF(s, output.end),
                               "%g s are %.3g steps of %g s, by %s; no more "
                               "than 9e15 steps can be counted",
                               s->output.end, until_end(s), dt, key);
     if (steps < 1)
-        return settings_wrong(s, end_key,
+        return settings_wrong(s, KEY_OF(s, output.end),
                               "%g s is less than half of one step of %g s, by "
                               "%s: nothing would be computed",
                               s->output.end, dt, key);
     if (number_int(case_steps_particle_steps(s), &particle_steps) != 0)
-        return settings_wrong(s, "particles.step",
+        return settings_wrong(s, KEY_OF(s, particles.step),
                               "%g s would be %.3g particle steps in one step "
                               "of %g s, by %s; expected at most %d",
                               s->particles.step, case_steps_particle_steps(s),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/fill.h"
 
+#include <assert.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -234,6 +235,20 @@ void fill_settings(struct settings *s, const struct key *const *tables)
                 s, k, list,
                 (struct key_list *)(fill_base_of(s, list) + list->at - 1));
     }
+}
+
+const char *fill_path(const struct settings *s, const struct key *const *tables,
+                      const void *member)
+{
+    SCHEMA_EACH (k, tables) {
+        const char *const base = fill_base_of((struct settings *)s, k);
+        if (((k->at > 0 && base + k->at - 1 == member) ||
+             (k->given > 0 && base + k->given - 1 == member)) &&
+            fill_list_of(tables, k) == NULL)
+            return k->path;
+    }
+    assert(0); /* a member that no key fills */
+    return "";
 }
 
 void fill_release(struct settings *s, const struct key *const *tables)

@@ -9,6 +9,10 @@
  * group. What the case leaves out without a default stays 0. */
 void fill_settings(struct settings *s, const struct key *const *tables);
 
+/* The path of the key that fills the member, or whose mark it is. */
+const char *fill_path(const struct settings *s, const struct key *const *tables,
+                      const void *member);
+
 /* Releases the lists. */
 void fill_release(struct settings *s, const struct key *const *tables);
 

@@ -131,16 +131,19 @@ static int type_fits(const struct key *key, enum key_type type)
                                                      key->type == KEY_FILE);
 }
 
-/* The row of a path; the groups of a list have the rows of its name. */
-static const struct key *settings_row_of(const struct settings *s,
-                                         const char *path)
+/* The groups of a list have the rows of its name. */
+const struct key *settings_row(const struct settings *s, const char *path)
 {
-    char row[SCHEMA_TEXT];
-    const char *const at = strstr(path, ".[");
+    char row[SCHEMA_TEXT] = "";
+    size_t used = 0;
 
-    if (at == NULL) return schema_find(s->text->tables, path);
-    snprintf(row, sizeof row, "%.*s%s", (int)(at - path), path,
-             at + strcspn(at, "]") + 1);
+    for (const char *at = path; *at != '\0';) {
+        const size_t n = strcspn(at, ".");
+        if (strspn(at, "[0123456789]") < n && used + n + 1 < sizeof row)
+            used += (size_t)sprintf(row + used, "%s%.*s", used > 0 ? "." : "",
+                                    (int)n, at);
+        at += n + (at[n] == '.');
+    }
     return schema_find(s->text->tables, row);
 }
 
@@ -158,7 +161,7 @@ settings_find(const struct settings *s, const char *path, enum key_type type)
 {
     const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
-    assert(type_fits(settings_row_of(s, path), type) && found != NULL);
+    assert(type_fits(settings_row(s, path), type) && found != NULL);
     (void)type;
     return found;
 }
@@ -167,7 +170,7 @@ int settings_has(const struct settings *s, const char *path)
 {
     const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
-    assert(settings_row_of(s, path) != NULL);
+    assert(settings_row(s, path) != NULL);
     return found != NULL && !source_is_default(found);
 }
 
@@ -200,7 +203,7 @@ int settings_bool(const struct settings *s, const char *path)
 
 const char *settings_text(const struct settings *s, const char *path)
 {
-    const struct key *const key = settings_row_of(s, path);
+    const struct key *const key = settings_row(s, path);
     const config_setting_t *const found = config_lookup(&s->text->tree, path);
 
     assert(type_fits(key, KEY_NAME) || key->type == KEY_PATCH);
@@ -321,6 +324,11 @@ void settings_keep_mesh(struct settings *s, struct mesh *m)
 const struct mesh *settings_mesh(const struct settings *s)
 {
     return s->text->mesh;
+}
+
+const char *settings_key(const struct settings *s, const void *member)
+{
+    return fill_path(s, s->text->tables, member);
 }
 
 void settings_where(const struct settings *s, const char *path, char *where,

@@ -98,6 +98,10 @@ int settings_points(const struct settings *s, const char *path);
 void settings_point(const struct settings *s, const char *path, int i,
                     double *time, double *value);
 
+/* The row of a path, which may have the numbers of groups of lists in it; NULL:
+ * none. */
+const struct key *settings_row(const struct settings *s, const char *path);
+
 /* 1 if the path is that of a list. The groups of one; 0 for a list that is left
  * out. */
 int settings_is_list(const struct settings *s, const char *path);
@@ -145,6 +149,11 @@ struct inputs **settings_files(const struct settings *s);
  * for a box. */
 void settings_keep_mesh(struct settings *s, struct mesh *m);
 const struct mesh *settings_mesh(const struct settings *s);
+
+/* The path of the key, list or group that has its value or its mark in this
+ * member of the settings. */
+const char *settings_key(const struct settings *s, const void *member);
+#define KEY_OF(s, member) settings_key(s, &(s)->member)
 
 /* The place of a key and its name, "case.cfg:3: mesh.periodic: ", with which
  * messages of other rooms begin. */

@@ -131,7 +131,8 @@ const struct key particles_keys[] = {
     {"particles.bed.file", KEY_FILE, "", "", "",
      "the settled bed: read if it exists, else written for the next run; "
      "beside the case unless it begins with /",
-     "", "", AT(bed_file), .divided = "all ranks settle the bed together"},
+     "", "", AT(bed_file), .mark = KEY_MADE_BY_RUN,
+     .divided = "all ranks settle the bed together"},
     {"particles.sizes", KEY_LIST, "", "", "",
      "named distributions of diameters", "XS11 section 4.4", "",
      LIST(sizes, sizes_setup), .divided = KEY_DIVIDED_ALL},

@@ -231,7 +231,8 @@ const struct key mesh_keys[] = {
     {"mesh.polymesh", KEY_FILE, "", "", "",
      "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
      "it begins with /; its patches take the place of the sides under fluid",
-     "", "", AT(polymesh), .divided = "only boxes are divided so far"},
+     "", "", AT(polymesh), .mark = KEY_FOLDER,
+     .divided = "only boxes are divided so far"},
     {"mesh.shear", KEY_VECTOR, "-", "", "",
      "shift of the box along x over height y, along x over depth z, along y "
      "over depth z; left out: none",

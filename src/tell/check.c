@@ -190,10 +190,10 @@ static void print_cost(const struct settings *s, const struct case_scales *k)
     puts("Cost");
     text_line("steps", steps, "-", "");
     if (o->history > 0.0)
-        print_interval(s, "time between two rows", "output.history", o->history,
-                       k->dt);
-    print_interval(s, "time between two pictures", "output.every", o->every,
-                   k->dt);
+        print_interval(s, "time between two rows", KEY_OF(s, output.history),
+                       o->history, k->dt);
+    print_interval(s, "time between two pictures", KEY_OF(s, output.every),
+                   o->every, k->dt);
     text_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
     text_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
     text_line("time", case_scales_seconds(s), "s",

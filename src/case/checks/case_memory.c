@@ -66,10 +66,11 @@ double case_memory_bytes(const struct settings *s)
 static const char *largest_key(const struct settings *s, double more)
 {
     if (more > of_cells(s) && more > of_particles(s))
-        return "averaging.bandwidth";
+        return KEY_OF(s, averaging.bandwidth);
     if (of_cells(s) > of_particles(s))
-        return s->mesh.polymesh == NULL ? "mesh.cells" : "mesh.polymesh";
-    return s->particles.bed.count > inserted(s) ? "particles.bed.count"
+        return s->mesh.polymesh == NULL ? KEY_OF(s, mesh.box.cells)
+                                        : KEY_OF(s, mesh.polymesh);
+    return s->particles.bed.count > inserted(s) ? KEY_OF(s, particles.bed.count)
                                                 : insert;
 }
 
@@ -88,14 +89,14 @@ int case_memory_check(const struct settings *s, double more)
     if (n > most_particles)
         return settings_wrong(s,
                               s->particles.bed.count > inserted(s)
-                                  ? "particles.bed.count"
+                                  ? KEY_OF(s, particles.bed.count)
                                   : insert,
                               "%.4g particles; no more than %.0f can be "
                               "numbered",
                               n, most_particles);
     if (need <= have) return 0;
     if (of_samples(s) > need - of_samples(s))
-        return settings_wrong(s, "effects.mixing.sample",
+        return settings_wrong(s, KEY_OF(s, effects.mixing_sample),
                               "%.4g samples need about %.3g GB, and this "
                               "machine has %.3g GB for them",
                               of_samples(s) / (2.0 * sizeof(double)),

@@ -249,7 +249,7 @@ int case_scales_auto_step(struct settings *s)
         if (one.d > 0.0) least = fmin(least, one.suggested);
     }
     if (least == HUGE_VAL || s->particles.list->no_contacts)
-        return settings_wrong(s, "particles.step",
+        return settings_wrong(s, KEY_OF(s, particles.step),
                               "\"auto\": there are no contacts that a step "
                               "would have to resolve; expected a number of s");
     s->particles.step = least;
@@ -276,7 +276,7 @@ static int case_scales_check_no_contacts(const struct settings *s)
     const struct bed_options *const bed = &s->particles.bed;
 
     if (bed->count == 0 || bed->settle == 0.0) return 0;
-    return settings_wrong(s, "particles.list",
+    return settings_wrong(s, KEY_OF(s, particles.list),
                           "\"none\": no bed comes to rest without contacts; "
                           "give particles.bed.settle = 0.0, or place the "
                           "spheres");
@@ -293,14 +293,14 @@ int case_scales_check(const struct settings *s)
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
     if (0.5 * m.d < k.impact * m.longest * (1.0 + 1e-9))
         return settings_wrong(
-            s, "particles.step",
+            s, KEY_OF(s, particles.step),
             "at %.3g m/s a sphere of %.3g m moves by more than half of its "
             "diameter in %.3g s, and could pass through another one: at most "
             "%.3g s, better %.3g s; to run all the same set "
             "particles.unsafe_step = true",
             k.impact, m.d, k.dem_dt, m.longest, m.suggested);
     return settings_wrong(
-        s, "particles.step",
+        s, KEY_OF(s, particles.step),
         "%.3g s does not resolve the impacts of %s of %.3g m, which last %.3g "
         "s: at most %.3g s, better %.3g s; to run all the same set "
         "particles.unsafe_step = true",

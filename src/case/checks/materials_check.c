@@ -90,6 +90,6 @@ int materials_check(const struct settings *s)
     for (int i = 0; i < s->particles.place.n && code == 0; i++)
         code = materials_check_place(s, i);
     return code != 0 ? code
-                     : materials_check_name(s, "particles.walls.material",
+                     : materials_check_name(s, KEY_OF(s, particles.walls),
                                             s->particles.walls);
 }

@@ -16,12 +16,12 @@
 static int check_files(const struct settings *s)
 {
     const struct mesh_options *const m = &s->mesh;
-    const char *const of_box = m->box.size[0] > 0.0  ? "mesh.size"
-                               : m->box.cells[0] > 0 ? "mesh.cells"
-                               : m->has_grading      ? "mesh.grading"
-                               : m->has_periodic     ? "mesh.periodic"
-                               : m->has_shear        ? "mesh.shear"
-                                                     : NULL;
+    const char *const of_box = m->box.size[0] > 0.0  ? KEY_OF(s, mesh.box.size)
+                               : m->box.cells[0] > 0 ? KEY_OF(s, mesh.box.cells)
+                               : m->has_grading  ? KEY_OF(s, mesh.box.grading)
+                               : m->has_periodic ? KEY_OF(s, mesh.box.periodic)
+                               : m->has_shear    ? KEY_OF(s, mesh.shear)
+                                                 : NULL;
 
     if (of_box == NULL) return 0;
     return settings_wrong(s, of_box,
@@ -49,7 +49,7 @@ static int check_numbers(const struct settings *s)
     const double faces = mesh_box_faces(&s->mesh.box);
 
     if (faces <= MESH_MOST_FACES) return 0;
-    return settings_wrong(s, "mesh.cells",
+    return settings_wrong(s, KEY_OF(s, mesh.box.cells),
                           "%.4g cells with %.3g faces; no more than %d faces "
                           "can be numbered",
                           case_mesh_cells(s), faces, MESH_MOST_FACES);
@@ -83,13 +83,13 @@ static double unevenness(const struct box *b, int k)
 static int mesh_check_shape(const struct settings *s, const struct mesh *m)
 {
     const double most_uneven = 1e6, tiny = 1e-60, huge = 1e60; /* [-], [m^3] */
-    const char *const key =
-        s->mesh.polymesh != NULL ? "mesh.polymesh" : "mesh.size";
+    const char *const key = s->mesh.polymesh != NULL ? KEY_OF(s, mesh.polymesh)
+                                                     : KEY_OF(s, mesh.box.size);
     double least, most, mean;
 
     for (int k = 0; k < 3 && m->face_centre == NULL; k++)
         if (!(unevenness(&m->box, k) <= most_uneven))
-            return settings_wrong(s, "mesh.grading",
+            return settings_wrong(s, KEY_OF(s, mesh.box.grading),
                                   "the widest cell is %.3g times the "
                                   "narrowest in %c; at most %g",
                                   unevenness(&m->box, k), 'x' + k, most_uneven);

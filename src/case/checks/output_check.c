@@ -308,7 +308,7 @@ static int check_particles(const struct settings *s)
 static int check_time_average(const struct settings *s)
 {
     if (!s->effects.time_average || s->exchange.two_way) return 0;
-    return settings_wrong(s, "effects.time_average",
+    return settings_wrong(s, KEY_OF(s, effects.time_average),
                           "one-way there are no averaged fields; it needs "
                           "exchange.coupling = \"two-way\"");
 }

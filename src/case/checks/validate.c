@@ -50,7 +50,7 @@ static int check_direction(const struct settings *s, int k)
         const int given = has_side(s, validate_side_of(k, i)) + both;
 
         if (periodic[k] && given > 0)
-            return settings_wrong(s, "mesh.periodic",
+            return settings_wrong(s, KEY_OF(s, mesh.box.periodic),
                                   "%s is periodic, so the fluid has no %s "
                                   "there; leave one of them out",
                                   axes[k],
@@ -83,24 +83,19 @@ static int has_condition(const struct settings *s, enum boundary_kind kind)
 /* What drives a flow from the end of a direction to its beginning. */
 static int check_drive(const struct settings *s)
 {
-    static const char *const paths[] = {"fluid.mean_gradient",
-                                        "fluid.mean_flow"};
+    const struct fluid_options *const o = &s->fluid;
+    const double *const drives[] = {o->mean_gradient, o->mean_flow};
     int periodic[3];
 
     case_mesh_periodic(s, periodic);
-    for (int i = 0; i < 2; i++) {
-        double v[3];
-        if (!settings_has(s, paths[i])) continue;
-        settings_vector(s, paths[i], v);
-        for (int k = 0; k < 3; k++)
-            if (v[k] != 0.0 && !periodic[k])
-                return settings_wrong(s, paths[i],
-                                      "%s is not periodic, so no mean flow can "
-                                      "be driven along it; expected 0 there",
-                                      axes[k]);
-    }
-    if (settings_has(s, paths[0]) && settings_has(s, paths[1]))
-        return settings_wrong(s, paths[1],
+    for (int i = 0; i < 6; i++)
+        if (drives[i / 3][i % 3] != 0.0 && !periodic[i % 3])
+            return settings_wrong(s, settings_key(s, drives[i / 3]),
+                                  "%s is not periodic, so no mean flow can "
+                                  "be driven along it; expected 0 there",
+                                  axes[i % 3]);
+    if (o->has_mean_gradient && o->has_mean_flow)
+        return settings_wrong(s, KEY_OF(s, fluid.mean_flow),
                               "the mean gradient follows from it; leave "
                               "fluid.mean_gradient out");
     return 0;
@@ -111,7 +106,7 @@ static int check_drive(const struct settings *s)
 static int validate_check_parts(const struct settings *s)
 {
     if (s->fluid.cfl > 0.0 && s->has.exchange)
-        return settings_wrong(s, "fluid.cfl",
+        return settings_wrong(s, KEY_OF(s, fluid.cfl),
                               "with exchange all of fluid.step is one step; "
                               "give a shorter fluid.step instead");
     return 0;
@@ -140,7 +135,7 @@ static int check_bed_sizes(const struct settings *s)
     const int one = s->particles.bed.diameter > 0.0;
 
     if (one == (s->particles.bed_sizes != NULL))
-        return settings_wrong(s, "particles.bed",
+        return settings_wrong(s, KEY_OF(s, particles.has_bed),
                               "give either diameter or "
                               "sizes%s",
                               one ? ", not both" : "");
@@ -153,8 +148,8 @@ static int check_bed_fits(const struct settings *s)
 {
     struct bed_options b = build_particles_bed(s);
     const struct bed_range range = bed_range(&b);
-    const char *const key =
-        b.sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
+    const char *const key = b.sizes == NULL ? KEY_OF(s, particles.bed.diameter)
+                                            : KEY_OF(s, particles.bed_sizes);
     double lo[3], size[3];
 
     build_particles_free_bed(&b);
@@ -167,7 +162,7 @@ static int check_bed_fits(const struct settings *s)
                                   range.max, size[k]);
     const double share = range.volume / case_mesh_volume(s);
     if (share > 0.6)
-        return settings_wrong(s, "particles.bed.count",
+        return settings_wrong(s, KEY_OF(s, particles.bed.count),
                               "%d spheres of %g m would fill %.0f %% of the "
                               "box; at most 60 %% can settle",
                               b.count, b.diameter, 100.0 * share);
@@ -197,14 +192,14 @@ static int validate_check_place(const struct settings *s)
                 periodic[k] ? 0.0 : (0.5 - build_particles_wall_overlap(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
                 return settings_wrong(
-                    s, "particles.place",
+                    s, KEY_OF(s, particles.place),
                     "sphere %d at [%g, %g, %g] m with diameter %g m is not "
                     "inside the box; particles.overlaps = \"allow\" takes it "
                     "as it is if its centre is",
                     i, x[0], x[1], x[2], d);
         }
         if (!case_mesh_holds(s, x))
-            return settings_wrong(s, "particles.place",
+            return settings_wrong(s, KEY_OF(s, particles.place),
                                   "sphere %d at [%g, %g, %g] m is not inside "
                                   "the mesh",
                                   i, x[0], x[1], x[2]);
@@ -216,7 +211,7 @@ static int validate_check_place(const struct settings *s)
 static int check_integrator(const struct settings *s)
 {
     if (!s->has.exchange || !s->particles.integrator->predicts) return 0;
-    return settings_wrong(s, "particles.integrator",
+    return settings_wrong(s, KEY_OF(s, particles.integrator),
                           "%s is for cases without exchange; with it there are "
                           "velocity-verlet and symplectic-euler",
                           s->particles.integrator->name);
@@ -228,7 +223,7 @@ static int validate_check_list(const struct settings *s)
     const struct dem_options o = build_particles_dem(s, 1.0);
     const char *const unknown = o.method->unsupported(&o);
     if (unknown == NULL) return 0;
-    return settings_wrong(s, "particles.list",
+    return settings_wrong(s, KEY_OF(s, particles.list),
                           "%s does not support %s; %s does", o.method->name,
                           unknown, dem_methods[0]->name);
 }
@@ -296,12 +291,13 @@ static int check_width(const struct settings *s, const char *key, double b)
 static int check_widths(const struct settings *s)
 {
     const struct averaging_options *const o = &s->averaging;
-    int code = check_width(s, "averaging.bandwidth", o->bandwidth);
+    int code = check_width(s, KEY_OF(s, averaging.bandwidth), o->bandwidth);
 
-    if (code == 0) code = check_width(s, "averaging.delta_05", o->delta_05);
+    if (code == 0)
+        code = check_width(s, KEY_OF(s, averaging.delta_05), o->delta_05);
     for (int i = 0; i < o->regions.n && code == 0; i++)
-        code =
-            check_width(s, "averaging.regions", o->regions.item[i].bandwidth);
+        code = check_width(s, KEY_OF(s, averaging.regions),
+                           o->regions.item[i].bandwidth);
     return code;
 }
 
@@ -316,7 +312,7 @@ static int check_second_grid(const struct settings *s)
     for (int k = 0; k < 3; k++)
         cells *= fmax(1.0, floor((hi[k] - lo[k]) / b));
     if (cells <= most_cells) return 0;
-    return settings_wrong(s, "averaging.bandwidth",
+    return settings_wrong(s, KEY_OF(s, averaging.bandwidth),
                           "a second grid of cells of %g m would have %.3g of "
                           "them; at most %g",
                           b, cells, most_cells);
@@ -327,16 +323,17 @@ static int case_averaging_check_given(const struct settings *s)
     const struct averaging_options *const o = &s->averaging;
     const int b = o->bandwidth > 0.0, delta = o->delta_05 > 0.0;
 
-    if (delta && model_choice_unread(s, "averaging", "averaging.delta_05") != 0)
+    if (delta &&
+        model_choice_unread(s, "averaging", KEY_OF(s, averaging.delta_05)) != 0)
         return 2;
     if (o->regions.n > most_regions)
-        return settings_wrong(s, "averaging.regions", "%d at most",
+        return settings_wrong(s, KEY_OF(s, averaging.regions), "%d at most",
                               most_regions);
     if (b && delta)
-        return settings_wrong(s, "averaging.delta_05",
+        return settings_wrong(s, KEY_OF(s, averaging.delta_05),
                               "give either bandwidth or delta_05, not both");
     if (o->method->needs_bandwidth && !b && !delta)
-        return settings_wrong(s, "averaging.method",
+        return settings_wrong(s, KEY_OF(s, averaging.method),
                               "%s needs averaging.bandwidth", o->method->name);
     return 0;
 }

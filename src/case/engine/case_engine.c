@@ -144,26 +144,30 @@ static int check_choices(const struct settings *s)
         const char *key, *why;
     } choices[] = {
         {is_one_of(s->particles.integrator->name, "velocity-verlet", ""),
-         "particles.integrator",
+         KEY_OF(s, particles.integrator),
          "LAMMPS moves the particles by velocity Verlet"},
-        {is_one_of(a->method->name, "pcm", "diffusion"), "averaging.method",
+        {is_one_of(a->method->name, "pcm", "diffusion"),
+         KEY_OF(s, averaging.method),
          "other averages reach farther than the layers of a rank"},
-        {is_one_of(a->scheme, "exponential", "series"), "averaging.scheme",
+        {is_one_of(a->scheme, "exponential", "series"),
+         KEY_OF(s, averaging.scheme),
          "a step of the others waits for all ranks in every iteration"},
-        {is_one_of(a->vary, "uniform", ""), "averaging.bandwidth_variation",
+        {is_one_of(a->vary, "uniform", ""), KEY_OF(s, averaging.vary),
          "the bandwidth must be the same on all ranks"},
         {s->exchange.slip_integration == SLIP_INTEGRATION_FROZEN,
-         "exchange.slip_integration",
+         KEY_OF(s, exchange.slip_integration),
          "the other one acts within the integrator, which is LAMMPS': use "
          "sub-steps"},
-        {s->exchange.two_way, "exchange.coupling", not_yet},
-        {is_one_of(s->fluid.time->name, "euler", ""), "fluid.time", not_yet},
-        {!s->fluid.has_mean_flow, "fluid.mean_flow", not_yet},
-        {a->cap == 0.0, "averaging.cap", not_yet},
-        {!settings_has(s, "averaging.regions"), "averaging.regions", not_yet},
-        {!s->particles.list->no_contacts, "particles.list",
+        {s->exchange.two_way, KEY_OF(s, exchange.two_way), not_yet},
+        {is_one_of(s->fluid.time->name, "euler", ""), KEY_OF(s, fluid.time),
+         not_yet},
+        {!s->fluid.has_mean_flow, KEY_OF(s, fluid.mean_flow), not_yet},
+        {a->cap == 0.0, KEY_OF(s, averaging.cap), not_yet},
+        {a->regions.n == 0, KEY_OF(s, averaging.regions), not_yet},
+        {!s->particles.list->no_contacts, KEY_OF(s, particles.list),
          "LAMMPS looks for contacts"},
-        {s->fluid.outer_correctors == 0, "fluid.outer_correctors", not_yet}};
+        {s->fluid.outer_correctors == 0, KEY_OF(s, fluid.outer_correctors),
+         not_yet}};
 
     for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
         if (!choices[i].known)
@@ -192,7 +196,7 @@ static int check_grading(const struct settings *s)
 {
     for (int k = 0; k < 3; k++)
         if (s->mesh.box.grading[k] != 1.0)
-            return refuse_key(s, "mesh.grading",
+            return refuse_key(s, KEY_OF(s, mesh.box.grading),
                               "cells of different width are "
                               "not divided yet");
     return 0;
@@ -201,25 +205,24 @@ static int check_grading(const struct settings *s)
 /* Contacts that LAMMPS has no number for. */
 int case_engine_check_export(const struct settings *s)
 {
-    static const char grains[] = "particles.grains.restitution";
     const int n = s->particles.materials.n + 1;
 
     if (!s->has.particles)
         return settings_wrong(s, "particles", "there are none to move");
     if (n > WORDS_MATERIALS)
-        return settings_wrong(s, "particles.materials", "%d at most",
+        return settings_wrong(s, KEY_OF(s, particles.materials), "%d at most",
                               WORDS_MATERIALS);
     if (!words_has_law(s))
-        return refuse_key(s, "particles.contact",
+        return refuse_key(s, KEY_OF(s, particles.contact),
                           "LAMMPS has Hertz's spring and a linear one");
     if (materials_check_rolling(s))
-        return refuse_key(s, "particles.grains.rolling_friction",
+        return refuse_key(s, KEY_OF(s, particles.grains.of.rolling),
                           "LAMMPS' law of it is another one");
     const struct words w = words_of(s, 1.0);
     for (int i = 0; i < n * n; i++)
         if (words_restitution(w.hertz, w.pair[i].damping_n) < 0.0)
             return refuse_key(
-                s, grains,
+                s, KEY_OF(s, particles.grains.of.restitution),
                 "LAMMPS' dashpot is not as strong as a restitution "
                 "so small needs");
     return check_keys(s, "particles");

@@ -249,7 +249,7 @@ struct dem_options build_particles_dem(const struct settings *s, double step)
                             .step = step,
                             .skin = s->particles.skin};
 
-    settings_where(s, "mesh.periodic", o.where, sizeof o.where);
+    settings_where(s, KEY_OF(s, mesh.box.periodic), o.where, sizeof o.where);
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
     case_surfaces_dem_options(s, &o);
@@ -261,7 +261,7 @@ struct bed_options build_particles_bed(const struct settings *s)
     struct bed_options b = s->particles.bed;
 
     b.density = s->particles.grains.density;
-    settings_where(s, "particles.bed.count", b.where, sizeof b.where);
+    settings_where(s, KEY_OF(s, particles.bed.count), b.where, sizeof b.where);
 
     case_population_bed_sizes(s, &b);
     memcpy(b.gravity, s->effects.gravity, sizeof b.gravity);

@@ -80,8 +80,8 @@ int case_cohesion_complete(const struct settings *s, struct simulation *sim,
 
 const char *case_cohesion_of_box(const struct settings *s)
 {
-    return s->effects.van_der_waals ? "effects.van_der_waals"
-           : s->effects.capillary   ? "effects.capillary"
+    return s->effects.van_der_waals ? KEY_OF(s, effects.van_der_waals)
+           : s->effects.capillary   ? KEY_OF(s, effects.capillary)
                                     : NULL;
 }
 
@@ -97,7 +97,7 @@ int case_cohesion_check_pairs(const struct settings *s)
 {
     static const double packed = 0.64;
     const struct case_scales k = case_scales_of(s);
-    char key[64] = "particles.skin";
+    char key[64] = "";
     const double skin = s->particles.skin;
     double range = 0.0;
     int n;
@@ -112,5 +112,7 @@ int case_cohesion_check_pairs(const struct settings *s)
     if (skin + range == 0.0 || s->particles.list->no_contacts) return 0;
     const double apart = (k.d_most + skin + range) / k.d;
     const double around = fmin(k.particles, 8.0 * packed * gsl_pow_3(apart));
-    return case_memory_check_pairs(s, key, 0.5 * k.particles * around);
+    return case_memory_check_pairs(
+        s, key[0] != '\0' ? key : KEY_OF(s, particles.skin),
+        0.5 * k.particles * around);
 }

@@ -347,7 +347,7 @@ static int check_bed_file(const struct settings *s)
         return 0;
     settings_beside(s, name, path, sizeof path);
     if (access(path, F_OK) == 0) return 0;
-    return settings_wrong(s, "particles.bed.file",
+    return settings_wrong(s, KEY_OF(s, particles.bed_file),
                           "%s is not there, and a bed is written beside the "
                           "case or in a folder there alone: expected a name "
                           "that neither begins with / nor has .. in it",
@@ -363,7 +363,7 @@ static int check_sizes(const struct settings *s)
     if (code != 0 || name == NULL ||
         s->particles.bed.diameter > 0.0) /* said of both later */
         return code;
-    return check_size_name(s, "particles.bed.sizes", name);
+    return check_size_name(s, KEY_OF(s, particles.bed_sizes), name);
 }
 
 int case_population_check(struct settings *s)
@@ -398,13 +398,13 @@ int case_population_place(const struct settings *s, struct particles *ps,
     if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MAX) return 0;
     if (strcmp(what, "refuse") == 0)
         return settings_wrong(
-            s, "particles.place",
+            s, KEY_OF(s, particles.place),
             "spheres %d and %d overlap by %.3g of their mean diameter; set "
             "particles.overlaps to \"relax\" to move them apart, or to "
             "\"allow\"",
             deep.i, deep.j, deep.depth);
     if (overlaps_relax(ps, &box, 1000) >= 0) return 0;
-    return settings_wrong(s, "particles.place",
+    return settings_wrong(s, KEY_OF(s, particles.place),
                           "the spheres overlap, and there is no room to move "
                           "them apart");
 }

@@ -37,9 +37,6 @@ static struct body_shape plain_shape(enum body_list list,
 
 void case_bodies_keep(struct settings *s)
 {
-    static const char *const path[BODY_LISTS] = {
-        "bodies.spheres", "bodies.boxes", "bodies.cylinders", "bodies.clumps",
-        "bodies.surfaces"};
     struct case_bodies *const c = s->all_bodies = alloc_zeroed(1, sizeof *c);
 
     case_mesh_ends(s, c->lo, c->hi);
@@ -55,7 +52,7 @@ void case_bodies_keep(struct settings *s)
             const struct body_setup *const says = &s->bodies.list[l].item[i];
             *b = (struct case_body){.says = says,
                                     .list = l,
-                                    .path = path[l],
+                                    .path = KEY_OF(s, bodies.list[l]),
                                     .number = i,
                                     .plain = plain_shape(l, says)};
             c->touch |= says->motion == BODY_FREE && l != BODY_SPHERES &&
@@ -324,7 +321,7 @@ int case_bodies_check_stiffness(const struct settings *s)
                  step = s->fluid.dt / dem_steps(s, k, m);
 
     if (m == 0.0 || t >= 5.0 * step) return 0;
-    return settings_wrong(s, "bodies.stiffness",
+    return settings_wrong(s, KEY_OF(s, bodies.stiffness),
                           "%g N/m: an impact lasts %.3g s and a particle step "
                           "%.3g s; expected at least five of them in it",
                           k, t, step);

@@ -29,7 +29,7 @@ static int check_mesh(const struct settings *s)
                               "leave out mesh.polymesh and mesh.shear");
     for (int k = 0; k < 3; k++)
         if (fabs(grading[k] - 1.0) > 0.01)
-            return settings_wrong(s, "mesh.grading",
+            return settings_wrong(s, KEY_OF(s, mesh.box.grading),
                                   "%g: bodies ask for equal cells", grading[k]);
     return 0;
 }
@@ -45,15 +45,15 @@ static int case_bodies_check_particles(const struct settings *s)
     for (int i = 0; i < c->n; i++)
         moves |= c->item[i].says->motion != BODY_FIXED;
     if (strcmp(s->bodies.method->name, "hold") != 0)
-        return settings_wrong(s, "bodies.method",
+        return settings_wrong(s, KEY_OF(s, bodies.method),
                               "among particles bodies hold the fluid by "
                               "\"hold\" only");
     if (s->bodies.list[BODY_CLUMPS].n > 0)
-        return settings_wrong(s, "bodies.clumps",
+        return settings_wrong(s, KEY_OF(s, bodies.list[BODY_CLUMPS]),
                               "clumps do not touch particles; give the body as "
                               "a closed surface, in bodies.surfaces");
     if (s->has.exchange && moves && s->fluid.continuity != CONTINUITY_MIXTURE)
-        return settings_wrong(s, "fluid.continuity",
+        return settings_wrong(s, KEY_OF(s, fluid.continuity),
                               "among particles a body that moves asks for "
                               "\"mixture\": where it comes, the fluid fraction "
                               "jumps");
@@ -330,7 +330,7 @@ static int check_filter(const struct settings *s)
                  widest = fmax(h[0], fmax(h[1], h[2]));
 
     if (width == 0.0 || width >= widest) return 0;
-    return settings_wrong(s, "bodies.filter",
+    return settings_wrong(s, KEY_OF(s, bodies.filter),
                           "%g m is narrower than a cell, %g m; expected more "
                           "than a body, two diameters or so",
                           width, widest);

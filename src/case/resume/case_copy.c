@@ -64,13 +64,13 @@ static void add_file(void *of, const struct input *in)
 }
 
 /* The name of a file in case.cfg. */
-static char *named(void *of, const char *key, const char *name)
+static char *named(void *of, const struct key *row, const char *name)
 {
     struct case_copy *const c = of;
     int i = 0;
 
-    case_text_each_file(c->settings, key, name, add_file, c);
-    if (strcmp(key, "mesh.polymesh") == 0) return strdup("case");
+    case_text_each_file(c->settings, row, name, add_file, c);
+    if (row->mark & KEY_FOLDER) return strdup("case");
     while (c->file[i].in != settings_input(c->settings, name))
         i++;
     return strdup(c->file[i].name);

@@ -65,25 +65,12 @@ static int has_groups(const config_setting_t *s)
 
 /* --- files that are named ------------------------------------------------- */
 
-/* The key of a path without the numbers of lists: "particles.surfaces.file". */
-static int is_file(const char *path)
+static int is_file(const struct key *row)
 {
-    const struct key *tables[CASE_FILE_TABLES];
-    char key[PATH] = "";
-
-    for (const char *at = path; *at != '\0';) {
-        const size_t n = strcspn(at, ".");
-        if (strspn(at, "0123456789") < n)
-            snprintf(key + strlen(key), PATH - strlen(key), "%s%.*s",
-                     key[0] != '\0' ? "." : "", (int)n, at);
-        at += n + (at[n] == '.');
-    }
-    case_file_tables(tables);
-    const struct key *const row = schema_find(tables, key);
     return row != NULL && row->type == KEY_FILE;
 }
 
-void case_text_each_file(const struct settings *s, const char *key,
+void case_text_each_file(const struct settings *s, const struct key *row,
                          const char *name,
                          void (*each)(void *of, const struct input *file),
                          void *of)
@@ -92,7 +79,7 @@ void case_text_each_file(const struct settings *s, const char *key,
                                         "boundary"};
     char dir[SETTINGS_PATH], folder[POLY_FOLDER], path[POLY_FOLDER + 16];
 
-    if (strcmp(key, "mesh.polymesh") != 0) {
+    if (!(row->mark & KEY_FOLDER)) {
         each(of, settings_input(s, name));
         return;
     }
@@ -114,14 +101,13 @@ static void add_to_checksum(void *of, const struct input *in)
         *sum = crc32_z(*sum, (unsigned char *)in->text, in->length);
 }
 
-/* A bed is made by the run itself where it is not there yet. */
 static void put_contents(FILE *out, const struct settings *s, const char *path,
-                         const char *name)
+                         const struct key *row, const char *name)
 {
     unsigned long sum = 0;
 
-    if (strcmp(path, "particles.bed.file") == 0) return;
-    case_text_each_file(s, path, name, add_to_checksum, &sum);
+    if (row->mark & KEY_MADE_BY_RUN) return;
+    case_text_each_file(s, row, name, add_to_checksum, &sum);
     fprintf(out, "%s = crc32 %08lx\n", path, sum);
 }
 
@@ -139,10 +125,11 @@ static void case_text_put_lines(FILE *out, const struct settings *s,
         snprintf(number, sizeof number, "%d", i);
         snprintf(below, sizeof below, "%s%s%s", path,
                  path[0] != '\0' ? "." : "", name != NULL ? name : number);
+        const struct key *const row = settings_row(s, below);
         if (has_groups(one)) {
             case_text_put_lines(out, s, one, below);
-        } else if (is_file(below)) {
-            put_contents(out, s, below, config_setting_get_string(one));
+        } else if (is_file(row)) {
+            put_contents(out, s, below, row, config_setting_get_string(one));
         } else {
             fprintf(out, "%s = ", below);
             put_value(out, one);
@@ -270,8 +257,9 @@ int case_text_differs(const char *was, const char *is, const char *path)
 /* --- as a case ------------------------------------------------------------ */
 
 struct writer {
+    const struct settings *settings;
     FILE *out;
-    char *(*file_name)(void *of, const char *key, const char *name);
+    char *(*file_name)(void *of, const struct key *row, const char *name);
     void *of;
 };
 
@@ -289,6 +277,8 @@ static void put_group(const struct writer *w, const config_setting_t *s,
 static void put_setting(const struct writer *w, const config_setting_t *s,
                         const char *path, int depth)
 {
+    const struct key *const row = settings_row(w->settings, path);
+
     if (config_setting_is_group(s)) {
         put_group(w, s, path, depth);
     } else if (has_groups(s)) {
@@ -298,9 +288,9 @@ static void put_setting(const struct writer *w, const config_setting_t *s,
             put_group(w, config_setting_get_elem(s, (unsigned)i), path, depth);
         }
         fputc(')', w->out);
-    } else if (is_file(path)) {
+    } else if (is_file(row)) {
         char *const name =
-            w->file_name(w->of, path, config_setting_get_string(s));
+            w->file_name(w->of, row, config_setting_get_string(s));
         text_put(w->out, name, TEXT_CASE);
         free(name);
     } else {
@@ -327,11 +317,11 @@ static void put_members(const struct writer *w, const config_setting_t *at,
 }
 
 void case_text_write(const struct settings *s, FILE *out,
-                     char *(*file_name)(void *of, const char *key,
+                     char *(*file_name)(void *of, const struct key *row,
                                         const char *name),
                      void *of)
 {
-    const struct writer w = {out, file_name, of};
+    const struct writer w = {s, out, file_name, of};
 
     put_members(&w, settings_root(s), "", 0);
 }

@@ -10,7 +10,7 @@
 
 /* Calls each(of, file) for a file that a key names: for the folder of a mesh
  * for each of its files, packed or not, in a fixed order. */
-void case_text_each_file(const struct settings *s, const char *key,
+void case_text_each_file(const struct settings *s, const struct key *row,
                          const char *name,
                          void (*each)(void *of, const struct input *file),
                          void *of);
@@ -36,7 +36,7 @@ char *case_text_value(const char *lines, const char *key);
 /* The case as a file that `winnow run` reads: no defaults, and files by the
  * names that `file_name` gives them (a new string each). */
 void case_text_write(const struct settings *s, FILE *out,
-                     char *(*file_name)(void *of, const char *key,
+                     char *(*file_name)(void *of, const struct key *row,
                                         const char *name),
                      void *of);
 
