@@ -8,29 +8,34 @@
  * has the bed that settles, and stays until there is a first checkpoint. In
  * between, a copy of the state in memory is renewed about
  * every second, for a run that breaks down has no good state any more. */
-#include "case/checks/case_scales.h"
 #include "case/resume/resume.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/text.h"
 #include "case/case_steps.h"
-#include "case/resume/ahead.h"
+#include "case/checks/case_scales.h"
 #include "case/resume/bed_cache.h"
 #include "case/resume/case_copy.h"
 #include "case/resume/case_text.h"
-#include "case/resume/state_texts.h"
 #include "output/checkpoint/state_file.h"
+
+enum { WRONG = 2, NOT_WRITTEN = RECORDER_NOT_WRITTEN_CODE };
 
 /* Wall time between two copies: at least this, and so many times what one
  * takes [s], [-]. */
 static const double shortest_interval = 1.0, least_ratio = 50.0;
+
+/* A bed that settles sooner is not worth a file [s]. */
+static const double least_time = 1.0;
 
 struct resume {
     const struct settings *settings;
@@ -39,7 +44,11 @@ struct resume {
     struct simulation *sim;
     struct recorder *recorder;
     char *path, *before;      /* of the two files */
-    struct ahead *ahead;      /* the third file */
+    char *ahead;              /* and of the third, whose state is: */
+    struct state_file *early; /* to go on from; NULL */
+    int is_there;             /* [-] 1: the file is of this run */
+    int stays;                /* [-] 1: and stays when the program ends */
+    double due;               /* [s] wall clock of its next writing */
     char *lines;              /* the case (case_text.h) */
     struct case_copy *copy;   /* of the case, for the folder */
     struct state_file *found; /* to resume from; NULL */
@@ -50,6 +59,45 @@ struct resume {
 };
 
 /* --- saving --------------------------------------------------------------- */
+
+static const char program[] = "winnow " VERSION_TEXT;
+
+/* The program, the case file and its text, the overrides, and the lines of the
+ * case. */
+static void put_texts(const struct resume *r, struct state_file *f)
+{
+    const struct settings *const s = r->settings;
+    const struct run_options *const o = r->options;
+    const char *const text =
+        input_kept(settings_files(s), settings_file(s))->text;
+
+    state_file_put_text(f, "program", program);
+    state_file_put_text(f, "case_file", settings_file(s));
+    state_file_put_text(f, "case", text != NULL ? text : "");
+    state_file_put_text(f, "settings", r->lines);
+    char step[32];
+    snprintf(step, sizeof step, "%.17g", s->particles.step);
+    state_file_put_text(f, "particles_step", step);
+    for (int i = 0; i < o->n_overrides; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "override_%d", i + 1);
+        state_file_put_text(f, name, o->overrides[i]);
+    }
+}
+
+/* A warning if another version of the program has written the file `path`. */
+static void print_version(struct state_file *f, const char *path)
+{
+    char *const by = state_file_text(f, "program");
+
+    text_blank(by);
+    if (strcmp(by, program) != 0)
+        fprintf(stderr,
+                "winnow: %s was written by %s; this is %s, whose numbers may "
+                "differ\n",
+                path, by, program);
+    free(by);
+}
 
 static int visit_all(const struct resume *r, struct state_file *f)
 {
@@ -65,7 +113,7 @@ static int copy_state(struct resume *r)
     double clock = clock_now();
     struct state_file *const f = state_file_create();
 
-    state_texts_put(f, r->settings, r->options, r->lines);
+    put_texts(r, f);
     visit_all(r, f);
     free(r->image.bytes);
     r->image = state_file_image(f);
@@ -89,32 +137,37 @@ static int resume_save(struct resume *r)
 
 /* --- finding -------------------------------------------------------------- */
 
-/* The newer of the two files that is whole; *damaged counts the others. */
-static struct state_file *find_whole(const struct resume *r, int *damaged)
+/* NULL, after a message if the file is damaged, which is counted. */
+static struct state_file *open_state_of(const char *path, int *damaged)
 {
-    const char *const path[2] = {r->path, r->before};
+    const char *why;
+    struct state_file *const f = state_file_open(path, &why);
 
-    *damaged = 0;
-    for (int i = 0; i < 2; i++) {
-        const char *why;
-        struct state_file *const f = state_file_open(path[i], &why);
-        if (f != NULL) return f;
-        if (why == NULL) continue;
-        ++*damaged;
-        fprintf(stderr, "winnow: %s is not used: %s\n", path[i], why);
-    }
+    if (f != NULL || why == NULL) return f;
+    ++*damaged;
+    fprintf(stderr, "winnow: %s is not used: %s\n", path, why);
     return NULL;
 }
 
-/* Whether what was found is of another case; then after a message, unless path
- * is NULL. */
-static int is_other(const struct resume *r, const char *path)
+/* The newer of the two files that is whole. */
+static struct state_file *find_whole(const struct resume *r, int *damaged)
 {
-    char *const was = state_file_text(r->found, "settings");
+    struct state_file *const f = open_state_of(r->path, damaged);
+
+    return f != NULL ? f : open_state_of(r->before, damaged);
+}
+
+/* Whether a state is of another case; then after a message, unless path is
+ * NULL.
+ */
+static int is_other(const struct resume *r, struct state_file *f,
+                    const char *path)
+{
+    char *const was = state_file_text(f, "settings");
     const int other = case_text_differs(was, r->lines, path);
 
     free(was);
-    if (!other && path != NULL) state_texts_print_version(r->found, path);
+    if (!other && path != NULL) print_version(f, path);
     return other;
 }
 
@@ -136,33 +189,36 @@ static int is_after_end(const struct resume *r)
  * bed of this case that settles. Non-zero after a message. */
 static int resume_find(struct resume *r)
 {
-    int damaged;
+    int damaged = 0, early_damaged = 0;
 
     r->found = find_whole(r, &damaged);
-    if (r->found != NULL && !is_other(r, NULL))
-        return is_other(r, r->path) || is_after_end(r);
-    if (ahead_find(r->ahead)) {
-        const int other = ahead_is_other(r->ahead, 1);
+    if (r->found != NULL && !is_other(r, r->found, NULL))
+        return is_other(r, r->found, r->path) || is_after_end(r);
+    r->early = open_state_of(r->ahead, &early_damaged);
+    if (r->early != NULL) {
         state_file_free(r->found);
         r->found = NULL;
-        return other;
+        return is_other(r, r->early, r->ahead);
     }
-    if (r->found != NULL) return is_other(r, r->path);
+    if (r->found != NULL) return is_other(r, r->found, r->path);
     if (damaged == 0) /* else it has been said why */
         fprintf(stderr, "winnow: nothing to resume in %s: no checkpoint\n",
                 folder_name(r->folder));
     return 1;
 }
 
+/* Where the run was refused before it began nothing is left of the bed. */
 void resume_free(struct resume *r)
 {
     if (r == NULL) return;
+    if (r->is_there && !r->stays) unlink(r->ahead);
     state_file_free(r->found);
-    ahead_free(r->ahead);
+    state_file_free(r->early);
     case_copy_free(r->copy);
     free(r->image.bytes);
     free(r->path);
     free(r->before);
+    free(r->ahead);
     free(r->lines);
     free(r);
 }
@@ -171,7 +227,7 @@ void resume_keep_step(struct settings *s, const char *dir)
 {
     struct resume r = {.path = file_join(dir, RESUME_FILE),
                        .before = file_join(dir, RESUME_FILE_BEFORE)};
-    int damaged;
+    int damaged = 0;
 
     r.found = case_scales_is_auto(s) ? find_whole(&r, &damaged) : NULL;
     char *const step =
@@ -195,10 +251,10 @@ struct resume *resume_create(const struct settings *s, struct folder *folder,
     r->folder = folder;
     r->path = file_join(folder_name(folder), RESUME_FILE);
     r->before = file_join(folder_name(folder), RESUME_FILE_BEFORE);
+    r->ahead = file_join(folder_name(folder), RESUME_FILE_AHEAD);
     r->lines = case_text_lines(s);
     if (o->fresh) bed_cache_forget(s);
     r->copy = case_copy_create(s, o);
-    r->ahead = ahead_create(s, folder, o, r->lines);
     if (!o->resume || resume_find(r) == 0) return r;
     *code = 2;
     resume_free(r);
@@ -210,14 +266,96 @@ int resume_is_of_run(const struct resume *r)
     return r->found != NULL;
 }
 
+/* --- before the run ------------------------------------------------------- */
+
+/* The third file: with the bed, or only the case if b is NULL. Non-zero after a
+ * message. */
+static int save_early(struct resume *r, struct bed_settling *b)
+{
+    struct state_file *const f = state_file_create();
+    char *const path = folder_early_file(r->folder);
+
+    put_texts(r, f);
+    state_file_put_text(f, RESUME_SETTLING, b != NULL ? "yes" : "no");
+    if (b != NULL) bed_settling_state(b, state_file_state(f));
+    struct state_image image = state_file_image(f);
+    const int failed = path == NULL || image.bytes == NULL ||
+                       state_file_write(&image, path, NULL) != 0;
+    free(image.bytes);
+    free(path);
+    r->is_there |= !failed;
+    r->stays |= failed;
+    r->due = clock_now() + r->settings->output.checkpoint;
+    return failed;
+}
+
+static int has_bed(struct resume *r)
+{
+    if (r->early == NULL) return 0;
+    char *const text = state_file_text(r->early, RESUME_SETTLING);
+    const int has = strcmp(text, "yes") == 0;
+
+    free(text);
+    return has;
+}
+
+static void forget_early(struct resume *r)
+{
+    r->is_there |= r->early != NULL;
+    state_file_free(r->early);
+    r->early = NULL;
+}
+
+/* The exit code, after a message if it is not 0. */
+static int load_early(struct resume *r, struct bed_settling *b)
+{
+    struct state *const s = state_file_state(r->early);
+
+    bed_settling_state(b, s);
+    if (s->failed || state_file_all_visited(r->early) != 0) return WRONG;
+    if (!settings_quiet(r->settings))
+        fprintf(stderr, "%s: the bed continues to settle from t = %g s\n",
+                folder_name(r->folder), bed_settling_time(b));
+    forget_early(r);
+    return 0;
+}
+
+static int interrupted(struct resume *r, struct bed_settling *b)
+{
+    r->stays = 1;
+    if (save_early(r, b) != 0) return NOT_WRITTEN;
+    fprintf(stderr,
+            "winnow: interrupted while the bed settled, at t = %g s; --resume "
+            "goes on in %s\n",
+            bed_settling_time(b), folder_name(r->folder));
+    return INTERRUPT_CODE;
+}
+
 int resume_settle(struct resume *r, struct bed_settling *b, enum bed_stage when)
 {
-    return ahead_settle(r->ahead, b, when);
+    const double every = r->settings->output.checkpoint;
+
+    if (when == BED_STAGE_START) r->due = clock_now() + fmin(least_time, every);
+    if (when == BED_STAGE_START) return has_bed(r) ? load_early(r, b) : 0;
+    if (interrupt_arrived()) return interrupted(r, b);
+    const int asked = interrupt_save_requested();
+    const int is_due =
+        when == BED_STAGE_END ? r->is_there : clock_now() >= r->due;
+    if (!asked && !is_due) return 0;
+    if (save_early(r, b) != 0) return NOT_WRITTEN;
+    if (asked)
+        fprintf(stderr, "%s: saved at t = %g s of settling\n", r->ahead,
+                bed_settling_time(b));
+    return 0;
 }
 
 int resume_before(struct resume *r)
 {
-    return r->found != NULL ? 0 : ahead_replaces(r->ahead, r->path);
+    if (r->found != NULL) return 0;
+    forget_early(r);
+    r->stays = 1;
+    if (r->is_there || access(r->path, F_OK) != 0) return 0;
+    return save_early(r, NULL);
 }
 
 /* --- the run -------------------------------------------------------------- */
@@ -233,7 +371,7 @@ static int resume_load(struct resume *r)
     if (!settings_quiet(r->settings))
         fprintf(stderr, "%s: resumed at t = %g s, after %ld steps\n",
                 folder_name(r->folder), r->sim->t, r->sim->steps);
-    return recorder_begin(r->recorder) != 0 ? RECORDER_NOT_WRITTEN_CODE : 0;
+    return recorder_begin(r->recorder) != 0 ? NOT_WRITTEN : 0;
 }
 
 /* Lists a file before it is written. */
@@ -262,8 +400,10 @@ int resume_begin(struct resume *r, struct simulation *sim,
                       resume_list(r, RESUME_FILE) != 0 ||
                       resume_list(r, RESUME_FILE_BEFORE) != 0 ||
                       resume_save(r) != 0;
-    if (!failed) ahead_is_over(r->ahead);
-    return failed ? RECORDER_NOT_WRITTEN_CODE : 0;
+    if (failed) return NOT_WRITTEN;
+    unlink(r->ahead);
+    r->is_there = 0;
+    return 0;
 }
 
 int resume_after_step(struct resume *r)
