@@ -235,7 +235,7 @@ $B/src/tell/equation_index_rows.o: $B/src/tell/equation_index_rows.c src/tell/eq
 # The programs of the pictures as lines of C; page.gp where they load it.
 $B/src/output/pictures/programs.c: $(wildcard src/output/pictures/*.gp) src/output/pictures/picture.h
 	@mkdir -p $(@D)
-	@( echo '#include "output/pictures/picture.h"'; cd $(<D); for name in bed flow frames; do \
+	@( echo '#include "output/pictures/picture.h"'; cd $(<D); for name in bed flow frames study; do \
 	    echo "const char *const picture_$$name[] = {"; \
 	    sed -e "/^load 'page.gp'/{r page.gp" -e 'd;}' $$name.gp | \
 	    sed -e '/SPDX/d' -e 's/[\\"]/\\&/g' -e 's/.*/"&",/'; echo '0};'; \

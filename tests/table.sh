@@ -66,7 +66,7 @@ take() { # ROW WORDS...
     rest=${rest#"$break"}
     case $left_out$all in
     '' | '#'* | yes[!=]*) ;;
-    *'== '*) echo "${all#*== }:" && left_out= ;;
+    '== '* | 'yes== '*) echo "${all#== }:" && left_out= ;;
     '? '*)
         eval "${all#? }" >/dev/null 2>&1 || left_out=yes
         [ -z "$left_out" ] || echo "    left out, since this fails: ${all#? }"

@@ -435,18 +435,6 @@ int plan_cost_is_processor(const struct plan *p)
     return strcmp(p->cost.name, PLAN_COST) == 0;
 }
 
-/* out/study-NAME for some/where/NAME.cfg. */
-static const char *plan_default_dir(struct plan *p)
-{
-    const char *const slash = strrchr(p->file, '/');
-    const char *const name = slash != NULL ? slash + 1 : p->file;
-    const char *const dot = strrchr(name, '.');
-
-    return texts_add(&p->made, "out/study-%.*s",
-                     (int)(dot > name ? (size_t)(dot - name) : strlen(name)),
-                     name);
-}
-
 static int plan_complete(struct words *w)
 {
     struct plan *const p = w->plan;
@@ -463,7 +451,13 @@ static int plan_complete(struct words *w)
     if (code == 0) add_output(p, s);
     if (code == 0 && p->seeds > 1) code = check_seeds(p);
     if (p->title == NULL) p->title = texts_add(&p->made, "%s", s->title);
-    if (p->dir == NULL) p->dir = plan_default_dir(p);
+    if (p->dir == NULL) { /* out/study-NAME for some/where/NAME.cfg */
+        const char *const slash = strrchr(p->file, '/');
+        const char *const name = slash != NULL ? slash + 1 : p->file;
+        const char *const dot = strrchr(name, '.');
+        const size_t n = dot > name ? (size_t)(dot - name) : strlen(name);
+        p->dir = texts_add(&p->made, "out/study-%.*s", (int)n, name);
+    }
     settings_free(s);
     return code;
 }

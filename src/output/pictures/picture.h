@@ -58,8 +58,8 @@ void picture_put_row(FILE *out, int n, const double *row);
 
 /* The programs for gnuplot, line by line, ended by NULL: NAME.gp with page.gp
  * where it is loaded. They follow the numbers that they use. */
-extern const char *const picture_bed[], *const picture_flow[],
-                                            *const picture_frames[];
+extern const char *const picture_bed[],
+    *const picture_flow[], *const picture_frames[], *const picture_study[];
 void picture_put_program(FILE *out, const char *const *program);
 
 /* Files and program of a flow without particles, with the names of the others;
