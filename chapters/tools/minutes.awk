@@ -1,5 +1,5 @@
 # minutes.awk -- the plan, README.md, with the minutes that each page takes to read, by
-# count: 200 words and 15 lines of code or output a minute.
+# count: 200 words and 15 lines of code or output a minute, to five minutes.
 #
 #   awk -f minutes.awk chapters/README.md
 #
@@ -33,7 +33,8 @@ function minutes(file,    line, shut, folder, list) {
     match($0, /\([^)]*[.]md\)/)
     words = code = 0
     minutes("chapters/" substr($0, RSTART + 1, RLENGTH - 2))
-    took = int(words / 200 + code / 15 + 0.5)
+    took = int((words / 200 + code / 15) / 5 + 0.5) * 5
+    if (took < 5) took = 5
     sub(/[|] [0-9]+ min [|]/, "| " took " min |", text[NR])
     sum[part] += took
 }
