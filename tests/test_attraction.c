@@ -5,9 +5,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "dem/cohesion/capillary.h"
-#include "dem/cohesion/electrostatic.h"
-#include "dem/cohesion/van_der_waals.h"
+#include "dem/attraction.h"
 #include "facts.h"
 #include "spheres.h"
 

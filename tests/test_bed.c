@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "dem/bed_settling.h"
+#include "dem/bed.h"
 #include "case/resume/bed_cache.h"
 #include "dem/population/sizes.h"
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/averaging.h"
 #include "coupling/drag.h"
-#include "dem/cohesion/capillary.h"
-#include "dem/cohesion/electrostatic.h"
+#include "dem/attraction.h"
 #include "dem/contact.h"
 #include "dem/surfaces/surface.h"
 #include "case/build.h"

@@ -5,9 +5,7 @@
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
-#include "dem/cohesion/capillary.h"
-#include "dem/cohesion/electrostatic.h"
-#include "dem/cohesion/van_der_waals.h"
+#include "dem/attraction.h"
 #include "dem/energy.h"
 #include "dem/fast/fast.h"
 #include "dem/reference.h"

@@ -5,8 +5,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "dem/cohesion/electrostatic.h"
-#include "dem/cohesion/van_der_waals.h"
+#include "dem/attraction.h"
 #include "dem/energy.h"
 #include "dem/fast/fast.h"
 #include "dem/integrator.h"

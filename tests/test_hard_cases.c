@@ -5,7 +5,6 @@
 #include <omp.h>
 
 #include "dem/attraction.h"
-#include "dem/cohesion/capillary.h"
 #include "dem/fast/neighbours.h"
 #include "facts.h"
 #include "spheres.h"

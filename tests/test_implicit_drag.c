@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/energy.h"
-#include "dem/implicit_drag.h"
+#include "dem/integrator.h"
 #include "dem/surfaces/prescribed_particles.h"
 #include "facts.h"
 #include "spheres.h"

@@ -5,7 +5,7 @@
 
 #include "base/vector.h"
 #include "dem/surfaces/surface.h"
-#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surfaces.h"
 #include "dem/surfaces/prescribed_particles.h"
 #include "facts.h"
 #include "spheres.h"

@@ -4,7 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "dem/cohesion/capillary.h"
+#include "dem/attraction.h"
 #include "dem/energy.h"
 #include "dem/fast/fast.h"
 #include "dem/reference.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One point and one surface: where it is nearest, on which side, how far. */
 #include "dem/surfaces/surface.h"
-#include "dem/surfaces/surface_start.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -10,7 +9,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "dem/surfaces/triangle.h"
+#include "dem/surfaces/triangles.h"
 #include "facts.h"
 #include "capture.h"
 #include "spheres.h"

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "dem/surfaces/surface_contact_points.h"
-#include "dem/surfaces/triangle.h"
+#include "dem/surfaces/near_faces.h"
+#include "dem/surfaces/triangles.h"
 #include "facts.h"
 #include "spheres.h"
 

@@ -4,11 +4,9 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-#include "dem/cohesion/capillary.h"
-#include "dem/cohesion/electrostatic.h"
+#include "dem/attraction.h"
 #include "dem/energy.h"
-#include "dem/cohesion/van_der_waals.h"
-#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surfaces.h"
 #include "dem/surfaces/surface.h"
 #include "facts.h"
 #include "spheres.h"

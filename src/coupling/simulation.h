@@ -12,7 +12,7 @@
 #include "coupling/effect.h"
 #include "dem/dem.h"
 #include "dem/particles.h"
-#include "dem/placement_region.h"
+#include "dem/bed.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh.h"
 

@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/attraction.h"
 
-#include "dem/implicit_drag.h"
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stddef.h>
+
+#include "dem/integrator.h"
 
 double attraction_damp(const struct attraction *a, double R_star, double gap,
                        double closing, double per_mass, double dt)
@@ -9,3 +13,93 @@ double attraction_damp(const struct attraction *a, double R_star, double gap,
     const double c = a->law->damping(a, R_star, gap);
     return c * implicit_drag_gain(2.0 * c * per_mass * dt) * closing;
 }
+
+/* --- van der waals -------------------------------------------------------- */
+
+double van_der_waals_diameter(double D_i, double D_j)
+{
+    return D_i * D_j / (D_i + D_j);
+}
+
+double van_der_waals_force(double A, double D_star, double l)
+{
+    return A / (12.0 * l * l) * D_star; /* [LS 4.14] */
+}
+
+static double van_der_waals_pull(const struct attraction *a, double D_star,
+                                 double gap)
+{
+    return -van_der_waals_force(a->strength, D_star, fmax(gap, a->closest));
+}
+
+static double van_der_waals_pair(const struct attraction *a, int of_i, int of_j,
+                                 double R_i, double R_j, double gap)
+{
+    (void)of_i, (void)of_j;
+    return van_der_waals_pull(a, van_der_waals_diameter(2.0 * R_i, 2.0 * R_j),
+                              gap);
+}
+
+static double van_der_waals_wall(const struct attraction *a, double R,
+                                 double gap)
+{
+    return van_der_waals_pull(a, 2.0 * R, gap);
+}
+
+const struct attraction_law van_der_waals = {.name = "van_der_waals",
+                                             .pair = van_der_waals_pair,
+                                             .wall = van_der_waals_wall};
+
+/* --- capillary ------------------------------------------------------------ */
+
+double capillary_mean(double R_i, double R_j)
+{
+    return 0.5 * (R_i + R_j);
+}
+
+double capillary_harmonic_mean(double R_i, double R_j)
+{
+    return 2.0 * R_i * R_j / (R_i + R_j);
+}
+
+double capillary_force(double tension, double R_star)
+{
+    return -2.0 * M_PI * R_star * tension; /* [LS 4.15] */
+}
+
+static double capillary_pair(const struct attraction *a, int of_i, int of_j,
+                             double R_i, double R_j, double gap)
+{
+    (void)of_i, (void)of_j, (void)gap;
+    return capillary_force(a->strength, a->harmonic
+                                            ? capillary_harmonic_mean(R_i, R_j)
+                                            : capillary_mean(R_i, R_j));
+}
+
+static double capillary_wall(const struct attraction *a, double R, double gap)
+{
+    (void)gap;
+    return capillary_force(a->strength, 2.0 * R);
+}
+
+const struct attraction_law capillary = {
+    .name = "capillary", .pair = capillary_pair, .wall = capillary_wall};
+
+/* --- electrostatic -------------------------------------------------------- */
+
+static const double eps_0 = 8.8541878128e-12; /* [F/m] of the vacuum */
+
+double electrostatic_force(double q_i, double q_j, double eps_r, double l)
+{
+    return q_i * q_j / (4.0 * M_PI * eps_0 * eps_r * l * l); /* [LS 4.13] */
+}
+
+static double electrostatic_pair(const struct attraction *a, int of_i, int of_j,
+                                 double R_i, double R_j, double gap)
+{
+    return electrostatic_force(a->charge[of_i], a->charge[of_j], a->strength,
+                               R_i + R_j + gap);
+}
+
+const struct attraction_law electrostatic = {.name = "electrostatic",
+                                             .pair = electrostatic_pair};

@@ -60,4 +60,62 @@ struct attraction_law {
 double attraction_damp(const struct attraction *a, double R_star, double gap,
                        double closing, double per_mass, double dt);
 
+/* --- van der Waals' attraction.
+ *
+ *   F = A / (12 l^2) D_i D_j / (D_i + D_j)                      [LS 4.14]
+ *
+ * is the attraction of two spheres with a gap l between their surfaces, for l
+ * much smaller than the spheres; A is Hamaker's constant. LS calls l the
+ * separation at which the particles start to interact, and prints no sign: it
+ * is the gap, and the force is an attraction. For l to 0 the formula has no
+ * limit. Below `closest`, the distance of molecules that touch, the force stays
+ * what it is there, also where the spheres overlap. A wall is a sphere without
+ * end: D_i D_j / (D_i + D_j) becomes D_i.
+ */
+
+extern const struct attraction_law van_der_waals;
+
+/* [m] D_i D_j / (D_i + D_j). */
+double van_der_waals_diameter(double D_i, double D_j);
+
+/* [N] of attraction; A [J], D_star [m], l [m]. */
+double van_der_waals_force(double A, double D_star, double l);
+
+/* --- capillary: the force of a capillary bridge.
+ *
+ *   F = -2 pi R* gamma cos theta                                [LS 4.15]
+ *
+ * gamma is the surface tension, theta the angle of contact. The force of a
+ * bridge of little liquid does not depend on the gap, and ends where the gap
+ * exceeds the range, in LS as soon as the spheres separate.
+ *
+ * LS takes the mean of the radii for R*, which is right for equal spheres. For
+ * unequal ones Derjaguin's geometry gives the harmonic mean 2 R_i R_j/(R_i +
+ * R_j); the mean would make the bridge between a grain and a boulder as strong
+ * as the boulder is large. For a wall it has no value, so there we always take
+ * the harmonic one, 2 R: F = -4 pi R gamma cos theta.
+ */
+
+extern const struct attraction_law capillary;
+
+/* [m] R*: the mean of the radii [LS 4.15], and Derjaguin's. */
+double capillary_mean(double R_i, double R_j);
+double capillary_harmonic_mean(double R_i, double R_j);
+
+/* [N] negative: it pulls; tension = gamma cos theta [N/m]. */
+double capillary_force(double tension, double R_star);
+
+/* --- electrostatic: the force between charged spheres.
+ *
+ *   F = q_i q_j / (4 pi eps_0 eps_r l^2)                        [LS 4.13]
+ *
+ * l is the distance of the centres; like signs repel. Each sphere of a material
+ * has that material's charge. Walls have none, and the force ends at the range.
+ */
+
+extern const struct attraction_law electrostatic;
+
+/* [N] q [C], l [m], eps_r [-]; positive pushes apart. */
+double electrostatic_force(double q_i, double q_j, double eps_r, double l);
+
 #endif

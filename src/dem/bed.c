@@ -12,7 +12,6 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/vector.h"
-#include "dem/bed_settling.h"
 
 static const double lattice_spacing = 1.02; /* [-] over d */
 

@@ -12,7 +12,18 @@
 #define DEM_BED_H
 
 #include "dem/dem.h"
-#include "dem/placement_region.h"
+
+struct particles;
+
+struct placement_region {
+    /* 1 if a sphere of radius R [m] around x [m] overlaps no wall; NULL: the
+     * region is the whole box. */
+    int (*has_room)(const void *state, const double x[3], double R);
+    /* Non-zero after a message if a particle overlaps a wall other than those
+     * of the box; NULL: there is no such wall. */
+    int (*start_wrong)(const void *state, const struct particles *ps);
+    const void *state; /* borrowed */
+};
 
 struct sizes;
 struct bed_saver;
@@ -108,5 +119,36 @@ int bed_settle(struct particles *ps, const struct bed_options *bed,
 /* Height and packing of what is in ps. */
 void bed_measure(const struct particles *ps, const struct bed_options *bed,
                  const struct dem_options *dem, struct bed_report *r);
+
+/* --- bed settling: the settling of a bed.
+ *
+ * A bed settles first with a very dissipative material and a viscous drag,
+ * without which rolling spheres would not stop; then with the real material.
+ */
+
+/* The stages of the settling at which a saver is called. */
+enum bed_stage { BED_STAGE_START, BED_STAGE_STEPS, BED_STAGE_END };
+
+struct bed_settling;
+
+/* All that the rest of the settling depends on (state.h). */
+void bed_settling_state(struct bed_settling *b, struct state *s);
+
+/* The time since it was dropped [s]. */
+double bed_settling_time(const struct bed_settling *b);
+
+/* Saves a bed while it settles. */
+struct bed_saver {
+    void *memory; /* borrowed */
+    /* Called once before the first step, where a bed that was saved may be
+     * loaded; before each fifty steps; and once when the bed is at rest.
+     * Settling ends where it returns an exit code that is not 0. */
+    int (*visit)(void *memory, struct bed_settling *b, enum bed_stage stage);
+};
+
+/* Lets ps settle, as bed_settle does. */
+int bed_settling_run(struct particles *ps, const struct bed_options *bed,
+                     const struct dem_options *dem, struct bed_report *r,
+                     struct bed_histories *histories);
 
 #endif

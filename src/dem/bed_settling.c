@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/bed_settling.h"
+#include "dem/bed.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/dem_internal.h"
+#include "dem/dem_method.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/model.h"
+#include "dem/energy.h"
 
 double dem_mean_diameter(const struct particles *ps)
 {
@@ -242,6 +243,25 @@ void dem_remove(struct dem *dem, const int *removed)
     particles_remove(dem->ps, removed);
     dem_restore_histories(dem, histories, n);
     free(histories);
+}
+
+/* --- energy --------------------------------------------------------------- */
+
+double energy_residual(const struct energy *e)
+{
+    return e->kinetic + e->normal + e->tangential + e->damped_n + e->damped_t +
+           e->slid + e->released + e->rolled - e->work - e->attracted -
+           e->walls - e->added;
+}
+
+void energy_state(struct energy *e, struct state *s)
+{
+    double *const all[] = {&e->kinetic,   &e->normal,   &e->tangential,
+                           &e->damped_n,  &e->damped_t, &e->slid,
+                           &e->released,  &e->rolled,   &e->work,
+                           &e->attracted, &e->walls,    &e->added};
+
+    state_several(s, "energy", "J", all, sizeof all / sizeof *all);
 }
 
 const struct dem_method *const dem_methods[] = {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/integrator.h"
 
+#include <math.h>
+
 #include "base/model.h"
 
 const struct integrator integrators_velocity_verlet = {
@@ -19,6 +21,13 @@ const struct integrator integrators_symplectic_euler = {
     .function = "bodies_advance",
     .first = 1.0,
 };
+
+/* --- implicit drag -------------------------------------------------------- */
+
+double implicit_drag_gain(double x)
+{
+    return x > 0.0 ? -expm1(-x) / x : 1.0;
+}
 
 const struct integrator *const integrators[] = {&integrators_velocity_verlet,
                                                 &integrators_symplectic_euler,

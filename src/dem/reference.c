@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/crossing.h"
-#include "dem/dem_internal.h"
+#include "dem/dem_method.h"
 #include "dem/rolling.h"
 
 /* The contact of sphere a with sphere b, or with a wall if b is NULL. A wall is

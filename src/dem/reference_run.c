@@ -7,8 +7,8 @@
 #include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/vector.h"
-#include "dem/dem_internal.h"
-#include "dem/implicit_drag.h"
+#include "dem/dem_method.h"
+#include "dem/integrator.h"
 #include "dem/reference.h"
 
 /* The state of the method, dem->state. */

@@ -18,7 +18,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surfaces.h"
 #include "fluid/wall_stress.h"
 #include "mesh/measures.h"
 #include "output/table.h"

@@ -13,8 +13,8 @@
 #include "dem/box_domain.h"
 #include "dem/link_cells.h"
 #include "dem/materials.h"
-#include "dem/surfaces/dem_surface.h"
-#include "dem/surfaces/surface_contact_points.h"
+#include "dem/surfaces/surfaces.h"
+#include "dem/surfaces/near_faces.h"
 #include "output/series.h"
 
 /* The contacts of a moment, found anew. */

@@ -5,7 +5,7 @@
 #define RESOLVED_BODIES_SETUP_H
 
 #include "base/model.h"
-#include "dem/dem_options.h"
+#include "dem/dem.h"
 
 /* A way in which bodies hold the fluid.
  * */

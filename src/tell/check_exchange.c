@@ -19,9 +19,7 @@
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 #include "coupling/stability.h"
-#include "dem/cohesion/capillary.h"
-#include "dem/cohesion/electrostatic.h"
-#include "dem/cohesion/van_der_waals.h"
+#include "dem/attraction.h"
 
 /* tau_p [s] of spheres of diameter d [m] at the solids fraction eps_s. */
 static double case_drag_relaxation_time(const struct settings *s,

@@ -16,8 +16,8 @@
 #include "case/particles/case_cohesion.h"
 #include "case/models.h"
 #include "dem/surfaces/stl.h"
-#include "dem/surfaces/surface_start.h"
-#include "dem/surfaces/surfaces_checksum.h"
+#include "dem/surfaces/surface.h"
+#include "dem/surfaces/surfaces.h"
 
 static const char list[] = "particles.surfaces",
                   prescribed[] = "particles.prescribed";

@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/surfaces/surface_start.h"
+#include "dem/surfaces/surface.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/particles/case_cohesion.h"

@@ -4,7 +4,7 @@
 
 #include "record/recorder.h"
 #include "case/run.h"
-#include "dem/bed_settling.h"
+#include "dem/bed.h"
 
 /* In the folder of the run: the last state that was saved, and the one before
  * it; and that of a run that has not begun yet, whose bed is settling. */

@@ -21,7 +21,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
-#include "dem/implicit_drag.h"
+#include "dem/integrator.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -8,10 +8,7 @@
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 #include "dem/attraction.h"
-#include "dem/cohesion/capillary.h"
-#include "dem/cohesion/electrostatic.h"
-#include "dem/cohesion/van_der_waals.h"
-#include "dem/dem_internal.h"
+#include "dem/dem_method.h"
 #include "dem/link_cells.h"
 
 #include <gsl/gsl_math.h>

@@ -15,7 +15,7 @@
  * The state of a particle is y = C' / sigma, whose variance is 1 on any path
  * through regions of other sigma. It changes once a step of the fluid, before
  * the fluid is charged for the next one. The normal numbers are those of seed,
- * particle and step (base/random.h); 0 is a particle that has none yet.
+ * particle and step (base/statistics.h); 0 is a particle that has none yet.
  */
 #include "coupling/effects/stochastic_drag.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "dem/implicit_drag.h"
+#include "dem/integrator.h"
 
 struct bodies *bodies_create(int capacity, const struct box_domain *box)
 {

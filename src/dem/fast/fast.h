@@ -4,7 +4,7 @@
 #ifndef DEM_FAST_FAST_H
 #define DEM_FAST_FAST_H
 
-#include "dem/dem_internal.h"
+#include "dem/dem_method.h"
 #include "dem/fast/neighbours.h"
 
 /* The state at the beginning of a step of Heun's method. */

@@ -6,7 +6,7 @@
 
 #include "base/alloc.h"
 #include "dem/fast/fast.h"
-#include "dem/surfaces/surface_history.h"
+#include "dem/surfaces/surfaces.h"
 
 /* Makes room for a loaded list by adding its pairs anew. */
 static void chunk_state_add_partners(struct chunk *c, struct neighbour_list *v,

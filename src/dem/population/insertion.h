@@ -15,7 +15,7 @@
 
 #include "dem/box_domain.h"
 #include "dem/particles.h"
-#include "dem/placement_region.h"
+#include "dem/bed.h"
 #include "dem/population/sizes.h"
 
 /* One sphere of a list. */

@@ -14,7 +14,7 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "base/vector.h"
-#include "dem/surfaces/triangle.h"
+#include "dem/surfaces/triangles.h"
 
 enum { HEAD = 80, RECORD = 50, WORD = 64, MOST = 50000000 };
 

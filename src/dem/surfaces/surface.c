@@ -3,11 +3,12 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/model.h"
 #include "base/vector.h"
-#include "dem/surfaces/triangle.h"
+#include "dem/surfaces/triangles.h"
 
 /* If the centre lies in the triangle, n is the normal of the triangle. */
 static struct surface_hit nearest_on_triangle(const double corner[3][3],
@@ -139,3 +140,181 @@ const struct surface_shape surface_stl = {
 
 const struct surface_shape *const surface_shapes[] = {
     &surface_plane, &surface_cylinder, &surface_stl, NULL};
+
+/* --- plane ---------------------------------------------------------------- */
+
+static struct surface_hit nearest_on_plane(const struct surface *s,
+                                           const double y[3])
+{
+    struct surface_hit h;
+    double from[3];
+
+    vector_between(y, s->point, from);
+    h.r = vector_dot(from, s->normal);
+    memcpy(h.n, s->normal, sizeof h.n);
+    vector_along(y, -h.r, h.n, h.q);
+    return h;
+}
+
+static const struct key plane_keys[] = {
+    {"particles.surfaces.normal", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
+     "from the plane to the particles, of any length", "", "",
+     .at = KEY_AT(surface_setup, of.normal)},
+    KEY_END};
+
+const struct surface_shape surface_plane = {
+    .name = "plane",
+    .what = "an infinite plane with its solid behind it",
+    .equations = "",
+    .function = "nearest_on_plane",
+    .keys = {surface_point_keys, plane_keys},
+    .nearest = nearest_on_plane,
+    .wrong = surface_wrong_direction,
+};
+
+/* --- cylinder ------------------------------------------------------------- */
+
+/* Some unit vector across the axis, for a point on it. */
+static void cylinder_across(const double axis[3], double e[3])
+{
+    const double other[3] = {fabs(axis[0]) < 0.5, fabs(axis[0]) >= 0.5, 0.0};
+
+    vector_cross(axis, other, e);
+    const double length = vector_length(e);
+    for (int k = 0; k < 3; k++)
+        e[k] /= length;
+}
+
+static struct surface_hit nearest_on_cylinder(const struct surface *s,
+                                              const double y[3])
+{
+    struct surface_hit h;
+    double from[3], out[3];
+
+    vector_between(y, s->point, from);
+    vector_along(from, -vector_dot(from, s->normal), s->normal, out);
+    const double rho = vector_length(out), side = s->inside ? -1.0 : 1.0;
+    if (rho > 0.0)
+        for (int k = 0; k < 3; k++)
+            h.n[k] = side * out[k] / rho;
+    else
+        cylinder_across(s->normal, h.n);
+    h.r = side * (rho - s->radius);
+    vector_along(y, -h.r, h.n, h.q);
+    return h;
+}
+
+static const char *cylinder_wrong(const struct surface *s)
+{
+    const char *const what = surface_wrong_direction(s);
+    return what != NULL ? what : surface_wrong_radius(s);
+}
+
+const struct surface_shape surface_cylinder = {
+    .name = "cylinder",
+    .what = "an infinite cylinder, with the particles inside or outside",
+    .equations = "",
+    .function = "nearest_on_cylinder",
+    .keys = {surface_point_keys, surface_axis_keys, surface_radius_keys},
+    .nearest = nearest_on_cylinder,
+    .wrong = cylinder_wrong,
+};
+
+/* --- sphere --------------------------------------------------------------- */
+
+static struct surface_hit nearest_on_sphere(const struct surface *s,
+                                            const double y[3])
+{
+    static const double any[3] = {0.0, 1.0, 0.0};
+    struct surface_hit h;
+    double out[3];
+
+    vector_between(y, s->point, out);
+    const double r = vector_length(out);
+    for (int k = 0; k < 3; k++)
+        h.n[k] = r > 0.0 ? out[k] / r : any[k];
+    h.r = r - s->radius;
+    vector_along(y, -h.r, h.n, h.q);
+    return h;
+}
+
+static double sphere_reach(const struct surface *s)
+{
+    return s->radius;
+}
+
+const struct surface_shape surface_sphere = {
+    .name = "sphere",
+    .what = "the particles outside",
+    .equations = "",
+    .function = "nearest_on_sphere",
+    .nearest = nearest_on_sphere,
+    .reach = sphere_reach,
+    .wrong = surface_wrong_radius,
+};
+
+/* --- surface start -------------------------------------------------------- */
+
+static const double most = 0.1; /* [-] of the radius */
+
+/* Distance of x from the surface, or R if it is farther [m]. */
+static double surface_start_distance_to(const struct surface *s,
+                                        const struct pose *p, const double x[3],
+                                        double R, struct triangle_list *near)
+{
+    double r = R, y[3];
+
+    if (s->triangles == NULL) return surface_nearest_moved(s, 0, p, x).r;
+    motion_origin(p, x, y);
+    triangles_near(s->triangles, y, R, near);
+    for (int q = 0; q < near->n; q++)
+        r = fmin(r, surface_nearest(s, near->number[q], y).r);
+    return r;
+}
+
+static int starts_wrong(const struct particles *ps, int i,
+                        const struct surface *s, struct triangle_list *near,
+                        const char *where)
+{
+    const struct pose p = motion_pose(&s->motion, 0.0);
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]}, R = 0.5 * ps->d[i];
+    const double r = surface_start_distance_to(s, &p, x, R, near);
+
+    if (r >= (1.0 - most) * R) return 0;
+    if (r < 0.0)
+        fprintf(
+            stderr,
+            "winnow: %sparticle %d at [%g, %g, %g] m begins %g m deep in the "
+            "surface \"%s\"\n",
+            where, ps->id[i], x[0], x[1], x[2], -r, s->name);
+    else
+        fprintf(stderr,
+                "winnow: %sparticle %d at [%g, %g, %g] m begins %g m from the "
+                "surface \"%s\", less than its radius %g m\n",
+                where, ps->id[i], x[0], x[1], x[2], r, s->name, R);
+    return 1;
+}
+
+double surface_start_distance(const struct surface *s, const double x[3],
+                              double R)
+{
+    const struct pose p = motion_pose(&s->motion, 0.0);
+    struct triangle_list near = {0, 0, NULL};
+    const double r = surface_start_distance_to(s, &p, x, R, &near);
+
+    free(near.number);
+    return r;
+}
+
+int surface_start_wrong(const struct particles *ps, const struct surface *list,
+                        int n, const char *where)
+{
+    struct triangle_list near = {0, 0, NULL};
+    int wrong = 0;
+
+    for (int i = 0; i < ps->n && !wrong; i++)
+        for (int s = 0; s < n && !wrong; s++)
+            wrong = starts_wrong(ps, i, &list[s], &near, where);
+    free(near.number);
+    return wrong;
+}

@@ -13,7 +13,7 @@
 #define DEM_SURFACES_SURFACE_CONTACTS_H
 
 #include "dem/fast/chunk.h"
-#include "dem/surfaces/surface_contact_points.h"
+#include "dem/surfaces/near_faces.h"
 
 /* The history of a contact, for the next step. */
 struct surface_history {
@@ -44,12 +44,12 @@ struct surface_contacts {
     struct surface_histories current, previous, saved;
     struct row_place *place;   /* as in struct bodies: the two spheres of */
     struct row_motion *motion; /* contact q are 2 q and 2 q + 1 */
-    struct chunk pairs;         /* the contacts in the layout of the loop */
-    int *material;              /* [-] of these; where there are several */
-    int capacity;               /* [-] contacts that fit in */
-    struct pose *pose;          /* of each surface, at `time` [s] */
-    struct pose *built;         /* at the last rebuild of the list */
-    double time, built_time;    /* [s] */
+    struct chunk pairs;        /* the contacts in the layout of the loop */
+    int *material;             /* [-] of these; where there are several */
+    int capacity;              /* [-] contacts that fit in */
+    struct pose *pose;         /* of each surface, at `time` [s] */
+    struct pose *built;        /* at the last rebuild of the list */
+    double time, built_time;   /* [s] */
     struct surface_received *received;
     double power[ENERGY_PARTS + 1]; /* [W] of the surfaces: parts, all */
 };

@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/surfaces/triangle.h"
+#include "dem/surfaces/triangles.h"
 
 /* The highest speed of any point of the surfaces in the box [m/s]. */
 static double highest_speed(const struct surface_scene *scene)

@@ -8,6 +8,8 @@
 #ifndef DEM_SURFACES_SURFACES_H
 #define DEM_SURFACES_SURFACES_H
 
+#include "dem/dem.h"
+#include "dem/surfaces/motion.h"
 #include "dem/surfaces/surface_contacts.h"
 
 struct surfaces {
@@ -75,5 +77,38 @@ struct chunk_energy *surfaces_energy(struct surfaces *sf, int s); /* chunk s */
 /* The totals of a surface over all chunks. */
 struct surface_received surfaces_received(const struct surfaces *sf,
                                           int surface);
+
+/* --- surface history: the springs of surfaces among all springs.
+ *
+ * They stand at the end of the list that dem_histories gives.
+ */
+
+/* Their number; written to the list unless it is NULL. Of the particles ps, or
+ * NULL for those that the next run starts with. No surfaces, no springs. */
+int surface_history_list(struct surfaces *sf, const struct particles *ps,
+                         struct dem_history *list);
+
+/* The next run starts with those at the end of the list of n: their number. */
+int surface_history_restore(struct surfaces *sf, const struct dem_history *list,
+                            int n);
+
+/* --- surfaces checksum: the checksum of the surfaces that a bed rests on. */
+
+/* CRC-32 over the shapes of the surfaces at time 0, their triangles and what
+ * material 0 is against theirs; 0 if there are no surfaces. */
+unsigned long surfaces_checksum(const struct dem_options *o);
+
+/* --- dem surface: what the particles do to a surface. */
+
+/* Impulse and work of the particles on surface k since the run began. */
+struct dem_surface {
+    double impulse[3]; /* [N s] force over time */
+    double angular[3]; /* [N m s] torque about the centre of its motion */
+    double work;       /* [J] that it did on the particles */
+    double force[3];   /* [N] at the end of the last run */
+    double t;          /* [s] the time of the motions */
+    struct pose pose;  /* where it is */
+};
+struct dem_surface dem_surface(const struct dem *dem, int k);
 
 #endif

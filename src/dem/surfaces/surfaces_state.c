@@ -4,8 +4,12 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
+#include <zlib.h>
 
 #include "base/alloc.h"
+#include "dem/fast/fast.h"
+#include "dem/surfaces/surface.h"
 
 /* 1 if each owner has a part of the list, and each face is one of its surface.
  */
@@ -131,4 +135,128 @@ void surfaces_state(struct surfaces *sf, const struct chunk *chunks,
         state_end(s);
     }
     state_end(s);
+}
+
+/* --- surface history ------------------------------------------------------ */
+
+/* `other` of them all: after the walls of the box, -1 to -6. */
+enum { SURFACE_SPRING = -7 };
+
+int surface_history_list(struct surfaces *sf, const struct particles *ps,
+                         struct dem_history *list)
+{
+    int n = 0;
+
+    for (int s = 0; sf != NULL && s < sf->n_chunks; s++) {
+        const struct surface_histories *const f =
+            surfaces_contact_history(sf, s, ps);
+        for (int q = 0; q < f->n; q++, n++) {
+            if (list == NULL) continue;
+            list[n].id = f->list[q].id;
+            list[n].other = SURFACE_SPRING;
+            memcpy(list[n].xi, f->list[q].xi, sizeof list[n].xi);
+            memcpy(list[n].roll_angle, f->list[q].roll_angle,
+                   sizeof list[n].roll_angle);
+            memcpy(list[n].n, f->list[q].n, sizeof list[n].n);
+        }
+    }
+    return n;
+}
+
+int surface_history_restore(struct surfaces *sf, const struct dem_history *list,
+                            int n)
+{
+    int many = 0;
+
+    if (sf != NULL) surfaces_clear_history(sf);
+    while (many < n && list[n - many - 1].other == SURFACE_SPRING)
+        many++;
+    for (int q = n - many; q < n && sf != NULL; q++) {
+        struct surface_history one = {.id = list[q].id};
+        memcpy(one.n, list[q].n, sizeof one.n);
+        memcpy(one.xi, list[q].xi, sizeof one.xi);
+        memcpy(one.roll_angle, list[q].roll_angle, sizeof one.roll_angle);
+        surfaces_restore_history(sf, &one);
+    }
+    return many;
+}
+
+/* --- surfaces checksum ---------------------------------------------------- */
+
+static unsigned long surfaces_checksum_add(unsigned long sum, const void *bytes,
+                                           size_t n)
+{
+    return crc32_z(sum, bytes, n);
+}
+
+/* Its place among the shapes. */
+static int surfaces_checksum_number_of(const struct surface_shape *shape)
+{
+    int i = 0;
+
+    while (surface_shapes[i] != NULL && surface_shapes[i] != shape)
+        i++;
+    return i;
+}
+
+static unsigned long surfaces_checksum_add_shape(unsigned long sum,
+                                                 const struct surface *s)
+{
+    const int whole[] = {surfaces_checksum_number_of(s->shape), s->inside,
+                         s->material};
+
+    sum = surfaces_checksum_add(sum, whole, sizeof whole);
+    if (s->shape->own_keys != NULL)
+        sum = surfaces_checksum_add(sum, s->own, sizeof s->own);
+    sum = surfaces_checksum_add(sum, s->point, sizeof s->point);
+    sum = surfaces_checksum_add(sum, s->normal, sizeof s->normal);
+    sum = surfaces_checksum_add(sum, &s->radius, sizeof s->radius);
+    if (s->triangles == NULL) return sum;
+    const size_t n = (size_t)s->triangles->n;
+    return surfaces_checksum_add(sum, s->triangles->corner,
+                                 n * sizeof *s->triangles->corner);
+}
+
+static unsigned long surfaces_checksum_add_pair(unsigned long sum,
+                                                const struct dem_options *o,
+                                                int material)
+{
+    const struct material_pair p =
+        materials_pair(&o->material, o->materials, 0, material);
+    const double known[] = {p.of[1]->young, p.of[1]->poisson, p.stiffness,
+                            p.tangential,   p.restitution,    p.friction,
+                            p.rolling};
+
+    sum = surfaces_checksum_add(sum, known, sizeof known);
+    return o->law->own_keys != NULL
+               ? surfaces_checksum_add(sum, p.of[1]->own, sizeof p.of[1]->own)
+               : sum;
+}
+
+unsigned long surfaces_checksum(const struct dem_options *o)
+{
+    unsigned long sum = 0;
+
+    for (int k = 0; k < o->n_surfaces; k++) {
+        sum = surfaces_checksum_add_shape(sum, &o->surfaces[k]);
+        if (o->materials != NULL)
+            sum = surfaces_checksum_add_pair(sum, o, o->surfaces[k].material);
+    }
+    return sum;
+}
+
+/* --- dem surface ---------------------------------------------------------- */
+
+struct dem_surface dem_surface(const struct dem *dem, int k)
+{
+    const struct surface_received a =
+        surfaces_received(fast_of(dem)->neighbours->surfaces, k);
+    struct dem_surface r = {.work = a.work,
+                            .t = (double)dem->motion_steps * dem->options.step};
+
+    r.pose = motion_pose(&dem->options.surfaces[k].motion, r.t);
+    memcpy(r.force, a.force, sizeof r.force);
+    memcpy(r.impulse, a.impulse, sizeof r.impulse);
+    memcpy(r.angular, a.angular, sizeof r.angular);
+    return r;
 }

@@ -1,12 +1,28 @@
-/* triangles.h -- a set of triangles with a search for near ones.
- * Chapter "Walls".
+/* triangles.h -- triangles, and a search for near ones.  Chapter "Walls". */
+#ifndef DEM_SURFACES_TRIANGLES_H
+#define DEM_SURFACES_TRIANGLES_H
+
+/* --- a point and a triangle */
+
+/* The point q of the triangle that is nearest to y [m]. The triangle has an
+ * area. */
+void triangle_nearest(const double corner[3][3], const double y[3],
+                      double q[3]);
+
+/* Unit normal, by the right hand from corner to corner; 0 if it has no area. */
+void triangle_normal(const double corner[3][3], double n[3]);
+
+/* 1 if the way from a to b leads through the triangle; a way that begins or
+ * ends on it does not. */
+int triangle_crossed(const double corner[3][3], const double a[3],
+                     const double b[3]);
+
+/* --- a set of triangles with a search for near ones.
  *
  * They lie in a grid of cells about as wide as a triangle, each in every cell
  * that its bounding box overlaps. They do not move: for a moving surface points
  * are transformed into its frame.
  */
-#ifndef DEM_SURFACES_TRIANGLES_H
-#define DEM_SURFACES_TRIANGLES_H
 
 struct triangles {
     int n;

@@ -13,7 +13,7 @@
 #include "case/particles/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/coupling.h"
-#include "dem/dem_internal.h"
+#include "dem/dem_method.h"
 #include "dem/limits.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"

@@ -11,7 +11,7 @@
  * does; and opening it sets the number of our threads to 1. */
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/dem_internal.h"
+#include "dem/dem_method.h"
 #include "distributed/ranks/spheres.h"
 
 #include <math.h>

@@ -11,7 +11,7 @@
 #include <lammps/library.h>
 
 #include "base/alloc.h"
-#include "dem/dem_internal.h"
+#include "dem/dem_method.h"
 
 /* The overlap with the walls of the box, over the diameter. */
 static double wall_overlap(const struct spheres *q, const double *x, double R)

@@ -15,7 +15,7 @@
 
 #include "averaging/averaging.h"
 #include "coupling/simulation.h"
-#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surfaces.h"
 #include "dem/surfaces/surface.h"
 #include "resolved/solid_bodies.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/surfaces/triangle.h"
+#include "dem/surfaces/triangles.h"
 
 /* Triangles in the smallest boxes, at most. */
 enum { FEW = 4 };
