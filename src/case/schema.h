@@ -10,6 +10,7 @@
 
 #include "base/key.h"
 
+#include <libconfig.h>
 #include <stddef.h>
 
 enum { SCHEMA_TEXT = 512 }; /* bytes of a path or a phrase, at most */
@@ -21,7 +22,6 @@ extern const char *const schema_patches[];
 /* The row of a path, or NULL. */
 const struct key *schema_find(const struct key *const *tables,
                               const char *path);
-
 /* Loops over the rows of all tables. */
 #define SCHEMA_EACH(found, tables)                                             \
     for (const struct key *const *table_of_##found = (tables);                 \
@@ -61,5 +61,20 @@ const struct key *schema_nearest(const struct key *const *tables,
 /* The word of the row nearest to an unknown one; 0 if none is near. */
 int schema_nearest_word(const struct key *key, const char *word,
                         char nearest[SCHEMA_TEXT]);
+
+/* --- schema_check.c: a tree against the tables of keys ----------------------
+ * * Every setting must have a row, the type of the row and a value it allows;
+ * every required key of a group that the case has must be given, and the case
+ * must have the groups that a row needs. Then the defaults are filled in.
+ */
+
+/* 0, or 2 after a message for the first text, of whatever key, with a control
+ * character in it: texts end in scripts, pages and terminals. */
+int schema_check_texts(const config_t *tree);
+
+/* 0, or 2 after one message about the first thing that is wrong. */
+int schema_check_check(config_t *tree, const struct key *const *tables);
+/* Adds the default of every key that is left out of a group of the case. */
+void schema_check_fill(config_t *tree, const struct key *const *tables);
 
 #endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/schema_check.h"
+/* schema_check.c -- checks a tree against the tables of keys. */
+#include "case/schema.h"
 
 #include "case/models.h"
 #include "base/text.h"
 #include "case/checks/unit_range.h"
-#include "case/schema.h"
 #include "case/source.h"
 
 #include <limits.h>

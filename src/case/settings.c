@@ -9,7 +9,6 @@
 #include "case/source.h"
 #include "case/resolved/case_bodies.h"
 #include "case/particles/case_surfaces.h"
-#include "case/schema_check.h"
 
 #include <assert.h>
 #include <stdarg.h>

@@ -2,6 +2,7 @@
 #include "case/resume/case_text.h"
 
 #include <libconfig.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
@@ -70,10 +71,12 @@ static int is_file(const struct key *row)
     return row != NULL && row->type == KEY_FILE;
 }
 
-void case_text_each_file(const struct settings *s, const struct key *row,
-                         const char *name,
-                         void (*each)(void *of, const struct input *file),
-                         void *of)
+/* Calls each(of, file) for a file that a key names: for the folder of a mesh
+ * for each of its files, packed or not, in a fixed order. */
+static void each_file(const struct settings *s, const struct key *row,
+                      const char *name,
+                      void (*each)(void *of, const struct input *file),
+                      void *of)
 {
     static const char *const parts[] = {"points", "faces", "owner", "neighbour",
                                         "boundary"};
@@ -107,7 +110,7 @@ static void put_contents(FILE *out, const struct settings *s, const char *path,
     unsigned long sum = 0;
 
     if (row->mark & KEY_MADE_BY_RUN) return;
-    case_text_each_file(s, row, name, add_to_checksum, &sum);
+    each_file(s, row, name, add_to_checksum, &sum);
     fprintf(out, "%s = crc32 %08lx\n", path, sum);
 }
 
@@ -254,51 +257,109 @@ int case_text_differs(const char *was, const char *is, const char *path)
     return 1;
 }
 
-/* --- as a case ------------------------------------------------------------ */
+/* --- in the folder of its run: reading ------------------------------------ */
 
-struct writer {
-    const struct settings *settings;
-    FILE *out;
-    char *(*file_name)(void *of, const struct key *row, const char *name);
-    void *of;
+/* A file that the case names. */
+struct named_file {
+    const struct input *in; /* borrowed from the settings */
+    char *name;             /* "case/NAME", in the folder of the run */
 };
 
-static void put_members(const struct writer *w, const config_setting_t *at,
-                        const char *path, int depth);
+struct case_copy {
+    const struct settings *settings;
+    char *case_text; /* of case.cfg */
+    FILE *out;       /* while that is written */
+    int n, capacity;
+    struct named_file *file;
+};
 
-static void put_group(const struct writer *w, const config_setting_t *s,
-                      const char *path, int depth)
+static int has_name(const struct case_copy *c, const char *name)
 {
-    fputs("{\n", w->out);
-    put_members(w, s, path, depth + 1);
-    fprintf(w->out, "%*s}", 4 * depth, "");
+    for (int i = 0; i < c->n; i++)
+        if (strcmp(c->file[i].name, name) == 0) return 1;
+    return 0;
 }
 
-static void put_setting(const struct writer *w, const config_setting_t *s,
+/* Two files of one name from two folders: the second gets a number. */
+static char *free_name(const struct case_copy *c, const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    const char *const last = slash != NULL ? slash + 1 : path;
+    char *const name = alloc_zeroed(strlen(last) + 24, 1);
+
+    sprintf(name, "case/%s", last);
+    for (int k = 2; has_name(c, name); k++)
+        sprintf(name, "case/%d-%s", k, last);
+    return name;
+}
+
+static void add_file(void *of, const struct input *in)
+{
+    struct case_copy *const c = of;
+
+    for (int i = 0; i < c->n; i++)
+        if (c->file[i].in == in) return;
+    if (c->n == c->capacity) {
+        struct named_file *const more =
+            alloc_zeroed(2 * (size_t)c->n + 8, sizeof *more);
+        if (c->n > 0) memcpy(more, c->file, (size_t)c->n * sizeof *more);
+        free(c->file);
+        c->file = more;
+        c->capacity = 2 * c->n + 8;
+    }
+    char *const name = free_name(c, in->path);
+    c->file[c->n++] = (struct named_file){in, name};
+}
+
+/* The name of a file in case.cfg. */
+static char *named(struct case_copy *c, const struct key *row, const char *name)
+{
+    int i = 0;
+
+    each_file(c->settings, row, name, add_file, c);
+    if (row->mark & KEY_FOLDER) return strdup("case");
+    while (c->file[i].in != settings_input(c->settings, name))
+        i++;
+    return strdup(c->file[i].name);
+}
+
+/* --- as a case: no defaults ----------------------------------------------- */
+
+static void put_members(struct case_copy *c, const config_setting_t *at,
+                        const char *path, int depth);
+
+static void put_group(struct case_copy *c, const config_setting_t *s,
+                      const char *path, int depth)
+{
+    fputs("{\n", c->out);
+    put_members(c, s, path, depth + 1);
+    fprintf(c->out, "%*s}", 4 * depth, "");
+}
+
+static void put_setting(struct case_copy *c, const config_setting_t *s,
                         const char *path, int depth)
 {
-    const struct key *const row = settings_row(w->settings, path);
+    const struct key *const row = settings_row(c->settings, path);
 
     if (config_setting_is_group(s)) {
-        put_group(w, s, path, depth);
+        put_group(c, s, path, depth);
     } else if (has_groups(s)) {
-        fputc('(', w->out);
+        fputc('(', c->out);
         for (int i = 0; i < config_setting_length(s); i++) {
-            fputs(i > 0 ? ", " : "", w->out);
-            put_group(w, config_setting_get_elem(s, (unsigned)i), path, depth);
+            fputs(i > 0 ? ", " : "", c->out);
+            put_group(c, config_setting_get_elem(s, (unsigned)i), path, depth);
         }
-        fputc(')', w->out);
+        fputc(')', c->out);
     } else if (is_file(row)) {
-        char *const name =
-            w->file_name(w->of, row, config_setting_get_string(s));
-        text_put(w->out, name, TEXT_CASE);
+        char *const name = named(c, row, config_setting_get_string(s));
+        text_put(c->out, name, TEXT_CASE);
         free(name);
     } else {
-        put_value(w->out, s);
+        put_value(c->out, s);
     }
 }
 
-static void put_members(const struct writer *w, const config_setting_t *at,
+static void put_members(struct case_copy *c, const config_setting_t *at,
                         const char *path, int depth)
 {
     for (int i = 0; i < config_setting_length(at); i++) {
@@ -310,18 +371,115 @@ static void put_members(const struct writer *w, const config_setting_t *at,
         if (source_is_default(one)) continue;
         snprintf(below, sizeof below, "%s%s%s", path,
                  path[0] != '\0' ? "." : "", name);
-        fprintf(w->out, "%*s%s = ", 4 * depth, "", name);
-        put_setting(w, one, below, depth);
-        fputs(";\n", w->out);
+        fprintf(c->out, "%*s%s = ", 4 * depth, "", name);
+        put_setting(c, one, below, depth);
+        fputs(";\n", c->out);
     }
 }
 
-void case_text_write(const struct settings *s, FILE *out,
-                     char *(*file_name)(void *of, const struct key *row,
-                                        const char *name),
-                     void *of)
+struct case_copy *case_text_copy(const struct settings *s,
+                                 const struct run_options *o)
 {
-    const struct writer w = {s, out, file_name, of};
+    struct case_copy *const c = alloc_zeroed(1, sizeof *c);
+    size_t length;
+    c->out = open_memstream(&c->case_text, &length);
 
-    put_members(&w, settings_root(s), "", 0);
+    c->settings = s;
+    fprintf(c->out,
+            "# The case of this run, by winnow " VERSION_TEXT
+            ", from %s.\n# `winnow run case.cfg` repeats it.",
+            settings_file(s));
+    for (int i = 0; i < o->n_overrides; i++)
+        fprintf(c->out, "%s -s %s", i == 0 ? " It was run with" : "",
+                o->overrides[i]);
+    fputs("\n\n", c->out);
+    put_members(c, settings_root(s), "", 0);
+    fclose(c->out);
+    return c;
+}
+
+void case_text_free_copy(struct case_copy *c)
+{
+    if (c == NULL) return;
+    for (int i = 0; i < c->n; i++)
+        free(c->file[i].name);
+    free(c->file);
+    free(c->case_text);
+    free(c);
+}
+
+/* --- and writing ---------------------------------------------------------- */
+
+static int write_at(const char *path, const char *text, size_t length)
+{
+    struct file *const f = file_create(path);
+
+    if (f == NULL) return 1;
+    fwrite(text, 1, length, file_stream(f));
+    return file_commit(f);
+}
+
+static int write_text(struct folder *folder, const char *name, const char *text,
+                      size_t length)
+{
+    char *const path = folder_file(folder, name);
+    const int failed = path == NULL || write_at(path, text, length) != 0;
+
+    free(path);
+    return failed;
+}
+
+/* The file of a bed that the run itself has written is not copied. The case
+ * goes first, for it tells which files in its folder are of the run. */
+int case_text_write_copy(struct case_copy *c, struct folder *folder)
+{
+    int failed = write_text(folder, "case.cfg", c->case_text,
+                            strlen(c->case_text)) != 0 ||
+                 (c->n > 0 && folder_make(folder, "case") != 0);
+
+    for (int i = 0; i < c->n && !failed; i++) {
+        const struct input *const in =
+            input_kept(settings_files(c->settings), c->file[i].in->path);
+        if (in->text != NULL)
+            failed = write_text(folder, c->file[i].name, in->text, in->length);
+    }
+    return failed;
+}
+
+/* The case without the remark above it. */
+static const char *body(const char *text)
+{
+    const char *const blank = strstr(text, "\n\n");
+    return blank != NULL ? blank : text;
+}
+
+/* 1 if the file is there, and says the same if there is a text. */
+static int is_there(const char *path, const char *text)
+{
+    const char *why;
+    size_t length;
+    char *const old = input_text(path, &length, &why);
+    const int same =
+        old != NULL && (text == NULL || strcmp(body(old), body(text)) == 0);
+
+    free(old);
+    return same;
+}
+
+int case_text_restore_copy(struct case_copy *c, const char *dir)
+{
+    char *const of_case = file_join(dir, "case.cfg");
+    int failed = 0;
+
+    for (int i = 0; i < c->n && !failed; i++) {
+        char *const path = file_join(dir, c->file[i].name);
+        const struct input *const in = c->file[i].in;
+        if (in->text != NULL && !is_there(path, NULL))
+            failed = write_at(path, in->text, in->length);
+        free(path);
+    }
+    if (!failed && !is_there(of_case, c->case_text))
+        failed = write_at(of_case, c->case_text, strlen(c->case_text));
+    free(of_case);
+    return failed;
 }

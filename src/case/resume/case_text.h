@@ -6,14 +6,9 @@
 
 #include <stdio.h>
 
+#include "case/run.h"
 #include "case/settings.h"
-
-/* Calls each(of, file) for a file that a key names: for the folder of a mesh
- * for each of its files, packed or not, in a fixed order. */
-void case_text_each_file(const struct settings *s, const struct key *row,
-                         const char *name,
-                         void (*each)(void *of, const struct input *file),
-                         void *of);
+#include "output/folder.h"
 
 /* One line for each value, "fluid.density = 1.2", defaults too; a file that the
  * case names stands for its contents, by their checksum; and the step of the
@@ -33,11 +28,22 @@ int case_text_differs(const char *was, const char *is, const char *path);
  */
 char *case_text_value(const char *lines, const char *key);
 
-/* The case as a file that `winnow run` reads: no defaults, and files by the
- * names that `file_name` gives them (a new string each). */
-void case_text_write(const struct settings *s, FILE *out,
-                     char *(*file_name)(void *of, const struct key *row,
-                                        const char *name),
-                     void *of);
+/* DIR/case.cfg is the case with its overrides, and DIR/case/ holds the files
+ * that it names: `winnow run DIR/case.cfg` repeats the run, wherever the folder
+ * is taken. */
+struct case_copy;
+
+/* Reads what is to be copied, before the files of an earlier run, which may be
+ * those, are removed. */
+struct case_copy *case_text_copy(const struct settings *s,
+                                 const struct run_options *o);
+void case_text_free_copy(struct case_copy *c);
+
+/* Writes it all; non-zero after a message. */
+int case_text_write_copy(struct case_copy *c, struct folder *folder);
+
+/* In the folder of a run that goes on: writes again what is not there, and the
+ * case if it has changed, as by a later end. Non-zero after a message. */
+int case_text_restore_copy(struct case_copy *c, const char *dir);
 
 #endif

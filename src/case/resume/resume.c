@@ -24,7 +24,6 @@
 #include "case/case_steps.h"
 #include "case/checks/case_scales.h"
 #include "case/resume/bed_cache.h"
-#include "case/resume/case_copy.h"
 #include "case/resume/case_text.h"
 #include "output/checkpoint/state_file.h"
 
@@ -214,7 +213,7 @@ void resume_free(struct resume *r)
     if (r->is_there && !r->stays) unlink(r->ahead);
     state_file_free(r->found);
     state_file_free(r->early);
-    case_copy_free(r->copy);
+    case_text_free_copy(r->copy);
     free(r->image.bytes);
     free(r->path);
     free(r->before);
@@ -254,7 +253,7 @@ struct resume *resume_create(const struct settings *s, struct folder *folder,
     r->ahead = file_join(folder_name(folder), RESUME_FILE_AHEAD);
     r->lines = case_text_lines(s);
     if (o->fresh) bed_cache_forget(s);
-    r->copy = case_copy_create(s, o);
+    r->copy = case_text_copy(s, o);
     if (!o->resume || resume_find(r) == 0) return r;
     *code = 2;
     resume_free(r);
@@ -394,12 +393,13 @@ int resume_begin(struct resume *r, struct simulation *sim,
     if (code != 0) return code;
     r->sampled = sim->steps;
     const int failed =
-        goes_on ? case_copy_restore(r->copy, folder_name(r->folder)) != 0 ||
-                      copy_state(r) != 0
-                : case_copy_write(r->copy, r->folder) != 0 ||
-                      resume_list(r, RESUME_FILE) != 0 ||
-                      resume_list(r, RESUME_FILE_BEFORE) != 0 ||
-                      resume_save(r) != 0;
+        goes_on
+            ? case_text_restore_copy(r->copy, folder_name(r->folder)) != 0 ||
+                  copy_state(r) != 0
+            : case_text_write_copy(r->copy, r->folder) != 0 ||
+                  resume_list(r, RESUME_FILE) != 0 ||
+                  resume_list(r, RESUME_FILE_BEFORE) != 0 ||
+                  resume_save(r) != 0;
     if (failed) return NOT_WRITTEN;
     unlink(r->ahead);
     r->is_there = 0;
