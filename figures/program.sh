@@ -5,7 +5,7 @@
 #
 # For results that no case gives: a page of C that uses one room alone.
 set -eu
-build=$(dirname "$(command -v winnow || echo build/winnow)")
+build=${BUILD:-build}
 name=$1
 shift
 mkdir -p "$build/figures"

@@ -8,7 +8,7 @@
 set -eu
 program=$1
 shift
-library=$(dirname "$(command -v winnow || echo build/winnow)")/libwinnow.a
+library=${BUILD:-build}/libwinnow.a
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -4,7 +4,7 @@
 #   sh chapters/tools/transcript.sh [-w WINNOW] [check|age|moved SECONDS] FILE...
 #
 # A transcript is a text file with lines that begin with "$ ": commands, run in
-# the top folder, where `winnow` is the one that was built. What they print goes
+# the top folder. What they print goes
 # up to the next command or the next "## part"; lines "## part" that a command
 # prints itself belong to its output. check compares instead, numbers to 1e-6 of
 # their size, because two processors may differ in the last digits. A file stays as
@@ -19,7 +19,7 @@
 # programs reach. These short runs stand for the code of src, which changes every
 # day while few changes move a number; what moves longer runs only is not noticed.
 # Where the revision has no short runs, the code of the rooms is compared. Comments
-# and layout do not count; nor does it that figures have folders since. moved runs those of them that took at most so many
+# and layout do not count, nor how a script finds its files and the program. moved runs those of them that took at most so many
 # seconds, and leaves out the ones that still print the same.
 set -u
 winnow=build/winnow
@@ -30,7 +30,8 @@ case ${1:-} in
 check | age) mode=$1 && shift ;;
 moved) mode=age && most=$2 && shift 2 ;;
 esac
-PATH=$(cd "$(dirname "$winnow")" && pwd):$PATH
+BUILD=$(cd "$(dirname "$winnow")" && pwd)
+export BUILD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 new=$work/new
@@ -156,6 +157,8 @@ code() { # name <text
     case $1 in
     *.c | *.h) ${CC:-gcc} -fpreprocessed -dD -E -P - 2>/dev/null ;;
     *.txt) cat ;;
+    *.sh) sed '/^ *#/d; s|figures/[0-9]*/|figures/|g; s/"\$winnow"/winnow/g; /^set -/d; /here.sh"$/d
+        /^[a-z]*=$(mktemp -d)$/d; /^[a-z]*=$work$/d; /^trap /d; /^PATH=/d; /^top=/d; s| -w "$1"||' ;;
     *) sed '/^ *#/d; s|figures/[0-9]*/|figures/|g' ;;
     esac | tr -d '[:space:]' | cksum
 }
@@ -172,6 +175,7 @@ numbers_of() { # rooms, with :!src/ROOM for what is left out
             else if (sub(/^src\//, "", r[i])) in_[r[i]]
             else if (r[i] == "src") all = 1
     }
+    /^\$ / { next }
     /^## / {
         shown = 0
         for (i = 2; i <= NF; i++) {

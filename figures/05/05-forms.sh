@@ -2,9 +2,8 @@
 # The small bed with both forms of continuity and three ways of averaging: how
 # far the pressure drop jumps from one step to the next, after the start; how
 # much momentum is relabelled; and the worst residual of the momentum balance.
-set -eu
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+. "$(dirname "$0")/../here.sh"
+out=$work
 
 echo 'form      averaging   jump of p [Pa]  relabelled [N s]  residual [-]'
 for form in mixture void-rate; do

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The small bed with more correctors, and with other tolerances: what the last
 # step leaves of momentum and of volume.
-set -eu
+. "$(dirname "$0")/../here.sh"
 echo 'correctors tolerance  splitting  mass       momentum   drop [Pa]'
 for pair in '1 1e-8' '2 1e-8' '3 1e-8' '2 1e-4' '2 1e-12'; do
     # shellcheck disable=SC2086 # two words

@@ -1,9 +1,7 @@
 #!/bin/sh
 # Air through the surface of a bed, with Winnow's faces and with plain linear
 # interpolation (the patches of chapters/solutions), together and alone.
-set -eu
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/../here.sh"
 patches=chapters/solutions/06-
 
 surface() { sh figures/run.sh figures/06/06-surface.c "$@"; }

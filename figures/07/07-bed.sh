@@ -1,7 +1,7 @@
 #!/bin/sh
 # The small bed after 0.04 s with several tolerances: the iterations of the last
 # step, and what it leaves.
-set -eu
+. "$(dirname "$0")/../here.sh"
 echo 'tolerance  pressure  momentum  mass     drop [Pa]'
 for tolerance in 1e-2 1e-4 1e-6 1e-8 1e-10; do
     winnow run cases/small-bed.cfg --quiet -o out/07-bed -s output.end=0.04 \

@@ -2,7 +2,7 @@
 # The small bed on two meshes, averaged in three ways: the fullest cell and the
 # pressure drop after 0.01 s, when no particle has moved by a tenth of itself.
 # The bed settles once, for the first run; the others read it.
-set -eu
+. "$(dirname "$0")/../here.sh"
 mkdir -p out
 rm -f out/08-run.bed
 cp cases/small-bed.cfg out/08-run.cfg # a bed is written beside its case

@@ -2,7 +2,7 @@
 # Exercise 8.1: the pressure drop of the small bed after 0.01 s, by steps of
 # Crank-Nicolson on two meshes. The bed settles once, for the first run; the
 # others read it.
-set -eu
+. "$(dirname "$0")/../here.sh"
 mkdir -p out
 rm -f out/08-solution.bed
 cp cases/small-bed.cfg out/08-solution.cfg # a bed is written beside its case

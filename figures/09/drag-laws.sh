@@ -1,7 +1,7 @@
 #!/bin/sh
 # The resistance of both laws, over Stokes' 18 mu / d^2, against the fluid
 # fraction, at Re = 1 and Re = 100: grains of 1.2 mm in air.
-set -eu
+. "$(dirname "$0")/../here.sh"
 rho_f=1.2 mu=1.8e-5 d=1.2e-3
 
 value() { winnow eval "$@" rho_f=$rho_f mu=$mu d=$d | awk '{ print $3 }'; }

@@ -1,10 +1,9 @@
 #!/bin/sh
 # Data of figures/10/10-ledger.svg: the fluid's unpaid impulse, step by step, in the
 # closed box. From the top folder: sh figures/10/10-ledger.sh
-set -eu
-run=$(mktemp -d)
-trap 'rm -rf "$run"' EXIT
-build/winnow run cases/closed-box.cfg -o "$run" -j 1 --quiet >"$run/said"
+. "$(dirname "$0")/../here.sh"
+run=$work
+winnow run cases/closed-box.cfg -o "$run" -j 1 --quiet >"$run/said"
 awk -F, -v sums=figures/10/10-ledger-sums.txt 'BEGIN { print "# cases/closed-box.cfg, momenta over that at the start"
         print "# time [s], sum of the unpaid impulse [-], |change of the total| [-]" }
     NR == 1 { for (i = 1; i <= NF; i++) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The mean granular temperature of the small bed, ten times as stiff, over 0.3 s,
 # for some steps of the particles.
-set -eu
+. "$(dirname "$0")/../here.sh"
 for step in 1e-4 4e-6 2e-6; do
     winnow run cases/small-bed.cfg -s particles.step=$step -o out/stiff --quiet \
         -s particles.unsafe_step=true \

@@ -2,7 +2,7 @@
 # The rebound of cases/rebound.cfg against the number of steps in the contact.
 # Columns: steps; largest miss of the speed that comes back, over eight phases of
 # the step in which the sphere touches, for e = 1 and for e = 0.7.
-set -eu
+. "$(dirname "$0")/../here.sh"
 # pi sqrt(m / k) for the sphere and the wall; the dashpot adds 1 % to it
 t_c=$(awk 'BEGIN { pi = atan2(0, -1)
     print pi * sqrt(2000 * pi / 6 * 1.5e-3 ^ 3 / 5000) }')

@@ -2,7 +2,7 @@
 # XS11 Table 1 recomputed with two sets of properties. Columns: U [m/s], eps_s,
 # d [mm], printed [s]; tau_p [s] and tau_p over printed, first with the 2000
 # kg/m^3 and the air that XS11 name elsewhere, then with quartz and round air.
-set -eu
+. "$(dirname "$0")/../here.sh"
 tau() { winnow eval XS11:3.17 "$@" | awk '{ print $3 }'; }
 
 echo "# fluid U eps_s d_mm printed sand ratio quartz ratio"

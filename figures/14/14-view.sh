@@ -2,7 +2,7 @@
 # Runs the three scenes and draws moments of them: half a minute.
 #
 #   sh figures/14/14-view.sh
-set -eu
+. "$(dirname "$0")/../here.sh"
 for scene in chute stirred-box collision-3d; do
     winnow run cases/$scene.cfg -o out/$scene --quiet
 done

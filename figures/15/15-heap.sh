@@ -1,7 +1,7 @@
 #!/bin/sh
 # The energy of cases/open-heap.cfg, every 20 ms: how many grains there are,
 # came and went; then what has come and where it has gone, all in uJ.
-set -eu
+. "$(dirname "$0")/../here.sh"
 winnow run cases/open-heap.cfg -o out/open-heap -j 1 --quiet >/dev/null 2>&1
 awk -F, '
     NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }

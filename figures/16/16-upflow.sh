@@ -2,7 +2,7 @@
 # cases/upflow-sphere.cfg beside the reference of MFiX's case DEM06: time [s],
 # velocity [m/s], the reference's, and the largest difference over the end
 # velocity.
-set -eu
+. "$(dirname "$0")/../here.sh"
 winnow run cases/upflow-sphere.cfg -o out/upflow --quiet >/dev/null 2>&1
 awk -F, '
 FNR == 1 { file++ }

@@ -2,7 +2,7 @@
 # The drop of cases/drop-cohesion.cfg, wet, hardly wet and dry: how high the
 # grains lie in the end and how many touch, then where they are.
 # Columns of the three blocks: x and y [mm], the farthest grain first.
-set -eu
+. "$(dirname "$0")/../here.sh"
 run() { # NAME TENSION
     winnow run cases/drop-cohesion.cfg -s effects.capillary.tension=$2 \
         -o out/drop-$1 --quiet >/dev/null

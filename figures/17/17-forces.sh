@@ -2,7 +2,7 @@
 # Cohesion over weight of two equal grains of quartz that touch, against their
 # diameter. Columns: d [m], van der Waals, capillary, electrostatic at the
 # largest charge that air lets a surface keep, 26 uC/m^2.
-set -eu
+. "$(dirname "$0")/../here.sh"
 value() {
     winnow eval "$@" | awk '{ print $3 < 0 ? -$3 : $3 }'
 }

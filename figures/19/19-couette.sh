@@ -4,10 +4,8 @@
 # one on either, in percent.
 #
 #   sh figures/19/19-couette.sh ACROSS AROUND [LAYERS]
-set -eu
-top=$(cd "$(dirname "$0")/../.." && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/../here.sh"
+top=$PWD
 
 mkdir "$work/ring"
 awk -f "$top/cases/meshes/extruded.awk" -f "$top/cases/meshes/ring.awk" \

@@ -5,10 +5,9 @@
 # on the way in, and that factor by (19.8), or 0.
 #
 #   sh figures/19/19-long-cells.sh NR
-set -eu
+. "$(dirname "$0")/../here.sh"
 nr=$1
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
+dir=$work
 mkdir "$dir/ring"
 awk -f cases/meshes/extruded.awk -f cases/meshes/ring.awk -v out="$dir/ring" \
     -v r1=1 -v r2=4 -v nr="$nr" -v nt=446 -v parts=223

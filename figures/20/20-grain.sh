@@ -2,7 +2,7 @@
 # cases/one-grain.cfg with several treatments, side by side: the velocity of the
 # grain after each step of the fluid. "exact": steps 50 times as short; with the
 # word exact, all of these.
-set -eu
+. "$(dirname "$0")/../here.sh"
 run() { # NAME OVERRIDES...
     name=$1
     shift

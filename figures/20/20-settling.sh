@@ -7,7 +7,7 @@
 # one, and drag evaluations, for steps of the fluid; frozen, with sub-steps of 0.5
 # ms, exponential; the first and the last without sub-steps. cells: how much faster it is, in 64 ms, than it would be alone,
 # because the cells around it move along with it; by cell width over d.
-set -eu
+. "$(dirname "$0")/../here.sh"
 mkdir -p out
 fall() { # OVERRIDES...: the last velocity
     winnow run cases/settling-sphere.cfg -o out/settling-cost --quiet "$@" >/dev/null

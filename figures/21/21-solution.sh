@@ -1,7 +1,7 @@
 #!/bin/sh
 # Exercise 21.1: the small bed by every method for 0.01 s, on two meshes. It
 # settles once, for the first run; the others read it.
-set -eu
+. "$(dirname "$0")/../here.sh"
 mkdir -p out
 rm -f out/21-solution.bed
 cp cases/small-bed.cfg out/21-solution.cfg # a bed is written beside its case

@@ -12,7 +12,7 @@
 # exact. cloud: how fast it falls one-way, two-way and four-way. carry: by how much
 # the bead is ahead of the oil, with pressure and stress, without the stress,
 # without both.
-set -eu
+. "$(dirname "$0")/../here.sh"
 mkdir -p out
 run() { # CASE NAME OVERRIDES...
     file=cases/$1.cfg to=out/22-$2

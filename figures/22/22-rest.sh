@@ -1,7 +1,7 @@
 #!/bin/sh
 # The virtual mass in the small bed at rest under water, as a mean over the weight, for
 # runs of three lengths, and for a material that rebounds less.
-set -eu
+. "$(dirname "$0")/../here.sh"
 dir=out/22-rest
 rest() { # key, end of the run [s], restitution
     winnow run cases/small-bed.cfg --quiet -o "$dir" -s fluid.density=1000 \

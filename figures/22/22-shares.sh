@@ -3,11 +3,8 @@
 # short run with all of them on measures. The ratio of the two is told where one
 # of them is over 1 %.
 #
-#   sh figures/22/22-shares.sh build/winnow >figures/22/22-shares.txt
-set -u
-winnow=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+#   sh figures/22/22-shares.sh >figures/22/22-shares.txt
+. "$(dirname "$0")/../here.sh"
 export OMP_NUM_THREADS=1
 
 all="pressure_gradient viscous_stress virtual_mass basset saffman magnus"
@@ -26,8 +23,8 @@ shares() { # case, end [s], overrides
     done
     # shellcheck disable=SC2046 # one word an override
     set -- $(for o in $overrides; do echo "-s $o"; done)
-    "$winnow" check "cases/$name.cfg" "$@" >"$work/check" || return
-    "$winnow" run "cases/$name.cfg" "$@" -o "$work/$name" --quiet \
+    winnow check "cases/$name.cfg" "$@" >"$work/check" || return 0
+    winnow run "cases/$name.cfg" "$@" -o "$work/$name" --quiet \
         >/dev/null 2>&1 || echo "$name broke down"
     for effect in $forces; do
         awk -v name="${label:-$name}" -v effect="$effect" '

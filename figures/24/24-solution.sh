@@ -1,7 +1,7 @@
 #!/bin/sh
 # The tube of cases/tube-on-spring.cfg without grains: how often it swings in a
 # second, about its mean height of all rows, from the rises through this height.
-set -eu
+. "$(dirname "$0")/../here.sh"
 dir=out/24-solution
 mkdir -p "$dir"
 sed '/^particles = {/,/^};/d; /^averaging/d; /^exchange/d; s/pressure_gradient = {};//' \

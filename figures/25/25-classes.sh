@@ -1,7 +1,7 @@
 #!/bin/sh
 # The mean heights of small, medium and large grains (XS11 Fig. 11) at the end of those runs
 # of cases/studies/xs11-seepage.cfg that came to their end.
-set -eu
+. "$(dirname "$0")/../here.sh"
 python=/usr/bin/python3 # Debian's own, which python3-vtk9 belongs to
 winnow study cases/studies/xs11-seepage.cfg -o out/study-xs11-seepage --quiet >/dev/null 2>&1
 echo "# t [s], mean height of small, medium, large [mm], small over large"

@@ -2,9 +2,8 @@
 # The beds at the end of the runs of cases/studies/sx15-bandwidth.cfg, each bandwidth with
 # its two seeds: the spheres with the line eps_s = 0.28, as in SX15 Fig. 8.
 #
-#   sh figures/25/25-moments.sh build/winnow
-set -eu
-PATH=$(cd "$(dirname "${1:-build/winnow}")" && pwd):$PATH
+#   sh figures/25/25-moments.sh
+. "$(dirname "$0")/../here.sh"
 out=out/study-sx15-bandwidth
 python=/usr/bin/python3 # Debian's own, which python3-vtk9 belongs to
 winnow study cases/studies/sx15-bandwidth.cfg -o $out --quiet >/dev/null

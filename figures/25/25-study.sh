@@ -3,7 +3,7 @@
 # The picture goes to figures/25/25-NAME.svg. A study of the runs of another one names it.
 #
 #   25-study.sh NAME [OTHER]
-set -eu
+. "$(dirname "$0")/../here.sh"
 dir=out/study-${2:-$1}
 said=$(winnow study "cases/studies/$1.cfg" -o "$dir" --quiet 2>&1) ||
     { echo "$said" && exit 1; }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # How PCM ends on fine meshes: the first 0.01 s, 50 steps, of the Mueller bed on
 # the meshes C to E of SX15, without a cap and with one; and by diffusion.
-set -eu
+. "$(dirname "$0")/../here.sh"
 out=out/26-break
 mkdir -p $out
 value() { # key: of the summary

@@ -3,7 +3,7 @@
 # coarse to fine. Mean void fraction on a line; what became of each run.
 #
 #   sh figures/26/26-loop.sh END [s]          some seconds a run
-set -eu
+. "$(dirname "$0")/../here.sh"
 end=${1:-0.4}
 mkdir -p out/21-small
 for cells in 4,16,1 8,32,1 12,48,1 16,64,1; do

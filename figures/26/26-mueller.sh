@@ -6,7 +6,7 @@
 #   sh figures/26/26-mueller.sh collect             what is there, in one table
 #
 # A run that is there already, and was to END, is left as it is.
-set -eu
+. "$(dirname "$0")/../here.sh"
 out=out/26-mueller
 meshes="A,6,16,1 B,9,25,2 B',12,32,3 C,18,50,4 D,36,100,8 E,72,200,16"
 

@@ -4,9 +4,8 @@
 # eps_s = 0.28, and eps_s. What is there is not run again, and a run that was stopped goes
 # on. The whole bed: SLICE= sh figures/26/26-snapshots.sh build/winnow
 #
-#   sh figures/26/26-snapshots.sh build/winnow
-set -eu
-PATH=$(cd "$(dirname "${1:-build/winnow}")" && pwd):$PATH
+#   sh figures/26/26-snapshots.sh
+. "$(dirname "$0")/../here.sh"
 out=out/26-snapshots
 python=/usr/bin/python3 # Debian's own, which python3-vtk9 belongs to
 slice=${SLICE-"-s mesh.size=[0.044,0.12,0.0025] -s mesh.cells=[18,50,1] -s particles.bed.count=2310"}

@@ -9,7 +9,7 @@
 #   sh figures/27/27-goldschmidt.sh table       all three, for figures/27/27-goldschmidt.txt
 #
 # On one quiet core DPMFoam takes half an hour, winnow two minutes.
-set -eu
+. "$(dirname "$0")/../here.sh"
 command -v winnow >/dev/null || PATH=$PWD/build:$PATH
 out=out/27-beside
 tutorial=/usr/share/doc/openfoam-examples/examples/lagrangian/DPMFoam/Goldschmidt

@@ -8,7 +8,7 @@
 # law, d [mm], Re_t [-], eps_f [-], u / u_t [-]: with u the velocity at which spheres and
 # what they displace settle through the mixture at rest, eps_f times the slip. Below them
 # fit, law, d, Re_t, n: the exponent of (27.4) by least squares through u_t.
-set -eu
+. "$(dirname "$0")/../here.sh"
 out=out/27-settling
 mkdir -p $out
 laws=${*:-syamlal-obrien gidaspow di-felice beetstra hill-koch-ladd tenneti rong cello}

@@ -3,7 +3,7 @@
 # grows from 0 to 1.2 m/s in 6 s. Columns: b [mm], b / d, height of the bed over b, the
 # velocity at which the pressure drop first equals the weight, and the one at which the
 # mean height has grown by 2 per cent [m/s].
-set -eu
+. "$(dirname "$0")/../here.sh"
 echo "# b [mm], b / d, h / b, U at the weight, U at 1.02 of the height [m/s]"
 for b in 1.2 2.4 3.6 4.8 6.6 9.6; do
     winnow run cases/small-bed.cfg --quiet -o out/27-umf/$b -s averaging.bandwidth=${b}e-3 \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What a checkpoint costs: its size, and the processor time that one takes, from
 # runs that write one after each step and runs that write one at each end.
-set -eu
+. "$(dirname "$0")/../here.sh"
 mkdir -p out
 export XDG_CACHE_HOME="$PWD/out/cache"
 seconds() { # CASE EVERY OPTIONS...: user and system, of the process

@@ -3,7 +3,7 @@
 # several ways: the drop between the sensors [Pa] after 0.01 s, when the bed lies
 # as it was poured, and the mean from 0.1 to 0.2 s; for two of them of three beds
 # that were poured differently. Springs of 500 N/m.
-set -eu
+. "$(dirname "$0")/../here.sh"
 out=out/30-kernels
 mkdir -p $out
 echo "# averaging, bandwidth [mm], interpolation, bed, drop at 0.01 s, later [Pa]"

@@ -3,9 +3,8 @@
 # classes of size. Springs of 5 N/m, for a run of a minute; a run that is there is not done
 # again, and one that was stopped goes on.
 #
-#   sh figures/30/30-moments.sh build/winnow
-set -eu
-PATH=$(cd "$(dirname "${1:-build/winnow}")" && pwd):$PATH
+#   sh figures/30/30-moments.sh
+. "$(dirname "$0")/../here.sh"
 dir=out/30-moments
 resume=
 ! ls $dir/checkpoint* >/dev/null 2>&1 || resume=--resume

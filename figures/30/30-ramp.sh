@@ -6,7 +6,7 @@
 #   30-ramp.sh numbers FILE...   of such series: the plateau, the mean drop from
 #                                1.0 m/s up to 1.5 m/s (or the end), and U_mf,
 #                                where the rising drop first meets it
-set -eu
+. "$(dirname "$0")/../here.sh"
 series() {
     printf '# Made by: sh tests/validate/coupling.sh build/winnow ramp; %s\n' "$2"
     echo "# t [s], U [m/s], drop [Pa]"

@@ -3,9 +3,7 @@
 # rsvg-convert (Debian: librsvg2-bin) and montage (imagemagick).
 #
 #   make steps && sh figures/steps/steps.sh
-set -eu
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/../here.sh"
 for program in chapters/steps/*.c; do
     name=$(basename "$program" .c)
     cp "build/steps/$name" "$work"
