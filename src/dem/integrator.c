@@ -31,6 +31,6 @@ double implicit_drag_gain(double x)
 
 const struct integrator *const integrators[] = {&integrators_velocity_verlet,
                                                 &integrators_symplectic_euler,
-                                                &heun_integrator, NULL};
+                                                &integrators_heun, NULL};
 
 MODEL_NAMED(integrator)

@@ -35,7 +35,7 @@ static inline double integrator_lag(const struct integrator *by)
 /* All of them, ended by NULL, the default first; integrator_named: NULL for an
  * unknown name. */
 extern const struct integrator integrators_velocity_verlet,
-    integrators_symplectic_euler, heun_integrator;
+    integrators_symplectic_euler, integrators_heun;
 extern const struct integrator *const integrators[];
 const struct integrator *integrator_named(const char *name);
 

@@ -52,9 +52,9 @@ void bodies_load(struct bodies *b, const struct particles *ps, int begin,
         b->place[i] = (struct row_place){{ps->x[i], ps->y[i], ps->z[i]}, R};
         b->motion[i] =
             (struct row_motion){{ps->vx[i], ps->vy[i], ps->vz[i]},
-                                 1.0 / R,
-                                 {R * ps->wx[i], R * ps->wy[i], R * ps->wz[i]},
-                                 per_mass};
+                                1.0 / R,
+                                {R * ps->wx[i], R * ps->wy[i], R * ps->wz[i]},
+                                per_mass};
         if (b->own_inverse_mass != NULL) b->own_inverse_mass[i] = 0.0;
         a[0] = ps->ex[i] * per_mass;
         a[1] = ps->ey[i] * per_mass;
@@ -71,9 +71,9 @@ void bodies_load_drag(struct bodies *b, const struct particles *ps, int begin,
         const double rate = ps->drag_coefficient[i] * per_mass;
         double *const a = b->acceleration[i];
 
-        b->drag[i] = (struct row_drag){
-            rate, implicit_drag_gain(rate * b->step),
-            implicit_drag_gain(0.5 * rate * b->step), per_mass};
+        b->drag[i] = (struct row_drag){rate, implicit_drag_gain(rate * b->step),
+                                       implicit_drag_gain(0.5 * rate * b->step),
+                                       per_mass};
         a[0] = ps->ex[i] * per_mass;
         a[1] = ps->ey[i] * per_mass;
         a[2] = ps->ez[i] * per_mass;
@@ -166,7 +166,7 @@ void bodies_advance(struct bodies *b, int begin, int end,
 }
 
 struct row_motion bodies_kicked(const struct bodies *b, int i,
-                                 const struct row_load *load)
+                                const struct row_load *load)
 {
     static const struct row_drag none = {.gain = 1.0};
     const struct row_drag *const drag = b->drag != NULL ? &b->drag[i] : &none;

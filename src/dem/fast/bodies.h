@@ -46,9 +46,9 @@ struct bodies {
     struct row_motion *motion;
     struct row_motion *before; /* `motion` before the last kick; NULL without a
                                    budget of energy */
-    double (*acceleration)[4];  /* [m/s^2] of the external force; 0 */
+    double (*acceleration)[4]; /* [m/s^2] of the external force; 0 */
     double (*place_at_rebuild)[3]; /* [m] when the list was last made */
-    struct row_drag *drag;        /* NULL without an implicit drag */
+    struct row_drag *drag;         /* NULL without an implicit drag */
     double *drag_impulse;          /* [N s] the particles' own */
     double *own_inverse_mass; /* [1/kg] 1/m of those that move as prescribed,
                                  else 0; NULL if none ever does */
@@ -87,7 +87,7 @@ void bodies_advance(struct bodies *b, int begin, int end,
 /* The velocities that a kick of one step with this load of particle i would
  * give. */
 struct row_motion bodies_kicked(const struct bodies *b, int i,
-                                 const struct row_load *load);
+                                const struct row_load *load);
 
 /* The result of a check of the particles begin .. end - 1. */
 struct bodies_survey {

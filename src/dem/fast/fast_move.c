@@ -239,7 +239,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
 
 /* --- Heun's method (integrator.h) ----------------------------------------- */
 
-const struct integrator heun_integrator = {
+const struct integrator integrators_heun = {
     .name = "heun",
     .what = "second order, also with damping; the energy drifts upward",
     .equations = "LS section 4.2",

@@ -75,8 +75,7 @@ static inline struct sweep_slip sweep_slip(const struct sweep_buffers *c, int p,
  * sweep_scatter; theirs is NULL at a wall. */
 static inline void sweep_add_part(const struct sweep_buffers *c, int p,
                                   const double F[3], double arm,
-                                  struct row_load *own,
-                                  struct row_load *theirs)
+                                  struct row_load *own, struct row_load *theirs)
 {
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
