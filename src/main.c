@@ -54,18 +54,15 @@ static int main_wrong(const struct command *c, const char *what,
 static const struct {
     const char *word;
     char letter;
-} words[] = {{"--quiet", '-'},
-             {"--resume", 'r'},
-             {"--fresh", 'f'},
-             {"--to", 't'},
-             {NULL, 0}};
+} words[] = {{"--quiet", '-'}, {"--resume", 'r'}, {"--fresh", 'f'},
+             {"--to", 't'},    {"--try", 'y'},    {NULL, 0}};
 
 /* 1 if the option is such a word; its member of the command line is then set.
  */
 static int read_word(const struct command *c, const char *option,
                      struct command_line *l)
 {
-    int *const member[] = {&l->quiet, &l->resume, &l->fresh, &l->to};
+    int *const member[] = {&l->quiet, &l->resume, &l->fresh, &l->to, &l->tries};
 
     for (int i = 0; words[i].word != NULL; i++)
         if (strcmp(option, words[i].word) == 0 &&

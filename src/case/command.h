@@ -17,13 +17,14 @@ struct command_line {
     int resume;      /* 1: --resume was given */
     int fresh;       /* 1: --fresh was given */
     int to;          /* 1: --to was given, before a further word */
+    int tries;       /* 1: --try was given, before a further word */
 };
 
 struct command {
     const char *name, *arguments, *what;
     const char *options; /* first letters of those it takes, - for --quiet, r
-                            for --resume, f for --fresh, t for --to; NULL: all
-                            that follows is words */
+                            for --resume, f for --fresh, t for --to, y for
+                            --try; NULL: all that follows is words */
     int min_words, max_words; /* after the name; max_words < 0: any number */
     /* Returns the exit code, after a message if it is not 0. */
     int (*act)(const struct command_line *l);

@@ -344,6 +344,10 @@ static int override_set(config_setting_t *group, const char *name,
     int code;
 
     if (wrong != NULL) return report_wrong(text, wrong);
+    if (strcmp(value, "off") == 0) { /* as if the case did not name the key */
+        if (config_setting_is_group(group)) config_setting_remove(group, name);
+        return 0;
+    }
     if (read_value(&tree, value))
         code = override_put(group, name, text, config_lookup(&tree, "value"));
     else

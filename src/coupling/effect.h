@@ -39,6 +39,8 @@ struct effect_cost {
     double particle_step;  /* [ns] each and step of the particles */
 };
 
+enum { EFFECT_TRIAL = 160 };
+
 struct effect {
     MODEL_MEMBERS; /* base/model.h */
     void *(*create)(struct simulation *sim, const double *parameters);
@@ -68,6 +70,9 @@ struct effect {
     struct effect_estimate (*estimate)(const struct effect_scales *k);
     /* Adds the mass that it lets accelerate with a particle. */
     void (*added_mass)(const struct effect_scales *k, struct added_mass *sum);
+    /* What the group of a case that does not name it would be for a try, where
+     * it has keys without a default. */
+    void (*trial)(const struct effect_scales *k, char text[EFFECT_TRIAL]);
     struct effect_cost cost;
 };
 

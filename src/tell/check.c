@@ -230,12 +230,23 @@ int check_case(const struct settings *s)
     return case_scales_check(s); /* as a run is refused */
 }
 
+static int check_wrong(const char *why)
+{
+    fprintf(stderr, "winnow: %s\nwinnow check %s\n", why,
+            check_command.arguments);
+    return 2;
+}
+
 static int check_act(const struct command_line *l)
 {
     int code;
+
+    if (l->tries != (l->n_words > 1))
+        return check_wrong(l->tries ? "--try needs a number of seconds"
+                                    : "one argument too many");
+    if (l->tries) return check_try(l);
     struct settings *const s =
         case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
-
     if (s != NULL) code = check_case(s);
     settings_free(s);
     return code;
@@ -243,9 +254,10 @@ static int check_act(const struct command_line *l)
 
 const struct command check_command = {
     "check",
-    "CASE [-s path.to.key=value]...",
-    "check a case and print the numbers that follow from it",
-    "s",
+    "CASE [-s path.to.key=value]... [--try SECONDS [-j THREADS]]",
+    "check a case and print the numbers that follow from it; --try runs it so "
+    "long with all effects that could matter, and without each of them",
+    "syj",
     1,
-    1,
+    2,
     check_act};

@@ -5,6 +5,9 @@
 #include "case/checks/case_scales.h"
 #include "coupling/effect_scales.h"
 
+struct command_line;
+struct effect;
+
 /* Solids fraction of a packed bed, where the interstitial velocity is largest
  * [-]. */
 #define CHECK_PACKED 0.6
@@ -27,5 +30,24 @@ void check_accuracy(const struct settings *s, const struct case_scales *k);
 /* The scales from which the effects estimate themselves. */
 struct effect_scales check_scales(const struct settings *s,
                                   const struct case_scales *in);
+
+/* `winnow check CASE --try SECONDS`: runs the case so long with all effects
+ * that could matter, then without each of them. Returns the exit code. */
+int check_try(const struct command_line *l);
+
+/* What is said of an effect. */
+enum { CHECK_EFFECTS = 32 };
+struct effect_row {
+    const struct effect *effect;
+    const struct effect *instead; /* stands for it; or NULL */
+    int named;                    /* [-] 1: it is on */
+    double time;                  /* [-] of the run without it */
+    struct effect_estimate estimate;
+};
+
+/* Fills the rows of all effects that the case has or could have; how many. */
+int check_effect_rows(const struct settings *s, struct effect_scales *k,
+                      const struct case_scales *in,
+                      struct effect_row row[CHECK_EFFECTS]);
 
 #endif

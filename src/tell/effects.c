@@ -101,45 +101,53 @@ static double effects_time_of(const struct effect *e,
     return 1e-9 * ns * in->end / in->dt / case_scales_cost(in, flow);
 }
 
-static void print_effect(const struct settings *s, const struct effect *e,
-                         const struct effect_estimate *estimate, double time,
-                         int named)
+int check_effect_rows(const struct settings *s, struct effect_scales *k,
+                      const struct case_scales *in,
+                      struct effect_row row[CHECK_EFFECTS])
 {
-    const struct effect *const other = named ? NULL : stand_in(s, e);
-    char verdict[256];
-
-    put_verdict(estimate, verdict);
-    if (other != NULL)
-        snprintf(verdict, sizeof verdict, "negligible: %s stands for it",
-                 other->name);
-    print_row(e->name, 100.0 * estimate->share, 100.0 * time, named, verdict);
-}
-
-static void print_effects(const struct settings *s, struct effect_scales *k,
-                          const struct case_scales *in)
-{
-    int n;
+    int n, rows = 0;
     struct attraction *const all = case_cohesion_create(s, &n);
 
-    for (int i = 0; effects[i] != NULL; i++) {
+    for (int i = 0; effects[i] != NULL && rows < CHECK_EFFECTS; i++) {
         const struct effect *const e = effects[i];
         double numbers[EFFECT_NUMBERS];
         const int named = fill_effect_numbers(s, e, numbers);
         const int applies =
             strstr(e->keys[0]->needs, "fluid") == NULL || s->has.exchange;
-        const double time = effects_time_of(e, in, k->rho_f > 0.0);
 
         if (!applies || (e->estimate == NULL && !named)) continue;
-        if (e->estimate == NULL) {
-            print_row(e->name, NAN, 100.0 * time, 1, "");
-            continue;
-        }
+        struct effect_row *const r = &row[rows++];
+        *r = (struct effect_row){.effect = e,
+                                 .named = named,
+                                 .instead = named ? NULL : stand_in(s, e),
+                                 .time = effects_time_of(e, in, k->rho_f > 0.0),
+                                 .estimate = {.share = NAN}};
         k->numbers = named ? numbers : NULL;
         k->pair = named ? effects_pair_of(e, numbers, all, n) : NULL;
-        const struct effect_estimate estimate = e->estimate(k);
-        print_effect(s, e, &estimate, time, named);
+        if (e->estimate != NULL) r->estimate = e->estimate(k);
     }
     free(all);
+    return rows;
+}
+
+static void print_effects(const struct settings *s, struct effect_scales *k,
+                          const struct case_scales *in)
+{
+    struct effect_row row[CHECK_EFFECTS];
+    const int n = check_effect_rows(s, k, in, row);
+
+    for (int i = 0; i < n; i++) {
+        const struct effect_row *const r = &row[i];
+        char verdict[256] = "";
+
+        if (r->instead != NULL)
+            snprintf(verdict, sizeof verdict, "negligible: %s stands for it",
+                     r->instead->name);
+        else if (r->effect->estimate != NULL)
+            put_verdict(&r->estimate, verdict);
+        print_row(r->effect->name, 100.0 * r->estimate.share, 100.0 * r->time,
+                  r->named, verdict);
+    }
 }
 
 /* What the particles give to the fluid, of the momentum of both: the ways of

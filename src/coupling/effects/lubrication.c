@@ -13,6 +13,7 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stdio.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -228,6 +229,15 @@ lubrication_estimate(const struct effect_scales *k)
     return e;
 }
 
+/* The roughness of glass, a thousandth of the diameter; and no further than
+ * Cox's law holds. */
+static void lubrication_trial(const struct effect_scales *k,
+                              char text[EFFECT_TRIAL])
+{
+    snprintf(text, EFFECT_TRIAL, "{roughness=%g;range=%g;}", 1e-3 * k->d,
+             0.1 * k->d);
+}
+
 static const struct key lubrication_keys[] = {
     {"effects.lubrication", KEY_GROUP, "", "", KEY_OPTIONAL,
      "lubrication force between close particles and at walls", "Cox67",
@@ -257,6 +267,7 @@ const struct effect lubrication_effect = {
     .attraction = lubrication_attraction,
     .wrong = lubrication_wrong,
     .estimate = lubrication_estimate,
+    .trial = lubrication_trial,
     .cost = {35.0, 1.0, 81.0},
 };
 

@@ -198,7 +198,7 @@ static const char *stochastic_drag_wrong(const double *parameters,
 
 /* sqrt(2 / pi) of sigma over C_d, on average, of which the velocity follows the
  * part that lasts: the fluctuation does so for T, about d / u, and a grain
- * answers within tau. In a gas tau is far longer. Where the case gives no
+ * answers within tau. Where the case gives no
  * sigma, it is that of EW18's liquid bed, whose Re_p went from 3 to 10.5;
  * beyond, the drag is its bound. */
 static struct effect_estimate
@@ -220,15 +220,24 @@ stochastic_drag_estimate(const struct effect_scales *k)
     if (n == NULL && (!k->partners || k->eps_s < 0.01 || !k->carried))
         return effects_estimate(0.0, k->carried ? "no neighbours that disturb"
                                                 : "grains at rest");
+    if (n == NULL && k->rho_f < 0.05 * k->rho_s)
+        return effects_estimate(0.0, "EW18 and chapter 23 find no gain in gas");
     e.loss = T > 0.0 ? e.share * sqrt(T / (T + k->tau)) : 0.0;
     e.unknown = no_data;
-    if (e.share < 5.0 * e.loss && no_data)
+    if (no_data)
         snprintf(e.remark, sizeof e.remark, "no data for Re_p %.3g (%g to %g)",
                  Re, s.Re_low, s.Re_high);
-    else if (no_data)
-        snprintf(e.remark, sizeof e.remark,
-                 "gone in %.2g s, and a grain follows in %.2g s", T, k->tau);
     return e;
+}
+
+/* As of EW18's liquid bed. */
+static void stochastic_drag_trial(const struct effect_scales *k,
+                                  char text[EFFECT_TRIAL])
+{
+    snprintf(text, EFFECT_TRIAL,
+             "{sigma_low=93.5;sigma_high=13.43;Re_low=3.0;Re_high=10.5;time=%g;"
+             "}",
+             k->slip > 0.0 ? k->d / ((1.0 - k->eps_s) * k->slip) : 1.0);
 }
 
 static int stochastic_drag_counts(const void *memory, struct effect_count *c)
@@ -276,5 +285,6 @@ const struct effect stochastic_drag_effect = {
     .state = stochastic_drag_state,
     .wrong = stochastic_drag_wrong,
     .estimate = stochastic_drag_estimate,
+    .trial = stochastic_drag_trial,
     .cost = {69.0, 0.0, 0.0},
 };

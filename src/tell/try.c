@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* try.c -- `winnow check CASE --try SECONDS`: the estimates of the effects
+ * beside a measurement.  Chapter "How to choose effects".
+ *
+ * The case runs for that long with every effect on that could matter, which
+ * measures how large each is, and once more without each of them, which shows
+ * what that changes and what time it takes. A run with a slightly different
+ * tolerance shows which changes are chance. The runs are processes of this
+ * program in a folder of their own, in which the bed settles once, and which is
+ * removed. */
+#include "case/command.h"
+#include "tell/check.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/interrupt.h"
+#include "case/case_file.h"
+#include "case/resume/read_summary.h"
+#include "coupling/effects.h"
+
+extern char **environ; /* POSIX: the program declares it itself */
+
+/* [-] size from which on an effect is tried, and how far a tolerance is
+ * changed. */
+static const double tried_from = 0.005, changed = 0.9;
+
+enum { WORDS = 256, WORD = 512, NAME = 64 };
+
+struct attempt {
+    const struct command_line *line;
+    char dir[NAME]; /* of the runs; "" if there is none */
+    double seconds; /* [s] */
+    int has_file;   /* [-] 1: the case names a file for its bed */
+    pid_t process;  /* the one that runs; 0: none */
+    int n;          /* [-] effects that are tried */
+    struct effect_row row[CHECK_EFFECTS];
+    char on[CHECK_EFFECTS][EFFECT_TRIAL]; /* their groups; "" as in the case */
+};
+
+/* What a run came to. */
+struct outcome {
+    int code;
+    double speed, drop, time; /* [m/s], [Pa], [s] */
+    double share[CHECK_EFFECTS];
+};
+
+/* Starts a program, whose words go to a file; its exit code. */
+static int try_spawn(struct attempt *a, const char *program,
+                     const char *const *words)
+{
+    posix_spawn_file_actions_t where;
+    int status = 0;
+    char log[2 * NAME];
+
+    snprintf(log, sizeof log, "%s/log", a->dir);
+    posix_spawn_file_actions_init(&where);
+    posix_spawn_file_actions_addopen(&where, 1, log,
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&where, 1, 2);
+    errno = posix_spawnp(&a->process, program, &where, NULL,
+                         (char *const *)(size_t)words, environ);
+    posix_spawn_file_actions_destroy(&where);
+    if (errno != 0) return 4;
+    while (waitpid(a->process, &status, 0) < 0 && errno == EINTR)
+        ;
+    a->process = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : INTERRUPT_CODE;
+}
+
+/* Nothing is left behind. */
+static void try_clean_up(void *data)
+{
+    struct attempt *const a = data;
+    const char *const words[] = {"rm", "-rf", "--", a->dir, NULL};
+
+    if (a->process > 0) {
+        kill(a->process, SIGKILL);
+        waitpid(a->process, NULL, 0);
+    }
+    if (a->dir[0] != '\0') try_spawn(a, "rm", words);
+}
+
+/* The words of a command line, one after the other. */
+struct words {
+    int n;
+    const char *word[WORDS];
+    char text[WORDS][WORD];
+};
+
+static void try_add(struct words *w, const char *option, const char *text)
+{
+    if (w->n + 3 > WORDS) return;
+    if (option[0] != '\0') w->word[w->n++] = option;
+    snprintf(w->text[w->n], WORD, "%s", text);
+    w->word[w->n] = w->text[w->n];
+    w->word[++w->n] = NULL;
+}
+
+static void try_override(struct words *w, const char *key, const char *value)
+{
+    char text[WORD];
+
+    snprintf(text, sizeof text, "%s=%s", key, value);
+    try_add(w, "-s", text);
+}
+
+/* What the user has said, and what all runs have. */
+static void try_begin(const struct attempt *a, const char *command,
+                      struct words *w)
+{
+    char text[WORD];
+
+    w->n = 0;
+    try_add(w, "", "winnow");
+    try_add(w, "", command);
+    try_add(w, "", a->line->words[0]);
+    for (int i = 0; i < a->line->n_overrides; i++)
+        try_add(w, "-s", a->line->overrides[i]);
+    snprintf(text, sizeof text, "%.17g", a->seconds);
+    try_override(w, "output.end", text);
+    try_override(w, "output.every", text);
+    try_override(w, "output.picture", "false");
+    try_override(w, "output.animation", "false");
+    if (a->has_file) try_override(w, "particles.bed.file", "off");
+}
+
+/* Puts on what is tried, but for one; -1: none is left out. */
+static void try_choose(const struct attempt *a, int without, struct words *w)
+{
+    for (int i = 0; i < a->n; i++) {
+        char key[WORD];
+        snprintf(key, sizeof key, "effects.%s", a->row[i].effect->name);
+        if (i == without)
+            try_override(w, key, "off");
+        else if (a->on[i][0] != '\0')
+            try_override(w, key, a->on[i]);
+    }
+}
+
+/* Runs the case without the i-th, or with all; `more` is one further override,
+ * or NULL. */
+static struct outcome try_run(struct attempt *a, int without, const char *more)
+{
+    struct words *const w = malloc(sizeof *w);
+    char dir[2 * NAME], path[WORD];
+    struct outcome o = {.code = 4};
+
+    if (w == NULL) return o;
+    snprintf(dir, sizeof dir, "%s/run", a->dir);
+    try_begin(a, "run", w);
+    try_choose(a, without, w);
+    if (more != NULL) try_add(w, "-s", more);
+    snprintf(path, sizeof path, "%d", a->line->threads);
+    try_add(w, "-j", a->line->threads > 0 ? path : "1");
+    try_add(w, "-o", dir);
+    try_add(w, "", "--quiet");
+    o.code = try_spawn(a, "/proc/self/exe", w->word);
+    o.speed = read_summary_number(dir, "second_half.particle_velocity_rms");
+    o.drop = read_summary_number(dir, "second_half.mean_pressure_drop");
+    o.time = read_summary_number(dir, "seconds.processor");
+    for (int i = 0; i < a->n; i++) {
+        snprintf(path, sizeof path, "effects.%s.mean_share",
+                 a->row[i].effect->name);
+        o.share[i] = read_summary_number(dir, path);
+    }
+    free(w);
+    return o;
+}
+
+/* What the last program said, to stderr. */
+static void try_repeat(const struct attempt *a)
+{
+    char log[2 * NAME], line[WORD];
+
+    snprintf(log, sizeof log, "%s/log", a->dir);
+    FILE *const f = fopen(log, "r");
+    while (f != NULL && fgets(line, sizeof line, f) != NULL)
+        fputs(line, stderr);
+    if (f != NULL) fclose(f);
+}
+
+/* 1 if `check` takes the case with an effect that it does not name. */
+static int try_is_allowed(struct attempt *a, const struct effect_row *r,
+                          const char *group)
+{
+    struct words *const w = malloc(sizeof *w);
+    char key[WORD];
+
+    if (w == NULL) return 0;
+    try_begin(a, "check", w);
+    snprintf(key, sizeof key, "effects.%s", r->effect->name);
+    try_override(w, key, group);
+    const int code = try_spawn(a, "/proc/self/exe", w->word);
+    free(w);
+    return code == 0;
+}
+
+/* Those that are on, and those off that could matter and can be put on. */
+static void try_candidates(struct attempt *a, const struct settings *s)
+{
+    const struct case_scales in = case_scales_of(s);
+    struct effect_scales k = check_scales(s, &in);
+    struct effect_row all[CHECK_EFFECTS];
+    const int n = k.force > 0.0 ? check_effect_rows(s, &k, &in, all) : 0;
+
+    for (int i = 0; i < n; i++) {
+        const struct effect *const e = all[i].effect;
+        char group[EFFECT_TRIAL] = "{}";
+
+        if (e == &gravity_effect || e->estimate == NULL ||
+            all[i].instead != NULL)
+            continue;
+        if (e->trial != NULL) e->trial(&k, group);
+        if (!all[i].named && (all[i].estimate.share < tried_from ||
+                              !try_is_allowed(a, &all[i], group)))
+            continue;
+        snprintf(a->on[a->n], EFFECT_TRIAL, "%s", all[i].named ? "" : group);
+        a->row[a->n++] = all[i];
+    }
+}
+
+static void put_change(char cell[32], double without, double with)
+{
+    snprintf(cell, 32, "-");
+    if (isfinite(without) && isfinite(with) && with != 0.0)
+        snprintf(cell, 32, "%+.2g", 100.0 * (without - with) / fabs(with));
+}
+
+static void try_row(const char *name, double estimate, double measured,
+                    const struct outcome *without, const struct outcome *with,
+                    const char *remark)
+{
+    char cell[5][32] = {"-", "-", "-", "-", "-"};
+
+    if (isfinite(estimate))
+        snprintf(cell[0], sizeof cell[0], "%.3g", 100.0 * estimate);
+    if (isfinite(measured))
+        snprintf(cell[1], sizeof cell[1], "%.3g", 100.0 * measured);
+    if (without->code == 0) {
+        put_change(cell[2], without->speed, with->speed);
+        put_change(cell[3], without->drop, with->drop);
+        put_change(cell[4], with->time, without->time);
+    }
+    printf("  %-18s %9s %9s %9s %9s %9s  %s\n", name, cell[0], cell[1], cell[2],
+           cell[3], cell[4],
+           without->code != 0 ? "breaks down without it" : remark);
+}
+
+static int try_table(struct attempt *a, const struct settings *s)
+{
+    char same[WORD];
+    const struct outcome with = try_run(a, -1, NULL);
+
+    if (with.code != 0) {
+        try_repeat(a);
+        fprintf(stderr,
+                "winnow: with all effects on that could matter the run ends "
+                "with code %d; leave one out with -s effects.NAME=off\n",
+                with.code);
+        return with.code;
+    }
+    printf("Effects in %g s: size, and what changes without each of them\n"
+           "  %-18s %9s %9s %9s %9s %9s\n  %-18s %9s %9s %9s %9s %9s\n",
+           a->seconds, "", "estimate", "measured", "speed", "drop", "time", "",
+           "%", "%", "%", "%", "% of run");
+    for (int i = 0; i < a->n; i++) {
+        const struct effect_row *const r = &a->row[i];
+        const struct outcome without = try_run(a, i, NULL);
+        const int is_force =
+            strcmp(r->estimate.of, "the force on a grain") == 0;
+        try_row(r->effect->name, r->estimate.share,
+                is_force ? with.share[i] : NAN, &without, &with,
+                r->named ? "on" : "off");
+    }
+    if (!s->has.fluid) return 0;
+    snprintf(same, sizeof same, "fluid.tolerance=%g",
+             changed * s->fluid.tolerance);
+    const struct outcome other = try_run(a, -1, same);
+    try_row("(chance)", NAN, NAN, &other, &with, "all on, other rounding");
+    return 0;
+}
+
+static double try_seconds(const char *text)
+{
+    char *end;
+    const double x = strtod(text, &end);
+
+    return end != text && *end == '\0' && isfinite(x) ? x : 0.0;
+}
+
+int check_try(const struct command_line *l)
+{
+    const char *const tmp = getenv("TMPDIR");
+    struct attempt *const a = calloc(1, sizeof *a);
+    struct interrupt_watch watch;
+    int code = 4;
+
+    if (a == NULL) return 4;
+    a->line = l;
+    a->seconds = try_seconds(l->words[1]);
+    interrupt_hold();
+    interrupt_watch_begin(&watch, try_clean_up, a);
+    struct settings *const s =
+        case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
+    if (s != NULL && !(a->seconds > 0.0)) {
+        fprintf(stderr, "winnow: --try %s: expected a number of seconds > 0\n",
+                l->words[1]);
+        code = 2;
+    } else if (s != NULL) {
+        a->seconds = fmin(a->seconds, s->output.end);
+        s->output.end = a->seconds;
+        a->has_file = s->particles.bed_file != NULL;
+        snprintf(a->dir, sizeof a->dir, "%s/winnow-try-XXXXXX",
+                 tmp != NULL && strlen(tmp) < NAME / 2 ? tmp : "/tmp");
+        code = mkdtemp(a->dir) != NULL ? 0 : 4;
+        if (code == 0) try_candidates(a, s);
+        if (code == 0) code = try_table(a, s);
+        try_clean_up(a);
+    }
+    interrupt_watch_end(&watch);
+    settings_free(s);
+    free(a);
+    return code;
+}
