@@ -15,7 +15,7 @@ static double chance(uint64_t *state)
 
 int main(void)
 {
-    struct mesh *const m = poly_read("cases/tapered-bed");
+    struct mesh *const m = poly_read("cases/tapered-bed", NULL);
     if (m == NULL) return 1;
     const struct mesh_shape *const s = m->shape;
     const struct patch *const lid = mesh_patch(m, "lid");

@@ -62,7 +62,7 @@ static void show(const struct mesh *m, const struct particles *ps,
 int main(void)
 {
     static const double b[] = {3e-3, 6e-3};
-    struct mesh *const m = poly_read("cases/tapered-bed");
+    struct mesh *const m = poly_read("cases/tapered-bed", NULL);
     struct particles *const ps = even_bed(m);
 
     puts("# method, b [mm], lowest, highest, rms error");
