@@ -37,10 +37,13 @@ static const double velocity[12] = {1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0};
 static const double vx[3] = {3.0, 0.0, 0.0}, vy[3] = {4.0, 1.0, 0.0};
 static const double vz[3] = {0.0, 0.0, 0.0};
 
+static const double upwards[3] = {0.0, 1.0, 0.0};
+
 static struct picture sample(const struct mesh *m)
 {
     return (struct picture){.title = "'A bed's \"_{title}_\" `x` \\",
                             .time = 0.5,
+                            .up = upwards,
                             .mesh = m,
                             .eps = eps,
                             .n = 3,
@@ -80,6 +83,43 @@ START_TEST(the_void_fraction_is_averaged_over_the_depth_by_volume)
     const struct picture p = sample(m);
 
     ck_assert_int_eq(picture_write(folder, &p), 0);
+    scratch_assert_text(scratch_path(dir, "picture/void_fraction.txt"),
+                        "# edges of a column of cells: left right bottom top "
+                        "[m]  void fraction [-]\n"
+                        "0 0.25 0 1 0.6\n"
+                        "0.25 0.5 0 1 1\n");
+    mesh_free(m);
+}
+END_TEST
+
+/* The same scene, turned so that z or x leads upwards: what was towards the eye
+ * is there still. */
+START_TEST(a_picture_has_the_way_up_upwards)
+{
+    const int up = _i == 0 ? 2 : 0, right = _i == 0 ? 0 : 1,
+              deep = 3 - up - right;
+    const double upward[3] = {up == 0, up == 1, up == 2};
+    struct box_spec spec = {.cells = {2, 2, 2}, .grading = {1, 1, 1}};
+    double near[3];
+
+    spec.size[right] = 0.5, spec.size[up] = 1.0, spec.size[deep] = 0.3;
+    spec.cells[up] = 1, spec.grading[deep] = 2;
+    struct mesh *const m = mesh_create_box(&spec);
+    struct picture p = sample(m);
+    for (int i = 0; i < 3; i++)
+        near[i] = 0.3 - z[i];
+    p.up = upward;
+    p.x[right] = x, p.x[up] = y, p.x[deep] = near;
+    ck_assert_int_eq(picture_write(folder, &p), 0);
+    scratch_assert_text(scratch_path(dir, "picture/particles.txt"),
+                        _i == 0 ? "# x [m]  z [m]  radius [m]  speed [m/s]\n"
+                                  "0.4 0.75 0.15 0\n"
+                                  "0.2 0.25 0.1 1\n"
+                                  "0.1 0.5 0.05 5\n"
+                                : "# y [m]  x [m]  radius [m]  speed [m/s]\n"
+                                  "0.4 0.75 0.15 0\n"
+                                  "0.2 0.25 0.1 1\n"
+                                  "0.1 0.5 0.05 5\n");
     scratch_assert_text(scratch_path(dir, "picture/void_fraction.txt"),
                         "# edges of a column of cells: left right bottom top "
                         "[m]  void fraction [-]\n"
@@ -193,6 +233,7 @@ FACTS("picture")
     tcase_add_checked_fixture(facts, set_up, tear_down);
     FACT(particles_are_listed_from_back_to_front);
     FACT(the_void_fraction_is_averaged_over_the_depth_by_volume);
+    FACT_FOR_EACH(a_picture_has_the_way_up_upwards, 2);
     FACT(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported);
     FACT(without_gnuplot_it_is_said_what_to_install);
     FACT(a_failing_gnuplot_leaves_its_words_and_no_picture);

@@ -29,7 +29,8 @@ static struct slice turning(int thin, double **u, double **p)
         (*u)[3 * c + b] = m->centre[3 * c + a] - 1.0;
         (*p)[c] = m->centre[3 * c + a];
     }
-    const struct slice s = slice_of(m, *u, *p, 10000);
+    const struct slice s =
+        slice_of(m, *u, *p, (double[3]){0.0, 1.0, 0.0}, 10000);
     mesh_free(m);
     return s;
 }
@@ -113,7 +114,7 @@ START_TEST(surfaces_are_cut_where_they_cross_the_plane)
     size_t length;
     FILE *const out = open_memstream(&text, &length);
 
-    outline_section(out, &o, 0.0);
+    outline_section(out, &o, (int[3]){0, 1, 2}, 0.0);
     fclose(out);
     ck_assert_str_eq(text, "0 0\n0 1\n\n3.5 0\n2.5 0\n\n");
     free(text);

@@ -38,6 +38,16 @@ static inline void vector_between(const double a[3], const double b[3],
     vector_along(a, -1.0, b, c);
 }
 
+/* The axis that it has most of; y, where no other has more. */
+static inline int vector_axis(const double a[3])
+{
+    int axis = 1;
+
+    for (int k = 0; k < 3; k++)
+        if (fabs(a[k]) > fabs(a[axis])) axis = k;
+    return axis;
+}
+
 /* Solves A x = b for a symmetric positive semidefinite A, stored as xx, xy, xz,
  * yy, yz, zz. It may have rows of zeros, where x is 0; entries far below the
  * largest count as zero. */

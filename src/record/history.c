@@ -140,9 +140,7 @@ double history_granular_temperature(const struct simulation *sim)
     return processes_total(sim, sum) / (3.0 * n);
 }
 
-/* Upwards: against gravity, of which a part along a period, where nothing is
- * high or low, does not count beside another part; without gravity y. */
-static void find_up(const struct simulation *sim, double up[3])
+void history_up(const struct simulation *sim, double up[3])
 {
     for (int k = 0; k < 3; k++)
         up[k] = sim->mesh->box.periodic[k] ? 0.0 : -sim->gravity[k];
@@ -161,7 +159,7 @@ double history_mean_height(const struct simulation *sim)
     const double n = history_sums_count(sim);
     double sum = 0.0, up[3];
 
-    find_up(sim, up);
+    history_up(sim, up);
     for (int i = 0; i < ps->n; i++)
         sum += (up[0] * ps->x[i] + up[1] * ps->y[i] + up[2] * ps->z[i]) / n;
     return processes_total(sim, sum);

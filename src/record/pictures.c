@@ -85,7 +85,8 @@ static int animation_put_script(const struct animation *a,
     if (f == NULL) return 1;
 
     FILE *const out = file_stream(f);
-    picture_put_box(out, p, a->fast > 0.0 ? a->fast : 1.0);
+    const struct picture_view see = picture_view(p->up);
+    picture_put_box(out, p, see.axis, a->fast > 0.0 ? a->fast : 1.0);
     fputs("times = '", out);
     for (int i = 0; i < a->n; i++)
         fprintf(out, "%s%.4g", i > 0 ? " " : "", a->time[i]);
@@ -98,8 +99,9 @@ static int animation_put_script(const struct animation *a,
 
 struct pictures {
     struct recorder_view view;
-    int at_end; /* [-] 1: the last state is drawn */
-    int moving; /* [-] 1: there is an animation */
+    double up[3]; /* [-] */
+    int at_end;   /* [-] 1: the last state is drawn */
+    int moving;   /* [-] 1: there is an animation */
     struct animation animation;
 };
 
@@ -117,6 +119,7 @@ static void *pictures_create(const struct recorder_view *v, int *failed)
     struct pictures *const p = alloc_zeroed(1, sizeof *p);
 
     p->view = *v;
+    history_up(v->sim, p->up);
     p->animation.folder = v->folder;
     p->at_end = o->picture && (v->drawn != v->sim || v->sim->processes == NULL);
     p->moving = v->sim->particles != NULL && o->animation;
@@ -127,12 +130,14 @@ static void *pictures_create(const struct recorder_view *v, int *failed)
 }
 
 /* The present state as a picture (picture.h). */
-static struct picture picture_of(const struct recorder_view *v)
+static struct picture picture_of(const struct pictures *p)
 {
+    const struct recorder_view *const v = &p->view;
     const struct snapshot *const s = v->whole;
 
     return (struct picture){.title = v->of->title,
                             .time = s->t,
+                            .up = p->up,
                             .mesh = v->drawn->mesh,
                             .eps = s->eps,
                             .u = s->u,
@@ -149,7 +154,7 @@ static struct picture picture_of(const struct recorder_view *v)
 static int add_frame(void *part, double t)
 {
     struct pictures *const p = part;
-    const struct picture now = picture_of(&p->view);
+    const struct picture now = picture_of(p);
 
     (void)t;
     return p->moving && animation_add(&p->animation, &now) != 0;
@@ -159,7 +164,7 @@ static int pictures_finish(void *part)
 {
     struct pictures *const p = part;
     struct folder *const folder = p->view.folder;
-    const struct picture last = picture_of(&p->view);
+    const struct picture last = picture_of(p);
     int drawn = 0;
 
     if (p->at_end) {

@@ -12,8 +12,9 @@
  *   horizontal_velocity_rms    of the bed as a whole: its momentum normal to
  *                              gravity over its mass [m/s]
  *   vertical_velocity_rms      the same along gravity: plane pumping [m/s]
- *   lean, lean_error           how far its centre is off the middle along x,
- *                              over half the width [-], and the error by blocks
+ *   lean, lean_error           how far its centre is off the middle along x (y,
+ *                              where x leads upwards), over half the width [-],
+ *                              and the error by blocks
  */
 #include "record/recorder_part.h"
 
@@ -77,12 +78,16 @@ static void put_bed(const struct second_half *h, double row[N])
     const struct particles *const ps = h->sim->particles;
     const struct mesh *const m = h->sim->mesh;
     const double *const g = h->sim->gravity;
+    double up[3];
+    history_up(h->sim, up);
+    const int a = vector_axis(up) == 0; /* the axis across */
+    const double *const at = a == 0 ? ps->x : ps->y;
     double mass = 0.0, x = 0.0, square = 0.0, p[3] = {0.0, 0.0, 0.0};
 
     for (int i = 0; i < ps->n; i++) {
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         mass += ps->m[i];
-        x += ps->m[i] * ps->x[i];
+        x += ps->m[i] * at[i];
         square += ps->m[i] * vector_dot(v, v);
         for (int k = 0; k < 3; k++)
             p[k] += ps->m[i] * v[k];
@@ -98,7 +103,7 @@ static void put_bed(const struct second_half *h, double row[N])
     row[SPEED] = square / mass;
     row[UPRIGHT] = along * along / (mass * mass);
     row[LEVEL] = (vector_dot(p, p) - along * along) / (mass * mass);
-    row[LEAN] = (2.0 * x / mass - m->lo[0] - m->hi[0]) / (m->hi[0] - m->lo[0]);
+    row[LEAN] = (2.0 * x / mass - m->lo[a] - m->hi[a]) / (m->hi[a] - m->lo[a]);
 }
 
 static void second_half_grow(struct second_half *h, int capacity)

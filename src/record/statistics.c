@@ -23,6 +23,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/statistics.h"
+#include "base/vector.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
 #include "output/table.h"
@@ -70,6 +71,7 @@ struct statistics {
     int quiet;             /* [-] 1: nothing is said on stderr */
     double dt;             /* [s] between two samples */
     int axis;              /* 0, 1, 2: along gravity */
+    double sign;           /* [-] 1: it leads upwards; else -1 */
     int rows, n, first;    /* [-] room, rows so far, first one that counts */
     double *series;        /* rows of time and scalars */
     double *room;          /* 2 a particle */
@@ -366,16 +368,6 @@ static int statistics_finish(void *memory)
 
 /* --- the samples ---------------------------------------------------------- */
 
-/* The axis that gravity has most of; the way up, y, without it. */
-static int statistics_axis_of(const double g[3])
-{
-    int axis = 1;
-
-    for (int k = 0; k < 3; k++)
-        if (fabs(g[k]) > fabs(g[axis])) axis = k;
-    return axis;
-}
-
 static void *statistics_create(const struct recorder_view *v, int *failed)
 {
     const struct output_options *const o = v->of->output;
@@ -399,7 +391,10 @@ static void *statistics_create(const struct recorder_view *v, int *failed)
     self->plateau = o->statistics.plateau;
     self->blocks = o->statistics.blocks;
     self->dt = (double)v->of->row_every * v->sim->dt;
-    self->axis = statistics_axis_of(v->sim->gravity);
+    double up[3];
+    history_up(v->sim, up);
+    self->axis = vector_axis(up);
+    self->sign = up[self->axis] > 0.0 ? 1.0 : -1.0;
     self->rows = (int)rows;
     self->first = -1;
     self->series = alloc_doubles((1 + SCALARS) * self->rows);
@@ -446,7 +441,7 @@ static void sample_scalars(struct statistics *self, double *row)
     const double *const v[3] = {ps->vx, ps->vy, ps->vz};
     const double *const x[3] = {ps->x, ps->y, ps->z};
     const int a = self->axis;
-    const double up = sim->gravity[a] > 0.0 ? -1.0 : 1.0;
+    const double up = self->sign;
     const double floor = up > 0.0 ? sim->mesh->lo[a] : -sim->mesh->hi[a];
 
     for (int i = 0; i < ps->n; i++)

@@ -181,8 +181,14 @@ static int put_section(void *part)
     struct file *const f = picture_open(p->folder, "picture/walls.txt");
     if (f == NULL) return 1;
 
-    fprintf(file_stream(f), "# x [m]  y [m], two points a segment\n");
-    outline_section(file_stream(f), &p->outline, 0.5 * (m->lo[2] + m->hi[2]));
+    double up[3];
+    history_up(p->sim, up);
+    const struct picture_view see = picture_view(up);
+    const int deep = see.axis[2];
+    fprintf(file_stream(f), "# %c [m]  %c [m], two points a segment\n",
+            'x' + see.axis[0], 'x' + see.axis[1]);
+    outline_section(file_stream(f), &p->outline, see.axis,
+                    0.5 * (m->lo[deep] + m->hi[deep]));
     fprintf(file_stream(f), "nan nan\n");
     return file_commit(f);
 }

@@ -242,7 +242,9 @@ static void print_smearing(const struct settings *s, double b,
                   : "of the largest particle");
     if (settings_mesh(s) != NULL || !is_bed) return;
     case_mesh_ends(s, lo, size);
-    const double height = k->volume / (CHECK_PACKED * size[0] * size[2]);
+    const int up = vector_axis(s->effects.gravity);
+    const double base = size[(up + 1) % 3] * size[(up + 2) % 3];
+    const double height = k->volume / (CHECK_PACKED * base);
     text_line("height of the packed bed / b", height / b, "-",
               height < few * b
                   ? "LOW: its ends are smeared, it fluidizes too late"

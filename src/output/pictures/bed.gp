@@ -24,8 +24,8 @@ ink = '#333333'; pale = '#e2e2e2'
 load 'page.gp'
 set label 2 sprintf('t = %.3f s,  %d particle%s', time, particles, particles == 1 ? '' : 's') at screen sx(left), sy(page_y - 62) font 'Sans,12' textcolor rgb ink
 
-set xlabel 'x ['.mm.']' offset 0, 0.4 textcolor rgb ink
-set ylabel 'y ['.mm.']' offset 0.8, 0 textcolor rgb ink
+set xlabel right_up[1:1].' ['.mm.']' offset 0, 0.4 textcolor rgb ink
+set ylabel right_up[2:2].' ['.mm.']' offset 0.8, 0 textcolor rgb ink
 
 # Particles, the nearer over the farther, in viridis; none smaller than 2.5
 # pixels, or a lone one would not be seen.

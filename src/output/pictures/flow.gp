@@ -20,6 +20,7 @@ if (page_x < 560) { page_x = 560.0 }
 ink = '#333333'
 load 'page.gp'
 set label 2 sprintf('t = %.3f s', time) at screen sx(left), sy(page_y - 62) font 'Sans,12' textcolor rgb ink
+set xlabel right_up[1:1].' ['.mm.']' offset 0, 0.4
 set ylabel right_up[2:2].' ['.mm.']' offset 0.8, 0 textcolor rgb ink
 
 # Speed, and streamlines over it.

@@ -11,8 +11,8 @@ set output gif
 unit = (y1 - y0 < 1 && x1 - x0 < 1) ? 1e-3 : 1.0
 mm = unit < 1 ? 'mm' : 'm'
 set xrange [x0 / unit : x1 / unit]
-set yrange [y0 / unit : y1 / unit]
-set xlabel 'x ['.mm.']'; set ylabel 'y ['.mm.']'
+set yrange [(turned ? y1 : y0) / unit : (turned ? y0 : y1) / unit]
+set xlabel right_up[1:1].' ['.mm.']'; set ylabel right_up[2:2].' ['.mm.']'
 set tics out nomirror
 unset key
 left = 0.5 * (page - wide)

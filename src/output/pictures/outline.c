@@ -201,31 +201,32 @@ void outline_draw(struct outline *o, const struct surface *list, int n,
 
 /* The points where the sides of a polygon cross the plane; a convex one has two
  * of them, or none. */
-static int section_cross(const struct outline *o, int first, int end, double z,
-                         double at[2][2])
+static int section_cross(const struct outline *o, int first, int end,
+                         const int axis[3], double z, double at[2][2])
 {
     int n = 0;
 
     for (int i = first; i < end && n < 2; i++) {
         const double *const a = &o->x[3 * i];
         const double *const b = &o->x[3 * (i + 1 < end ? i + 1 : first)];
-        const double u = a[2] - z, v = b[2] - z;
+        const double u = a[axis[2]] - z, v = b[axis[2]] - z;
         if ((u >= 0.0) == (v >= 0.0)) continue;
         for (int k = 0; k < 2; k++)
-            at[n][k] = a[k] + u / (u - v) * (b[k] - a[k]);
+            at[n][k] = a[axis[k]] + u / (u - v) * (b[axis[k]] - a[axis[k]]);
         n++;
     }
     return n;
 }
 
-void outline_section(FILE *out, const struct outline *o, double z)
+void outline_section(FILE *out, const struct outline *o, const int axis[3],
+                     double z)
 {
     char x[NUMBER_LENGTH], y[NUMBER_LENGTH];
     double at[2][2];
     int first = 0;
 
     for (int p = 0; p < o->n_polygons; first = o->end[p++]) {
-        if (section_cross(o, first, o->end[p], z, at) < 2) continue;
+        if (section_cross(o, first, o->end[p], axis, z, at) < 2) continue;
         for (int i = 0; i < 2; i++)
             fprintf(out, "%s %s\n", number_rounded(at[i][0], 6, x),
                     number_rounded(at[i][1], 6, y));

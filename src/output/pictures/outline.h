@@ -24,8 +24,10 @@ void outline_release(struct outline *o);
 void outline_draw(struct outline *o, const struct surface *list, int n,
                   const double lo[3], const double hi[3], double t);
 
-/* Writes a segment "x y" for each polygon that crosses the plane z [m], each
- * followed by an empty line, with a number's shortest text. */
-void outline_section(FILE *out, const struct outline *o, double z);
+/* Writes a segment, its places along the first two axes, for each polygon that
+ * crosses the plane at z [m] along the third, each followed by an empty line,
+ * with a number's shortest text. */
+void outline_section(FILE *out, const struct outline *o, const int axis[3],
+                     double z);
 
 #endif

@@ -18,7 +18,7 @@ mm = unit < 1 ? 'mm' : 'm'
 ten(x) = 10.0**floor(log10(x))
 nice(x) = x <= 2 * ten(x) ? 2 * ten(x) : x <= 5 * ten(x) ? 5 * ten(x) : 10 * ten(x)
 set xrange [x0 / unit : x1 / unit]
-set yrange [y0 / unit : y1 / unit]
+set yrange [(turned ? y1 : y0) / unit : (turned ? y0 : y1) / unit]   # turned: down is up
 set xtics nice((x1 - x0) / unit / (wide / 80)) nomirror out
 set ytics nice((y1 - y0) / unit / (tall / 70)) nomirror out
 

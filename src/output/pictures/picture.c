@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "base/text.h"
+#include "base/vector.h"
 #include "output/pictures/gnuplot.h"
 
 #include <ctype.h>
@@ -14,7 +15,7 @@
 
 /* A particle to be drawn. */
 struct disc {
-    double x, y, z; /* [m] centre */
+    double x, y, z; /* [m] centre: right, up, towards the eye */
     double r;       /* [m] */
     double speed;   /* [m/s] */
 };
@@ -45,14 +46,23 @@ void picture_put_row(FILE *out, int n, const double *row)
                 i < n - 1 ? ' ' : '\n');
 }
 
+/* Seen along z, where that does not lead upwards. */
+struct picture_view picture_view(const double up[3])
+{
+    const int u = vector_axis(up), deep = u == 2 ? 1 : 2;
+    return (struct picture_view){{3 - u - deep, u, deep}, u == 1 ? 1.0 : -1.0};
+}
+
 static struct disc *discs_of(const struct picture *p)
 {
+    const struct picture_view see = picture_view(p->up);
+    const int *const a = see.axis;
     struct disc *const discs = alloc_zeroed((size_t)p->n, sizeof discs[0]);
 
     for (int i = 0; i < p->n; i++)
-        discs[i] = (struct disc){.x = p->x[0][i],
-                                 .y = p->x[1][i],
-                                 .z = p->x[2][i],
+        discs[i] = (struct disc){.x = p->x[a[0]][i],
+                                 .y = p->x[a[1]][i],
+                                 .z = see.nearer * p->x[a[2]][i],
                                  .r = 0.5 * p->d[i],
                                  .speed = sqrt(p->v[0][i] * p->v[0][i] +
                                                p->v[1][i] * p->v[1][i] +
@@ -78,7 +88,9 @@ int picture_write_particles(struct folder *folder, const char *name,
     struct disc *const discs = discs_of(p);
 
     qsort(discs, (size_t)p->n, sizeof discs[0], by_depth);
-    fprintf(file_stream(f), "# x [m]  y [m]  radius [m]  speed [m/s]\n");
+    const struct picture_view see = picture_view(p->up);
+    fprintf(file_stream(f), "# %c [m]  %c [m]  radius [m]  speed [m/s]\n",
+            'x' + see.axis[0], 'x' + see.axis[1]);
     for (int i = 0; i < p->n; i++) {
         const struct disc *const s = &discs[i];
         picture_put_row(file_stream(f), 4,
@@ -101,43 +113,46 @@ double picture_speed_scale(const struct picture *p)
     return speed;
 }
 
-/* Mean over the cells along the depth, weighted by their volumes. */
-static double depth_average(const struct mesh *m, const double *eps, int i,
-                            int j)
+/* Mean over the cells along the depth, weighted by their volumes; from the
+ * first of them on. */
+static double depth_average(const struct mesh *m, const double *eps, int first,
+                            int step, int n)
 {
-    const int *const n = m->box.n;
     double amount = 0.0, volume = 0.0;
 
-    for (int k = 0; k < n[2]; k++) {
-        const int c = i + n[0] * (j + n[1] * k);
+    for (int k = 0; k < n; k++) {
+        const int c = first + k * step;
         amount += m->V[c] * eps[c];
         volume += m->V[c];
     }
     return amount / volume;
 }
 
-static void put_columns(FILE *out, const struct picture *p)
+static void put_columns(FILE *out, const struct picture *p, const int a[3])
 {
     const struct box *const b = &p->mesh->box;
-    const double *const x = b->edge[0], *const y = b->edge[1];
+    const int step[3] = {1, b->n[0], b->n[0] * b->n[1]};
+    const double *const x = b->edge[a[0]], *const y = b->edge[a[1]];
 
-    for (int j = 0; p->eps && j < b->n[1]; j++)
-        for (int i = 0; i < b->n[0]; i++) {
-            const double eps = depth_average(p->mesh, p->eps, i, j);
+    for (int j = 0; p->eps && j < b->n[a[1]]; j++)
+        for (int i = 0; i < b->n[a[0]]; i++) {
+            const double eps =
+                depth_average(p->mesh, p->eps, i * step[a[0]] + j * step[a[1]],
+                              step[a[2]], b->n[a[2]]);
             picture_put_row(out, 5,
                             (double[5]){x[i], x[i + 1], y[j], y[j + 1], eps});
         }
 }
 
-/* Mean of the cells at n points along the depth from x on; 0 if all points are
+/* Mean of the cells at n points from x on along the depth; 0 if all points are
  * outside the mesh. */
-static double picture_sampled(const struct picture *p, double x[3], double step,
-                              int n)
+static double picture_sampled(const struct picture *p, double x[3], int deep,
+                              double step, int n)
 {
     double sum = 0.0, offset[3];
     int met = 0;
 
-    for (int k = 0; k < n; k++, x[2] += step) {
+    for (int k = 0; k < n; k++, x[deep] += step) {
         const int c = mesh_cell_and_offset(p->mesh, x, offset);
         if (c < 0) continue;
         sum += p->eps[c];
@@ -148,7 +163,7 @@ static double picture_sampled(const struct picture *p, double x[3], double step,
 
 /* A polyhedral mesh has no columns of cells; squares half as wide as a mean
  * cell are used instead. */
-static void put_squares(FILE *out, const struct picture *p)
+static void put_squares(FILE *out, const struct picture *p, const int a[3])
 {
     const struct mesh *const m = p->mesh;
     double volume = 0.0, width[3];
@@ -157,18 +172,20 @@ static void put_squares(FILE *out, const struct picture *p)
     for (int c = 0; c < m->n_cells; c++)
         volume += m->V[c];
     for (int k = 0; k < 3; k++) {
-        const double L = m->hi[k] - m->lo[k];
+        const double L = m->hi[a[k]] - m->lo[a[k]];
         const double fit = ceil(2.0 * L / cbrt(volume / m->n_cells));
         n[k] = number_clamped(fit, 1, most_squares[k]);
         width[k] = L / n[k];
     }
     for (int j = 0; p->eps && j < n[1]; j++)
         for (int i = 0; i < n[0]; i++) {
-            const double x = m->lo[0] + i * width[0];
-            const double y = m->lo[1] + j * width[1];
-            double point[3] = {x + 0.5 * width[0], y + 0.5 * width[1],
-                               m->lo[2] + 0.5 * width[2]};
-            const double eps = picture_sampled(p, point, width[2], n[2]);
+            const double x = m->lo[a[0]] + i * width[0];
+            const double y = m->lo[a[1]] + j * width[1];
+            double point[3];
+            point[a[0]] = x + 0.5 * width[0];
+            point[a[1]] = y + 0.5 * width[1];
+            point[a[2]] = m->lo[a[2]] + 0.5 * width[2];
+            const double eps = picture_sampled(p, point, a[2], width[2], n[2]);
             if (eps > 0.0)
                 picture_put_row(
                     out, 5, (double[5]){x, x + width[0], y, y + width[1], eps});
@@ -182,10 +199,11 @@ static int put_void_fraction(struct folder *folder, const struct picture *p)
 
     fprintf(file_stream(f), "# edges of a column of cells: left right bottom "
                             "top [m]  void fraction [-]\n");
+    const struct picture_view see = picture_view(p->up);
     if (p->mesh->shape == NULL)
-        put_columns(file_stream(f), p);
+        put_columns(file_stream(f), p, see.axis);
     else
-        put_squares(file_stream(f), p);
+        put_squares(file_stream(f), p, see.axis);
     return file_commit(f);
 }
 
@@ -198,19 +216,23 @@ void picture_put_number(FILE *out, const char *name, double value,
             value == floor(value) && fabs(value) < 1e9 ? ".0" : "", unit);
 }
 
-void picture_put_box(FILE *out, const struct picture *p, double fast)
+void picture_put_box(FILE *out, const struct picture *p, const int axis[2],
+                     double fast)
 {
     const double *const lo = p->mesh->lo, *const hi = p->mesh->hi;
+    const int a = axis[0], b = axis[1];
 
     fprintf(out, "# The numbers of this run.\n");
     fputs("title = ", out);
     text_put(out, p->title, TEXT_GNUPLOT);
     fputc('\n', out);
     picture_put_number(out, "time", p->time, "s");
-    picture_put_number(out, "x0", lo[0], "m");
-    picture_put_number(out, "x1", hi[0], "m");
-    picture_put_number(out, "y0", lo[1], "m");
-    picture_put_number(out, "y1", hi[1], "m");
+    picture_put_number(out, "x0", lo[a], "m");
+    picture_put_number(out, "x1", hi[a], "m");
+    picture_put_number(out, "y0", lo[b], "m");
+    picture_put_number(out, "y1", hi[b], "m");
+    fprintf(out, "right_up = '%c%c'\nturned = %d\n", 'x' + a, 'x' + b,
+            p->up[b] < 0.0);
     picture_put_number(out, "fast", fast, "m/s, which 99 of 100 keep below");
 }
 
@@ -227,7 +249,8 @@ static int picture_put_script(struct folder *folder, const struct picture *p)
     if (f == NULL) return 1;
 
     FILE *const out = file_stream(f);
-    picture_put_box(out, p, speed > 0.0 ? speed : 1.0);
+    const struct picture_view see = picture_view(p->up);
+    picture_put_box(out, p, see.axis, speed > 0.0 ? speed : 1.0);
     fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n", p->n,
             p->eps != NULL, p->pressure);
     fprintf(out, "with_walls = %d\n\n", p->walls);

@@ -1,7 +1,8 @@
 /* picture.h -- a picture of the bed, drawn by gnuplot.
  *
  * DIR/bed.png shows, at one scale, the particles coloured by speed and the void
- * fraction averaged over the depth, both as seen along z, and beside them the
+ * fraction averaged over the depth, both with the way up upwards and as seen
+ * along z (along y, where z leads upwards), and beside them the
  * pressure drop in time with the weight of the bed. gnuplot does not read VTK,
  * so its data are written to DIR/picture: particles.txt, void_fraction.txt, and
  * bed.gp, which may be changed and run again:
@@ -24,7 +25,8 @@ struct file;
 /* The data of a picture; all borrowed. */
 struct picture {
     const char *title;
-    double time; /* [s] */
+    double time;      /* [s] */
+    const double *up; /* [-] upwards, 3 */
     const struct mesh *mesh;
     const double *eps;   /* [-] void fraction a cell; NULL: no such panel */
     int n;               /* [-] particles; 0 allowed */
@@ -36,7 +38,14 @@ struct picture {
     int walls;           /* [-] 1: picture/walls.txt has segments x y [m] */
 };
 
-/* Parts of a picture that an animation has as well (animation.h).
+/* The axes to the right, up and of the depth. */
+struct picture_view {
+    int axis[3];
+    double nearer; /* [-] 1: what is further along the depth is nearer; or -1 */
+};
+struct picture_view picture_view(const double up[3]);
+
+/* Parts of a picture that an animation has as well.
  *
  * A file of the folder; NULL after a message. */
 struct file *picture_open(struct folder *folder, const char *name);
@@ -49,9 +58,10 @@ int picture_write_particles(struct folder *folder, const char *name,
 /* The speed that 99 of 100 particles keep below [m/s]; 0 without any. */
 double picture_speed_scale(const struct picture *p);
 
-/* Title, time, box and `fast` [m/s], the end of the colour scale, as gnuplot's
- * variables. */
-void picture_put_box(FILE *out, const struct picture *p, double fast);
+/* Title, time, box along the axes to the right and up, and `fast` [m/s], the
+ * end of the colour scale, as gnuplot's variables. */
+void picture_put_box(FILE *out, const struct picture *p, const int axis[2],
+                     double fast);
 void picture_put_number(FILE *out, const char *name, double value,
                         const char *unit);
 void picture_put_row(FILE *out, int n, const double *row);

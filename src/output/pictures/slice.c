@@ -11,6 +11,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
+#include "base/vector.h"
 #include "output/means/probe.h"
 #include "output/pictures/picture.h"
 
@@ -47,10 +48,11 @@ static void slice_sample(struct slice *s, const struct mesh *m, int i,
 }
 
 struct slice slice_of(const struct mesh *m, const double *u, const double *p,
-                      int points)
+                      const double up[3], int points)
 {
-    const int k = least_to_see(m);
+    const int k = least_to_see(m), high = vector_axis(up);
     struct slice s = {.axis = {k == 0 ? 2 : 0, k == 1 ? 2 : 1}};
+    if (high != k) s.axis[0] = 3 - k - (s.axis[1] = high);
     double x[3], area = 1.0;
 
     for (int a = 0; a < 2; a++)
@@ -288,28 +290,18 @@ static int picture_flow_put_script(struct folder *folder,
     for (int i = 0; i < s->n[0] * s->n[1]; i++)
         fast = fmax(fast, s->speed[i]);
     pressure_range(s, &low, &high);
-    const int a = s->axis[0], b = s->axis[1];
-    const double *const lo = p->mesh->lo, *const hi = p->mesh->hi;
     FILE *const out = file_stream(f);
-    picture_put_box(out, p, fast > 0.0 ? fast : 1.0);
-    picture_put_number(out, "x0", lo[a], "m");
-    picture_put_number(out, "x1", hi[a], "m");
-    picture_put_number(out, "y0", lo[b], "m");
-    picture_put_number(out, "y1", hi[b], "m");
+    picture_put_box(out, p, s->axis, fast > 0.0 ? fast : 1.0);
     picture_put_number(out, "low", low, "Pa");
     picture_put_number(out, "high", high, "Pa");
-    fprintf(out, "right_up = '%c%c'\n\n", 'x' + a, 'x' + b);
-    fprintf(out,
-            "set xlabel '%c ['.((y1 - y0 < 1 && x1 - x0 < 1) ? 'mm' : "
-            "'m').']' offset 0, 0.4\n",
-            'x' + a);
+    fputc('\n', out);
     picture_put_program(out, picture_flow);
     return file_commit(f);
 }
 
 int picture_flow_write(struct folder *folder, const struct picture *p)
 {
-    struct slice s = slice_of(p->mesh, p->u, p->p, POINTS);
+    struct slice s = slice_of(p->mesh, p->u, p->p, p->up, POINTS);
     const int failed = put_points(folder, &s) ||
                        picture_flow_put_lines(folder, &s) ||
                        picture_flow_put_script(folder, p, &s);

@@ -1,7 +1,8 @@
 /* slice.h -- a plane through the middle of a mesh, as a grid of points.
  *
  * The plane is normal to the direction in which there is least to see: one with
- * a single cell, else the shortest. Its axes are x and y where that is z.
+ * a single cell, else the shortest. Its axes are x and y where that is z, or
+ * the way up is one of them, upwards.
  */
 #ifndef OUTPUT_PICTURES_SLICE_H
 #define OUTPUT_PICTURES_SLICE_H
@@ -19,7 +20,7 @@ struct slice {
 
 /* Of cell values u (3 a cell) and p, with so many points, about. */
 struct slice slice_of(const struct mesh *m, const double *u, const double *p,
-                      int points);
+                      const double up[3], int points);
 void slice_release(struct slice *s);
 
 /* The velocity in the plane at a place of it, linear between the points; 0 if
