@@ -145,19 +145,14 @@ static const char *with(const char *old, const char *new)
 START_TEST(values_come_back_as_the_case_says)
 {
     struct settings *const s = good_with(NULL);
-    double v[3];
-    int n[3];
 
     ck_assert_str_eq(settings_text(s, "title"), "a test");
     ck_assert_double_eq(settings_real(s, "fluid.density"), 1000.0);
     ck_assert_double_eq(settings_real(s, "fluid.viscosity"), 1e-3);
     ck_assert_double_eq(settings_real(s, "output.every"), 1.0);
-    settings_vector(s, "mesh.size", v);
-    ck_assert_double_eq(v[1], 2.0);
-    settings_counts(s, "mesh.cells", n);
-    ck_assert_int_eq(n[2], 6);
-    settings_vector(s, "effects.gravity", v);
-    ck_assert_double_eq(v[1], -9.81);
+    ck_assert_double_eq(s->mesh.box.size[1], 2.0);
+    ck_assert_int_eq(s->mesh.box.cells[2], 6);
+    ck_assert_double_eq(s->effects.gravity[1], -9.81);
     settings_free(s);
 }
 END_TEST
@@ -165,17 +160,13 @@ END_TEST
 START_TEST(left_out_keys_have_their_defaults_and_are_not_named)
 {
     struct settings *const s = good_with(NULL);
-    double v[3];
-    int n[3];
 
     ck_assert(settings_has(s, "fluid.step"));
     ck_assert(!settings_has(s, "fluid.correctors"));
     ck_assert_int_eq(settings_int(s, "fluid.correctors"), 2);
     ck_assert_str_eq(settings_text(s, "fluid.continuity"), "mixture");
-    settings_vector(s, "mesh.grading", v);
-    ck_assert_double_eq(v[2], 1.0);
-    settings_flags(s, "mesh.periodic", n);
-    ck_assert_int_eq(n[0], 0);
+    ck_assert_double_eq(s->mesh.box.grading[2], 1.0);
+    ck_assert_int_eq(s->mesh.box.periodic[0], 0);
     ck_assert_str_eq(settings_text(s, "cites"), "");
     ck_assert(!settings_has(s, "particles"));
     settings_free(s);
@@ -201,19 +192,18 @@ END_TEST
 START_TEST(inlet_is_a_number_or_a_course_in_time)
 {
     struct settings *s = good_with(NULL);
-    double t, u;
+    const struct key_series *u = &settings_side(s, "bottom")->inlet;
 
-    ck_assert_int_eq(settings_points(s, "fluid.bottom.inlet"), 2);
-    settings_point(s, "fluid.bottom.inlet", 1, &t, &u);
-    ck_assert_double_eq(t, 15.0);
-    ck_assert_double_eq(u, 1.5);
+    ck_assert_int_eq(u->n, 2);
+    ck_assert_double_eq(u->at[1], 15.0);
+    ck_assert_double_eq(u->value[1], 1.5);
     settings_free(s);
 
     s = good_with("fluid.bottom.inlet=1");
-    ck_assert_int_eq(settings_points(s, "fluid.bottom.inlet"), 1);
-    settings_point(s, "fluid.bottom.inlet", 0, &t, &u);
-    ck_assert_double_eq(t, 0.0);
-    ck_assert_double_eq(u, 1.0);
+    u = &settings_side(s, "bottom")->inlet;
+    ck_assert_int_eq(u->n, 1);
+    ck_assert_double_eq(u->at[0], 0.0);
+    ck_assert_double_eq(u->value[0], 1.0);
     settings_free(s);
 }
 END_TEST
@@ -239,7 +229,6 @@ START_TEST(vector_may_mix_whole_and_real_numbers)
     int code;
     char said[CAPTURE_TEXT];
     static const char *const none[] = {NULL};
-    double v[3];
 
     for (int i = 0; i < 6; i++) {
         char override[64];
@@ -250,9 +239,8 @@ START_TEST(vector_may_mix_whole_and_real_numbers)
                   : read_case(with("[0.0, -9.81, 0.0]", arrays[i - 3]), none,
                               &code, said);
         ck_assert_ptr_nonnull(s);
-        settings_vector(s, "effects.gravity", v);
-        ck_assert_double_eq(v[0], 0.0);
-        ck_assert_double_eq(v[1], -9.81);
+        ck_assert_double_eq(s->effects.gravity[0], 0.0);
+        ck_assert_double_eq(s->effects.gravity[1], -9.81);
         settings_free(s);
     }
     struct settings *const s = good_with("title=\"[1, 2.0]\"");
@@ -282,7 +270,7 @@ START_TEST(override_replaces_adds_and_reaches_into_lists)
                         0.25);
     settings_free(s);
     s = good_with("fluid.bottom={inlet=0.9;}");
-    ck_assert_int_eq(settings_points(s, "fluid.bottom.inlet"), 1);
+    ck_assert_int_eq(settings_side(s, "bottom")->inlet.n, 1);
     settings_free(s);
 }
 END_TEST

@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "case/models.h"
 #include "case/schema.h"
+#include "case/source.h"
 
 /* The struct that the keys of a group fill, and the int that says that the case
  * names it; REQUIRED: every case does. A group within another one, with a
@@ -67,55 +68,64 @@ static void store_text(const struct key *key, const char *text, void *member)
         *(const char **)member = text;
 }
 
-static void store_series(const struct settings *s, const char *path,
+static void store_series(const config_setting_t *from,
                          struct key_series *points)
 {
-    points->n = settings_points(s, path);
+    const int is_list = config_setting_is_list(from);
+
+    points->n = is_list ? config_setting_length(from) : 1;
     points->at = alloc_doubles(2 * points->n);
     points->value = points->at + points->n;
-    for (int i = 0; i < points->n; i++)
-        settings_point(s, path, i, &points->at[i], &points->value[i]);
+    if (!is_list) points->value[0] = source_number(from);
+    for (int i = 0; i < points->n && is_list; i++) {
+        const config_setting_t *const one =
+            config_setting_get_elem(from, (unsigned)i);
+        points->at[i] = source_number(config_setting_get_elem(one, 0));
+        points->value[i] = source_number(config_setting_get_elem(one, 1));
+    }
 }
 
-static void fill_store(const struct settings *s, const struct key *key,
-                       const char *path, void *member)
+/* A word in the place of a whole number is 0. */
+static void fill_store(const struct key *key, const config_setting_t *from,
+                       void *member)
 {
-    switch (key->type) {
-    case KEY_REAL:
-        *(double *)member = settings_real(s, path);
-        break;
-    case KEY_INT:
-        *(int *)member = settings_int(s, path);
-        break;
-    case KEY_BOOL:
-        *(int *)member = settings_bool(s, path);
-        break;
-    case KEY_VECTOR:
-        settings_vector(s, path, member);
-        break;
-    case KEY_COUNTS:
-        settings_counts(s, path, member);
-        break;
-    case KEY_FLAGS:
-        settings_flags(s, path, member);
-        break;
-    case KEY_SERIES:
-    case KEY_CURVE:
-        store_series(s, path, member);
-        break;
-    default:
-        store_text(key, settings_text(s, path), member);
+    double *const real = member;
+    int *const whole = member;
+
+    if (key->type == KEY_REAL) *real = source_number(from);
+    if (key->type == KEY_INT) *whole = config_setting_get_int(from);
+    if (key->type == KEY_BOOL) *whole = config_setting_get_bool(from);
+    for (int k = 0; k < 3; k++) {
+        if (key->type == KEY_VECTOR)
+            real[k] = source_number(config_setting_get_elem(from, (unsigned)k));
+        if (key->type == KEY_COUNTS)
+            whole[k] = config_setting_get_int_elem(from, k);
+        if (key->type == KEY_FLAGS)
+            whole[k] = config_setting_get_bool_elem(from, k);
     }
+    if (key->type == KEY_SERIES || key->type == KEY_CURVE)
+        store_series(from, member);
+    if (key->type == KEY_NAME || key->type == KEY_TEXT || key->type == KEY_FILE)
+        store_text(key, config_setting_get_string(from), member);
+}
+
+static const config_setting_t *fill_setting(const struct settings *s,
+                                            const char *path)
+{
+    return config_lookup(settings_root(s)->config, path);
 }
 
 static void store_at(const struct settings *s, const struct key *key,
                      const char *path, void *base)
 {
+    const config_setting_t *const from = fill_setting(s, path);
     char *const of = base;
 
-    if (key->at > 0 && key->size == 0 && settings_is_set(s, path))
-        fill_store(s, key, path, of + key->at - 1);
-    if (key->given > 0) *(int *)(of + key->given - 1) = settings_has(s, path);
+    if (key->at > 0 && key->size == 0 && from != NULL)
+        fill_store(key, from, of + key->at - 1);
+    if (key->given > 0)
+        *(int *)(of + key->given - 1) =
+            from != NULL && !source_is_default(from);
 }
 
 /* --- lists ---------------------------------------------------------------- */
@@ -267,25 +277,21 @@ void fill_release(struct settings *s, const struct key *const *tables)
 
 /* --- numbers in the order of a table -------------------------------------- */
 
+/* One of a number, three of a vector, none of a group. */
 static int numbers_of(const struct settings *s, const struct key *key,
                       double v[3])
 {
-    switch (key->type) {
-    case KEY_REAL:
-        v[0] = settings_real(s, key->path);
-        return 1;
-    case KEY_INT:
-        v[0] = settings_int(s, key->path);
-        return 1;
-    case KEY_BOOL:
-        v[0] = settings_bool(s, key->path);
-        return 1;
-    case KEY_VECTOR:
-        settings_vector(s, key->path, v);
-        return 3;
-    default:
-        return 0;
-    }
+    const config_setting_t *const from = fill_setting(s, key->path);
+    int whole;
+
+    if (key->type == KEY_GROUP) return 0;
+    assert(from != NULL);
+    if (key->type == KEY_INT || key->type == KEY_BOOL) {
+        fill_store(key, from, &whole);
+        v[0] = whole;
+    } else
+        fill_store(key, from, v);
+    return key->type == KEY_VECTOR ? 3 : 1;
 }
 
 int fill_numbers(const struct settings *s, const struct key *keys,

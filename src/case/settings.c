@@ -124,10 +124,9 @@ int settings_quiet(const struct settings *s)
 /* A text is read of keys for a word, for any text, and for a file. */
 static int type_fits(const struct key *key, enum key_type type)
 {
-    if (key == NULL || key->type == type) return key != NULL;
-    return type == KEY_SERIES ? key->type == KEY_CURVE
-                              : type == KEY_NAME && (key->type == KEY_TEXT ||
-                                                     key->type == KEY_FILE);
+    return key != NULL &&
+           (key->type == type || (type == KEY_NAME && (key->type == KEY_TEXT ||
+                                                       key->type == KEY_FILE)));
 }
 
 /* The groups of a list have the rows of its name. */
@@ -189,17 +188,6 @@ int settings_int(const struct settings *s, const char *path)
         settings_find(s, path, KEY_INT)); /* of a word: 0 */
 }
 
-double settings_real_or(const struct settings *s, const char *path,
-                        double absent)
-{
-    return settings_has(s, path) ? settings_real(s, path) : absent;
-}
-
-int settings_bool(const struct settings *s, const char *path)
-{
-    return config_setting_get_bool(settings_find(s, path, KEY_BOOL));
-}
-
 const char *settings_text(const struct settings *s, const char *path)
 {
     const struct key *const key = settings_row(s, path);
@@ -208,52 +196,6 @@ const char *settings_text(const struct settings *s, const char *path)
     assert(type_fits(key, KEY_NAME) || key->type == KEY_PATCH);
     assert(found != NULL || key->type == KEY_TEXT);
     return found != NULL ? config_setting_get_string(found) : "";
-}
-
-void settings_vector(const struct settings *s, const char *path, double v[3])
-{
-    const config_setting_t *const found = settings_find(s, path, KEY_VECTOR);
-
-    for (unsigned i = 0; i < 3; i++)
-        v[i] = source_number(config_setting_get_elem(found, i));
-}
-
-void settings_counts(const struct settings *s, const char *path, int v[3])
-{
-    const config_setting_t *const found = settings_find(s, path, KEY_COUNTS);
-
-    for (int i = 0; i < 3; i++)
-        v[i] = config_setting_get_int_elem(found, i);
-}
-
-void settings_flags(const struct settings *s, const char *path, int v[3])
-{
-    const config_setting_t *const found = settings_find(s, path, KEY_FLAGS);
-
-    for (int i = 0; i < 3; i++)
-        v[i] = config_setting_get_bool_elem(found, i);
-}
-
-int settings_points(const struct settings *s, const char *path)
-{
-    const config_setting_t *const found = settings_find(s, path, KEY_SERIES);
-    return config_setting_is_list(found) ? config_setting_length(found) : 1;
-}
-
-void settings_point(const struct settings *s, const char *path, int i,
-                    double *time, double *value)
-{
-    const config_setting_t *const found = settings_find(s, path, KEY_SERIES);
-    const config_setting_t *const point =
-        config_setting_is_list(found)
-            ? config_setting_get_elem(found, (unsigned)i)
-            : NULL;
-
-    assert(point != NULL || i == 0);
-    *time =
-        point != NULL ? source_number(config_setting_get_elem(point, 0)) : 0.0;
-    *value = source_number(point != NULL ? config_setting_get_elem(point, 1)
-                                         : found);
 }
 
 int settings_is_list(const struct settings *s, const char *path)

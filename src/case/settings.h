@@ -83,20 +83,7 @@ int settings_is_set(const struct settings *s, const char *path);
 
 double settings_real(const struct settings *s, const char *path);
 int settings_int(const struct settings *s, const char *path); /* word: 0 */
-/* The same where the case names the key, else `absent`. */
-double settings_real_or(const struct settings *s, const char *path,
-                        double absent);
-int settings_bool(const struct settings *s, const char *path);
 const char *settings_text(const struct settings *s, const char *path);
-void settings_vector(const struct settings *s, const char *path, double v[3]);
-void settings_counts(const struct settings *s, const char *path, int v[3]);
-void settings_flags(const struct settings *s, const char *path, int v[3]);
-
-/* A value that may vary in time, or a curve: its number of points (1 for a
- * constant, at time 0) and one of them. */
-int settings_points(const struct settings *s, const char *path);
-void settings_point(const struct settings *s, const char *path, int i,
-                    double *time, double *value);
 
 /* The row of a path, which may have the numbers of groups of lists in it; NULL:
  * none. */
@@ -118,12 +105,8 @@ const char *settings_item(char path[SETTINGS_ITEM_SIZE], const char *list,
 #define settings_item_is_set(s, l, i, k)                                       \
     settings_is_set(s, SETTINGS_ITEM(l, i, k))
 #define settings_item_real(s, l, i, k) settings_real(s, SETTINGS_ITEM(l, i, k))
-#define settings_item_real_or(s, l, i, k, absent)                              \
-    settings_real_or(s, SETTINGS_ITEM(l, i, k), absent)
 #define settings_item_int(s, l, i, k) settings_int(s, SETTINGS_ITEM(l, i, k))
 #define settings_item_text(s, l, i, k) settings_text(s, SETTINGS_ITEM(l, i, k))
-#define settings_item_vector(s, l, i, k, v)                                    \
-    settings_vector(s, SETTINGS_ITEM(l, i, k), v)
 
 /* What the case says about a side of the box or a patch of its mesh, under
  * "fluid.left" or "fluid.sides" for "left"; NULL if it says nothing. */

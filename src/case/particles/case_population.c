@@ -38,9 +38,11 @@ static struct sizes_options sizes_options_of(const struct settings *s, int i)
 
     o.by_mass = strcmp(one->by, "mass") == 0;
     for (const struct key *k = o.law->own_keys; k != NULL && k->path != NULL;
-         k++)
-        o.own[n++] =
-            settings_item_real_or(s, sizes, i, strrchr(k->path, '.') + 1, 0.0);
+         k++, n++) {
+        const char *const key =
+            SETTINGS_ITEM(sizes, i, strrchr(k->path, '.') + 1);
+        if (settings_has(s, key)) o.own[n] = settings_real(s, key);
+    }
     o.n = one->points.n;
     if (o.n == 0) return o;
     double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);
