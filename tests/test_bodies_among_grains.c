@@ -28,6 +28,9 @@ static const char
 
 /* A periodic box of water with 500 grains of 1 mm, and a body that moves into
  * them. */
+/* The case of the simulation, whose shapes it borrows. */
+static struct settings *borrowed;
+
 static struct simulation *build_with(const char *body, const char *averaging,
                                      const char *more)
 {
@@ -49,14 +52,19 @@ static struct simulation *build_with(const char *body, const char *averaging,
     fprintf(f, "%s bodies = { %s }; averaging = { %s };\n%s", rest, body,
             averaging, more);
     fclose(f);
-    struct settings *const s = case_file_read(path, 0, NULL, &code);
+    borrowed = case_file_read(path, 0, NULL, &code);
     remove(path);
-    ck_assert_ptr_nonnull(s);
-    struct simulation *const sim = build_simulation(s, &code);
+    ck_assert_ptr_nonnull(borrowed);
+    struct simulation *const sim = build_simulation(borrowed, &code);
     ck_assert_ptr_nonnull(sim);
-    settings_free(s);
     ck_assert_int_eq(coupling_start(sim), 0);
     return sim;
+}
+
+static void release(struct simulation *sim)
+{
+    build_free(sim);
+    settings_free(borrowed);
 }
 
 static struct simulation *build(const char *averaging, const char *more)
@@ -97,7 +105,7 @@ START_TEST(sx15_a1_a_body_loses_no_volume_and_has_none_in_it)
     ck_assert_int_ge(inside, 100);
     /* 1 - eps is rounded in 2000 cells */
     ck_assert_double_eq_tol(sum / (500.0 * V_p), 1.0, 1e-12);
-    build_free(sim);
+    release(sim);
 }
 END_TEST
 
@@ -125,7 +133,7 @@ START_TEST(sx15_a1_spread_and_gather_stay_adjoint_around_a_body)
         other += sim->mesh->V[c] * f[c] * s[c];
     ck_assert_double_eq_tol(one / other, 1.0, 1e-12);
     free(q), free(f), free(g), free(s);
-    build_free(sim);
+    release(sim);
 }
 END_TEST
 
@@ -147,7 +155,7 @@ START_TEST(xs11_3_9_nothing_of_a_body_is_interpolated_to_grains)
     for (int i = 0; i < sim->particles->n; i++)
         ck_assert_double_eq_tol(g[i], 1.0, 1e-12);
     free(f), free(g);
-    build_free(sim);
+    release(sim);
 }
 END_TEST
 
@@ -177,7 +185,7 @@ START_TEST(momentum_of_grains_bodies_and_fluid_is_constant)
                                     before[k], 1e-9 * scale);
     }
     ck_assert_double_ge(pushed, 1e-3 * scale); /* they did touch */
-    build_free(sim);
+    release(sim);
 }
 END_TEST
 
@@ -201,7 +209,7 @@ START_TEST(momentum_is_constant_where_the_loads_are_found_anew)
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol(after[k] - sim->fluid->relabelled[k], before[k],
                                 1e-9 * scale);
-    build_free(sim);
+    release(sim);
 }
 END_TEST
 
@@ -227,7 +235,7 @@ START_TEST(grains_do_not_enter_a_body)
     }
     ck_assert_double_ge(fabs(b->ps->y[0] - 0.0065),
                         1e-3); /* through the seam */
-    build_free(sim);
+    release(sim);
 }
 END_TEST
 

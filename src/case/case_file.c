@@ -6,7 +6,7 @@
 #include "case/checks/case_memory.h"
 #include "case/checks/mesh_check.h"
 #include "case/checks/validate.h"
-#include "case/engine/case_engine.h"
+#include "coupling/processes.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/particles/case_surfaces.h"
@@ -38,7 +38,7 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     tables[n++] = coupling_keys;
     tables[n++] = effects_keys;
     tables[n++] = output_keys;
-    tables[n++] = case_engine_keys;
+    tables[n++] = processes_check_keys;
     tables[n++] = bodies_setup_keys;
     n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
     assert(n < CASE_FILE_TABLES);

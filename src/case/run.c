@@ -15,7 +15,6 @@
 #include "coupling/processes.h"
 #include "output/folder.h"
 #include "case/build.h"
-#include "case/engine/case_engine.h"
 #include "case/checks/case_scales.h"
 #include "case/case_steps.h"
 #include "case/case_file.h"
@@ -245,8 +244,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code = 0;
 
-    if (case_engine_check_run(s) != 0 || case_scales_check(s) != 0)
-        return WRONG;
+    if (processes_check_run(s) != 0 || case_scales_check(s) != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_open(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;

@@ -74,4 +74,23 @@ int processes_largest(const struct simulation *sim, int x);
 double processes_cells(const struct simulation *sim);
 double processes_particles(const struct simulation *sim);
 
+/* What a case says of several machines (distributed/processes_check.c). Whether
+ * their engine can compute the case: 0, or 2 after a message; processes_check:
+ * 0 also where the case does not ask for it. LAMMPS ends the whole program at a
+ * word that it does not know, so a case is looked at before. */
+struct case_scales;
+extern const struct key processes_check_keys[];
+int processes_check_all(const struct settings *s);
+int processes_check(const struct settings *s);
+
+/* Whether this program can compute the case; and what the export, which needs
+ * only what LAMMPS does, cannot tell it: 0, or 2 after a message that names the
+ * key. */
+int processes_check_run(const struct settings *s);
+int processes_check_export(const struct settings *s);
+
+/* Prints its lines for `winnow check`. */
+void processes_check_print(const struct settings *s,
+                           const struct case_scales *k);
+
 #endif

@@ -19,8 +19,8 @@
 #include "case/particles/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/simulation.h"
-#include "case/engine/case_engine.h"
-#include "case/engine/words.h"
+#include "coupling/processes.h"
+#include "distributed/words.h"
 
 static void export_put_line(void *to, const char *line)
 {
@@ -135,7 +135,7 @@ static int export_act(const struct command_line *l)
     }
     struct settings *const s =
         case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
-    if (s != NULL) code = case_engine_check_export(s);
+    if (s != NULL) code = processes_check_export(s);
     if (s != NULL && code == 0)
         code = export_case(s, l->dir != NULL ? l->dir : "out/export");
     settings_free(s);

@@ -82,28 +82,28 @@ static void put_bed(const struct second_half *h, double row[N])
     history_up(h->sim, up);
     const int a = vector_axis(up) == 0; /* the axis across */
     const double *const at = a == 0 ? ps->x : ps->y;
-    double mass = 0.0, x = 0.0, square = 0.0, p[3] = {0.0, 0.0, 0.0};
+    struct {
+        double mass, x, square, p[3];
+    } sum = {0.0, 0.0, 0.0, {0.0, 0.0, 0.0}};
 
     for (int i = 0; i < ps->n; i++) {
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
-        mass += ps->m[i];
-        x += ps->m[i] * at[i];
-        square += ps->m[i] * vector_dot(v, v);
+        sum.mass += ps->m[i];
+        sum.x += ps->m[i] * at[i];
+        sum.square += ps->m[i] * vector_dot(v, v);
         for (int k = 0; k < 3; k++)
-            p[k] += ps->m[i] * v[k];
+            sum.p[k] += ps->m[i] * v[k];
     }
-    mass = processes_total(h->sim, mass);
-    x = processes_total(h->sim, x);
-    square = processes_total(h->sim, square);
-    for (int k = 0; k < 3; k++)
-        p[k] = processes_total(h->sim, p[k]);
+    processes_sum(h->sim, 6, &sum.mass);
+    const double mass = sum.mass, *const p = sum.p;
     if (mass == 0.0) return;
     const double gg = vector_dot(g, g);
     const double along = gg > 0.0 ? vector_dot(p, g) / sqrt(gg) : 0.0;
-    row[SPEED] = square / mass;
+    row[SPEED] = sum.square / mass;
     row[UPRIGHT] = along * along / (mass * mass);
     row[LEVEL] = (vector_dot(p, p) - along * along) / (mass * mass);
-    row[LEAN] = (2.0 * x / mass - m->lo[a] - m->hi[a]) / (m->hi[a] - m->lo[a]);
+    row[LEAN] =
+        (2.0 * sum.x / mass - m->lo[a] - m->hi[a]) / (m->hi[a] - m->lo[a]);
 }
 
 static void second_half_grow(struct second_half *h, int capacity)

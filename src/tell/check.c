@@ -9,7 +9,7 @@
 #include "case/checks/case_scales.h"
 #include "case/particles/case_materials.h"
 #include "case/checks/case_memory.h"
-#include "case/engine/case_engine.h"
+#include "coupling/processes.h"
 #include "case/resolved/case_bodies.h"
 #include "case/particles/case_surfaces.h"
 #include "base/text.h"
@@ -213,7 +213,7 @@ int check_case(const struct settings *s)
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0) check_cohesion(s, &k);
     case_surfaces_print(s, &k);
-    case_engine_print(s, &k);
+    processes_check_print(s, &k);
     case_bodies_report(s);
     if (s->output.statistics.on && s->output.statistics.from >= s->output.end)
         text_line("statistics", s->output.statistics.from, "s",

@@ -15,7 +15,7 @@
 #include "case/checks/model_choice.h"
 #include "case/checks/output_check.h"
 #include "case/particles/case_cohesion.h"
-#include "case/engine/case_engine.h"
+#include "coupling/processes.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/schema.h"
@@ -362,7 +362,7 @@ int validate_case(struct settings *s)
     if (code == 0 && is_auto) code = case_scales_auto_step(s);
     if (code == 0 && is_auto) code = case_steps_check(s);
     if (code == 0 && s->has.averaging) code = case_averaging_check(s);
-    if (code == 0) code = case_engine_check(s);
+    if (code == 0) code = processes_check(s);
     if (code == 0) code = case_bodies_check(s);
     return code != 0 ? code : output_check(s);
 }

@@ -2,7 +2,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "case/case_mesh.h"
-#include "case/engine/case_engine.h"
+#include "coupling/processes.h"
 #include "distributed/ranks/engine.h"
 #include "output/checkpoint/state_file.h"
 
@@ -207,7 +207,7 @@ static struct simulation *engine_build(const struct settings *s,
 static int engine_check(const struct settings *s)
 {
     struct partition p;
-    int code = case_engine_check_all(s);
+    int code = processes_check_all(s);
 
     if (code == 0) code = part_divide(s, MPI_COMM_WORLD, &p);
     if (code == 0) partition_release(&p);

@@ -8,7 +8,7 @@
 #ifndef DISTRIBUTED_RANKS_SPHERES_H
 #define DISTRIBUTED_RANKS_SPHERES_H
 
-#include "case/engine/words.h"
+#include "distributed/words.h"
 #include "dem/bed.h"
 #include "dem/dem_method.h"
 #include "distributed/ranks/partition.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/engine/words.h"
+#include "distributed/words.h"
 
 #include <math.h>
 #include <stdarg.h>

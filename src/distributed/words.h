@@ -7,8 +7,8 @@
  * alpha(e') sqrt(m* k), with a polynomial alpha; e' is the number for which it
  * has our damping ratio.
  */
-#ifndef CASE_ENGINE_WORDS_H
-#define CASE_ENGINE_WORDS_H
+#ifndef DISTRIBUTED_WORDS_H
+#define DISTRIBUTED_WORDS_H
 
 #include "case/settings.h"
 #include "dem/contact.h"

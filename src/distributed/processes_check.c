@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* case_engine.c -- the keys of the distributed engine, and what `check` says of
- * it.  Chapter "Past one machine". */
-#include "case/engine/case_engine.h"
+/* processes_check.c -- the keys of the distributed engine, and what `check`
+ * says of it.  Chapter "Past one machine". */
+#include "coupling/processes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,12 +13,11 @@
 #include "case/checks/case_scales.h"
 #include "base/text.h"
 #include "case/checks/materials_check.h"
-#include "case/engine/words.h"
+#include "distributed/words.h"
 #include "case/schema.h"
-#include "coupling/processes.h"
 #include "fluid/inlet_profile.h"
 
-const struct key case_engine_keys[] = {
+const struct key processes_check_keys[] = {
     {"engine", KEY_NAME, "", "one | distributed", "one",
      "one: this machine; distributed: several processes, by build/winnow-mpi",
      "", "", .at = KEY_AT(settings, engine), .divided = KEY_DIVIDED},
@@ -47,7 +46,8 @@ static int is_distributed(const struct settings *s)
 static const double slower = 4.3;
 static const double per_particle = 2300.0, per_cell = 2200.0, libraries = 65e6;
 
-void case_engine_print(const struct settings *s, const struct case_scales *k)
+void processes_check_print(const struct settings *s,
+                           const struct case_scales *k)
 {
     if (!is_distributed(s)) return;
     const double one = case_scales_seconds(s);
@@ -65,7 +65,7 @@ void case_engine_print(const struct settings *s, const struct case_scales *k)
     text_line("memory of a rank besides", 1e-6 * libraries, "MB", "about");
 }
 
-int case_engine_check_run(const struct settings *s)
+int processes_check_run(const struct settings *s)
 {
     if (processes_engine != NULL) return processes_engine->check(s);
     if (!is_distributed(s)) return 0;
@@ -203,7 +203,7 @@ static int check_grading(const struct settings *s)
 }
 
 /* Contacts that LAMMPS has no number for. */
-int case_engine_check_export(const struct settings *s)
+int processes_check_export(const struct settings *s)
 {
     const int n = s->particles.materials.n + 1;
 
@@ -228,7 +228,7 @@ int case_engine_check_export(const struct settings *s)
     return check_keys(s, "particles");
 }
 
-int case_engine_check_all(const struct settings *s)
+int processes_check_all(const struct settings *s)
 {
     const char *const missing = !s->has.fluid       ? "fluid"
                                 : !s->has.particles ? "particles"
@@ -246,10 +246,10 @@ int case_engine_check_all(const struct settings *s)
     if (code == 0) code = check_choices(s);
     if (code == 0) code = check_sides(s);
     if (code == 0) code = check_grading(s);
-    return code != 0 ? code : case_engine_check_export(s);
+    return code != 0 ? code : processes_check_export(s);
 }
 
-int case_engine_check(const struct settings *s)
+int processes_check(const struct settings *s)
 {
-    return is_distributed(s) ? case_engine_check_all(s) : 0;
+    return is_distributed(s) ? processes_check_all(s) : 0;
 }
