@@ -402,7 +402,7 @@ const struct effect energy_budget_effect = {
     .name = "energy_budget",
     .what = "energy budget of the particles",
     .equations = "LS 4.16",
-    .function = "budget_collect",
+    .function = "neighbours_energy",
     .keys = {energy_budget_keys},
     .create = energy_budget_create,
 };
