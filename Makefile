@@ -88,6 +88,7 @@ style: $B/winnow
 cli: $B/winnow
 	@sh tests/table.sh $B tests/tables/cli.txt
 kills: $B/winnow
+	@sh tests/table.sh $B tests/tables/resume.txt
 	@sh tests/kills.sh $B/winnow
 kills-slow: $B/winnow
 	@sh tests/kills.sh $B/winnow 40
