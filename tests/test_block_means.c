@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/means/block_means.h"
+#include "output/means/mean.h"
 #include "facts.h"
 
 #include <gsl/gsl_randist.h>
@@ -13,15 +13,15 @@ static const double one = 1.0;
 static double error_of(int count, int times)
 {
     gsl_rng *const chance = gsl_rng_alloc(gsl_rng_mt19937);
-    struct block_means *const b = block_means_create(1);
+    struct mean_blocks *const b = mean_blocks_create(1);
 
     for (int i = 0; i < count; i++) {
         const double x = gsl_ran_gaussian(chance, 1.0);
         for (int k = 0; k < times; k++)
-            block_means_add(b, &x, &one);
+            mean_blocks_add(b, &x, &one);
     }
-    const double error = block_means_error(b, 0);
-    block_means_free(b);
+    const double error = mean_blocks_error(b, 0);
+    mean_blocks_free(b);
     gsl_rng_free(chance);
     return error;
 }
@@ -52,15 +52,15 @@ END_TEST
  * m = 8, exactly sqrt((64 - 1) / 12 / 7). Tolerance: rounding. */
 START_TEST(eight_blocks_have_the_error_of_12_6)
 {
-    struct block_means *const b = block_means_create(1);
+    struct mean_blocks *const b = mean_blocks_create(1);
 
     for (int i = 0; i < 7; i++)
-        block_means_add(b, &(double){i}, &one);
-    ck_assert(isnan(block_means_error(b, 0)));
-    block_means_add(b, &(double){7.0}, &one);
-    ck_assert_double_eq_tol(block_means_error(b, 0), sqrt(63.0 / 12.0 / 7.0),
+        mean_blocks_add(b, &(double){i}, &one);
+    ck_assert(isnan(mean_blocks_error(b, 0)));
+    mean_blocks_add(b, &(double){7.0}, &one);
+    ck_assert_double_eq_tol(mean_blocks_error(b, 0), sqrt(63.0 / 12.0 / 7.0),
                             1e-14);
-    block_means_free(b);
+    mean_blocks_free(b);
 }
 END_TEST
 
@@ -68,14 +68,14 @@ END_TEST
  * largest error is that of 8 of 8, means 3.5, 11.5, ...: 8 times that above. */
 START_TEST(neighbours_are_joined_when_there_is_no_more_room)
 {
-    struct block_means *const b = block_means_create(2);
+    struct mean_blocks *const b = mean_blocks_create(2);
 
     for (int i = 0; i < 64; i++)
-        block_means_add(b, (double[]){0.0, i}, (double[]){1.0, 1.0});
-    ck_assert_double_eq_tol(block_means_error(b, 1),
+        mean_blocks_add(b, (double[]){0.0, i}, (double[]){1.0, 1.0});
+    ck_assert_double_eq_tol(mean_blocks_error(b, 1),
                             8.0 * sqrt(63.0 / 12.0 / 7.0), 1e-12);
-    ck_assert_double_eq(block_means_error(b, 0), 0.0);
-    block_means_free(b);
+    ck_assert_double_eq(mean_blocks_error(b, 0), 0.0);
+    mean_blocks_free(b);
 }
 END_TEST
 
@@ -84,16 +84,16 @@ END_TEST
 START_TEST(a_block_without_weight_counts_for_nothing)
 {
     const double nothing = 0.0, nowhere = NAN;
-    struct block_means *const b = block_means_create(1);
+    struct mean_blocks *const b = mean_blocks_create(1);
 
     for (int i = 0; i < 8; i++) {
-        block_means_add(b, &(double){i}, &one);
-        block_means_add(b, &nowhere, &nothing);
+        mean_blocks_add(b, &(double){i}, &one);
+        mean_blocks_add(b, &nowhere, &nothing);
     }
     const double expected = sqrt(16.0 / 15.0 * 42.0) / 8.0;
-    ck_assert_double_ge(block_means_error(b, 0), expected * (1.0 - 1e-14));
-    ck_assert(!isnan(block_means_error(b, 0)));
-    block_means_free(b);
+    ck_assert_double_ge(mean_blocks_error(b, 0), expected * (1.0 - 1e-14));
+    ck_assert(!isnan(mean_blocks_error(b, 0)));
+    mean_blocks_free(b);
 }
 END_TEST
 

@@ -27,7 +27,7 @@
 #include "base/vector.h"
 #include "record/history.h"
 #include "coupling/processes.h"
-#include "output/means/block_means.h"
+#include "output/means/mean.h"
 
 /* What a row of the history adds: two numbers with errors by blocks, and the
  * mean squares of speeds. */
@@ -154,13 +154,13 @@ static double second_half_mean(const struct second_half *h, int column)
 static void find_errors(const struct second_half *h, double error[N_BLOCKED])
 {
     static const double once[N_BLOCKED] = {1.0, 1.0};
-    struct block_means *const blocks = block_means_create(N_BLOCKED);
+    struct mean_blocks *const blocks = mean_blocks_create(N_BLOCKED);
 
     for (int k = first(h); k < h->rows; k++)
-        block_means_add(blocks, h->row[k], once);
+        mean_blocks_add(blocks, h->row[k], once);
     for (int q = 0; q < N_BLOCKED; q++)
-        error[q] = block_means_error(blocks, q);
-    block_means_free(blocks);
+        error[q] = mean_blocks_error(blocks, q);
+    mean_blocks_free(blocks);
 }
 
 /* --- as a part of the recorder -------------------------------------------- */

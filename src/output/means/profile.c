@@ -3,7 +3,6 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "output/means/block_means.h"
 #include "output/means/mean.h"
 #include "output/means/probe.h"
 #include "output/table.h"
@@ -34,7 +33,7 @@ struct profile {
     struct probe *probe;              /* n times n_deep, of a polyhedral mesh */
     double *sample, *weight, *amount; /* amount: weight times dt */
     struct mean *mean;
-    struct block_means *blocks;
+    struct mean_blocks *blocks;
 };
 
 static void lay_out(struct profile *p, const struct box *b)
@@ -118,7 +117,7 @@ struct profile *profile_create(const struct mesh *m,
     p->weight = alloc_doubles(n_fields * p->n);
     p->amount = alloc_doubles(n_fields * p->n);
     p->mean = mean_create(n_fields * p->n);
-    p->blocks = block_means_create(n_fields * p->n);
+    p->blocks = mean_blocks_create(n_fields * p->n);
     p->ends = m->lo[line->along] + m->hi[line->along];
     return p;
 }
@@ -134,7 +133,7 @@ void profile_free(struct profile *p)
     free(p->weight);
     free(p->amount);
     mean_free(p->mean);
-    block_means_free(p->blocks);
+    mean_blocks_free(p->blocks);
     free(p);
 }
 
@@ -186,7 +185,7 @@ void profile_add(struct profile *p, double time, double dt)
             p->amount[at] = dt * p->weight[at];
         }
     mean_add(p->mean, dt, p->sample, p->weight);
-    block_means_add(p->blocks, p->sample, p->amount);
+    mean_blocks_add(p->blocks, p->sample, p->amount);
 }
 
 /* The mean of field f at a place, linear between the points of the line. */
@@ -221,7 +220,7 @@ double profile_block_error(const struct profile *p, int f)
     double sum = 0.0;
 
     for (int i = 0; i < p->n; i++) {
-        const double error = block_means_error(p->blocks, f * p->n + i);
+        const double error = mean_blocks_error(p->blocks, f * p->n + i);
         sum += error * error;
     }
     return sqrt(sum / p->n);
@@ -230,7 +229,7 @@ double profile_block_error(const struct profile *p, int f)
 void profile_state(struct profile *p, struct state *s)
 {
     mean_state(p->mean, s);
-    block_means_state(p->blocks, s);
+    mean_blocks_state(p->blocks, s);
 }
 
 int profile_write(const struct profile *p, const char *path)
@@ -253,7 +252,7 @@ int profile_write(const struct profile *p, const char *path)
             const int at = f * p->n + i;
             row[1 + PER_FIELD * f] = p->mean->value[at];
             row[2 + PER_FIELD * f] = mean_spread(p->mean, at);
-            row[3 + PER_FIELD * f] = block_means_error(p->blocks, at);
+            row[3 + PER_FIELD * f] = mean_blocks_error(p->blocks, at);
         }
     }
     const int failed = table_write(path, n_columns,

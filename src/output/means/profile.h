@@ -14,7 +14,7 @@
  *     mean over t  = sum_t W sample dt / sum_t W dt,   W = sum_z w dz / depth
  *
  * The error of a mean is estimated in two ways: by the means of blocks of the
- * series (block_means.h), and by the mirror. Where a case is the same seen in a
+ * series (mean.h), and by the mirror. Where a case is the same seen in a
  * mirror, so is its mean over endless time, and half the difference of the two
  * sides is an error.
  */
