@@ -11,8 +11,7 @@
 #include <complex.h>
 #undef I /* a moment of inertia, to those who include this */
 
-#include "coupling/effects/lubrication.h"
-#include "coupling/effects/lift.h"
+#include "coupling/effects/forces.h"
 #include "dem/dem_method.h"
 #include "spheres.h"
 #include "suspension.h"

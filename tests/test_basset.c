@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Basset's history force. */
-#include "coupling/effects/basset.h"
+#include "coupling/effects/forces.h"
 
 #include "facts.h"
 #include "orders.h"

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "coupling/effects/time_average.h"
+#include "coupling/effects/forces.h"
 #include "coupling/coupling.h"
 #include "case/build.h"
 #include "case/case_file.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lift of a shear and of a spin, and the torque of the fluid. */
-#include "coupling/effects/lift.h"
+#include "coupling/effects/forces.h"
 
 #include "base/vector.h"
 #include "facts.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The liquid between particles that are close. */
-#include "coupling/effects/lubrication.h"
+#include "coupling/effects/forces.h"
 
 #include <gsl/gsl_math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/effects/stochastic_drag.h"
+#include "coupling/effects/forces.h"
 
 #include "base/statistics.h"
 #include "coupling/effect.h"

@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 #include "base/statistics.h"
-#include "coupling/effects/stochastic_drag.h"
+#include "coupling/effects/forces.h"
 
 enum { N = 8192, SIGNALS = 400, LAGS = 250 };
 

@@ -82,28 +82,26 @@ static void put_bed(const struct second_half *h, double row[N])
     history_up(h->sim, up);
     const int a = vector_axis(up) == 0; /* the axis across */
     const double *const at = a == 0 ? ps->x : ps->y;
-    struct {
-        double mass, x, square, p[3];
-    } sum = {0.0, 0.0, 0.0, {0.0, 0.0, 0.0}};
+    double sum[6] = {0.0}; /* of m, m x, m v^2 and the momentum */
 
     for (int i = 0; i < ps->n; i++) {
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
-        sum.mass += ps->m[i];
-        sum.x += ps->m[i] * at[i];
-        sum.square += ps->m[i] * vector_dot(v, v);
+        sum[0] += ps->m[i];
+        sum[1] += ps->m[i] * at[i];
+        sum[2] += ps->m[i] * vector_dot(v, v);
         for (int k = 0; k < 3; k++)
-            sum.p[k] += ps->m[i] * v[k];
+            sum[3 + k] += ps->m[i] * v[k];
     }
-    processes_sum(h->sim, 6, &sum.mass);
-    const double mass = sum.mass, *const p = sum.p;
+    processes_sum(h->sim, 6, sum);
+    const double mass = sum[0], *const p = &sum[3];
     if (mass == 0.0) return;
     const double gg = vector_dot(g, g);
     const double along = gg > 0.0 ? vector_dot(p, g) / sqrt(gg) : 0.0;
-    row[SPEED] = sum.square / mass;
+    row[SPEED] = sum[2] / mass;
     row[UPRIGHT] = along * along / (mass * mass);
     row[LEVEL] = (vector_dot(p, p) - along * along) / (mass * mass);
     row[LEAN] =
-        (2.0 * sum.x / mass - m->lo[a] - m->hi[a]) / (m->hi[a] - m->lo[a]);
+        (2.0 * sum[1] / mass - m->lo[a] - m->hi[a]) / (m->hi[a] - m->lo[a]);
 }
 
 static void second_half_grow(struct second_half *h, int capacity)

@@ -14,7 +14,7 @@
  * counts as one that was at rest in the fluid before: its first slip is a step
  * of w, the last term of [LS 5.4].
  */
-#include "coupling/effects/basset.h"
+#include "coupling/effects/forces.h"
 
 #include "base/alloc.h"
 #include "base/number.h"

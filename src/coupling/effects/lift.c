@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lift.c -- lift in a shear and of a particle that spins, and the torque that
  * slows its spin: forces that need the curl of the flow. */
-#include "coupling/effects/lift.h"
+#include "coupling/effects/forces.h"
 
 #include "base/alloc.h"
 #include "base/vector.h"

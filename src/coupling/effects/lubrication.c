@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lubrication.c -- forces between particles that are close, as effects: the
  * liquid between them, and the attractions of dem/cohesion. */
-#include "coupling/effects/lubrication.h"
+#include "coupling/effects/forces.h"
 
 #include "base/alloc.h"
 #include "base/vector.h"

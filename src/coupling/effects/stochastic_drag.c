@@ -17,7 +17,7 @@
  * the fluid is charged for the next one. The normal numbers are those of seed,
  * particle and step (base/statistics.h); 0 is a particle that has none yet.
  */
-#include "coupling/effects/stochastic_drag.h"
+#include "coupling/effects/forces.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/effects/time_average.h"
+#include "coupling/effects/forces.h"
 
 #include <stdlib.h>
 #include <string.h>
