@@ -12,7 +12,8 @@ function colour_begin(    line, w, n, i) {
     }
     while (functions != "" && (getline line < functions) > 0) {
         split(line, w, " ")
-        home[w[1]] = w[1] in home && home[w[1]] != w[2] ? "" : w[2]
+        if (w[1] in home && home[w[1]] != w[2]) w[2] = ""
+        home[w[1]] = w[2]
     }
     n = split("break case const continue default do else enum extern for goto if inline " \
               "return sizeof static struct switch typedef union void volatile while " \

@@ -11,6 +11,9 @@
 #   <!-- tests tests/test_drag.c -->                 the facts that a file shows
 # or, of a text file with lines | a | b |, the table below it:
 #   <!-- table figures/map.txt -->
+# or a table of the functions that the listings above call and that no page shows, where
+# -v calls=FILE has the index that calls.awk makes:
+#   <!-- calls -->
 # and a number within a line, never at its beginning:
 #   about <!-- number figures/09/drag.txt u_mf %.2f -->0.88<!-- --> m/s
 # Figures of a chapter are numbered: below a paragraph that is an image stands one that
@@ -73,6 +76,49 @@ function table(file,    k, text) {
     return text
 }
 
+function load_calls(    line, w) {
+    while ((getline line < calls) > 0) {
+        split(line, w, "\t")
+        is_shown[w[2], w[1]] = w[3]
+        says[w[2], w[1]] = w[5]
+        if (!w[4]) continue
+        if (w[1] in public) w[2] = ""
+        public[w[1]] = w[2]
+    }
+}
+
+# Notes the functions that a listing of this file calls.
+function note_calls(file, text,    n, k, part, s, called, at) {
+    n = split(text, part, "\n")
+    inside = 0
+    for (k = 1; k <= n; k++) {
+        s = bare(part[k])
+        if (part[k] ~ /^[A-Za-z_#]/) continue
+        for (; match(s, /[A-Za-z_][A-Za-z0-9_]*\(/); s = substr(s, RSTART + RLENGTH)) {
+            called = substr(s, RSTART, RLENGTH - 1)
+            at = (file, called) in is_shown ? file : public[called]
+            if (at == "" || is_shown[at, called] || noted[called]++) continue
+            call[++n_calls] = called
+            call_in[n_calls] = at
+        }
+    }
+}
+
+# Their table, by file.
+function called_table(    i, k, text, up) {
+    up = FILENAME ~ /chapters\/[^\/]*$/ ? "../" : "../../"
+    text = "| function | file | what it does |\n| --- | --- | --- |\n"
+    for (i = 2; i <= n_calls; i++)
+        for (k = i; k > 1 && call_in[k] call[k] < call_in[k - 1] call[k - 1]; k--) {
+            swap = call[k]; call[k] = call[k - 1]; call[k - 1] = swap
+            swap = call_in[k]; call_in[k] = call_in[k - 1]; call_in[k - 1] = swap
+        }
+    for (i = 1; i <= n_calls; i++)
+        text = text "| [`" call[i] "`](" up call_in[i] "#" call[i] ") | `" \
+            substr(call_in[i], 5) "` | " says[call_in[i], call[i]] " |\n"
+    return text
+}
+
 function directive(line,    words, n, text, mark) {
     mark = line
     gsub(/^<!-- | -->$/, "", mark)
@@ -81,6 +127,7 @@ function directive(line,    words, n, text, mark) {
     if (words[1] == "code") text = show_code(words[2], words, n)
     if (words[1] == "output") text = show_output(words[2], n > 2 ? words[3] : "")
     if (words[1] == "tests") text = show_tests(words[2])
+    if (words[1] == "code" && calls != "") note_calls(words[2], text)
     if (words[1] == "code" && places) sub(words[2], "&:" place, line)
     print line
     if (words[1] == "table") {
@@ -132,6 +179,8 @@ function see_image(line) {
     before = line
 }
 
+BEGIN { if (calls != "") load_calls() }
+
 FNR == 1 { chaptered = FILENAME ~ /\/([0-9][0-9]-|journal\/|manual\/)[^\/]*[.]md$/ && FILENAME !~ /solutions/ }
 
 {
@@ -150,6 +199,13 @@ FNR == 1 { chaptered = FILENAME ~ /\/([0-9][0-9]-|journal\/|manual\/)[^\/]*[.]md
             print line
         } else if (line ~ /^<!-- (code|output|tests|table) [^ ].* -->$/) {
             directive(line)
+            if (ended) break
+            line = held
+            continue
+        } else if (line == "<!-- calls -->" && calls != "") {
+            print line
+            skip_table()
+            printf "\n%s%s", called_table(), ended || held == "" ? "" : "\n"
             if (ended) break
             line = held
             continue

@@ -6,16 +6,19 @@
 set -u
 mode=${1:-write}
 tools=$(dirname "$0")
-new=$(mktemp)
-trap 'rm -f "$new"' EXIT
+new=$(mktemp) calls=$(mktemp)
+trap 'rm -f "$new" "$calls"' EXIT
 failed=0
 
+# shellcheck disable=SC2046 # one word a file
+awk -f "$tools/c.awk" -f "$tools/calls.awk" $(find chapters -name '*.md') \
+    $(find src -name '*.[ch]' | LC_ALL=C sort) >"$calls"
 for chapter in $(find chapters -name '*.md' ! -path '*/steps/*' | LC_ALL=C sort); do
     # equations.md is made by ledger.sh. README.md shows the directives, and has minutes.
     case $chapter in
     */equations.md) continue ;;
     */README.md) set -- -f "$tools/minutes.awk" ;;
-    *) set -- -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" ;;
+    *) set -- -v calls="$calls" -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" ;;
     esac
     if ! awk "$@" "$chapter" >"$new"; then
         failed=1

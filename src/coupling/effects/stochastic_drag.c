@@ -221,7 +221,7 @@ stochastic_drag_estimate(const struct effect_scales *k)
         return effects_estimate(0.0, k->carried ? "no neighbours that disturb"
                                                 : "grains at rest");
     if (n == NULL && k->rho_f < 0.05 * k->rho_s)
-        return effects_estimate(0.0, "EW18 and chapter 23 find no gain in gas");
+        return effects_estimate(0.0, "EW18 and our beds show no gain in gas");
     e.loss = T > 0.0 ? e.share * sqrt(T / (T + k->tau)) : 0.0;
     e.unknown = no_data;
     if (no_data)
