@@ -116,7 +116,7 @@ static void run_box(const char *dir, const char *const scheme[2],
     struct settings *const s =
         case_file_read("cases/closed-box.cfg", n, list, &code);
     ck_assert_ptr_nonnull(s);
-    settings_set_quiet(s);
+    s->quiet = 1;
     ck_assert_int_eq(run_case(s, &(struct run_options){.dir = dir,
                                                        .resume = resume,
                                                        .n_overrides = n,

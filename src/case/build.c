@@ -110,7 +110,7 @@ static int one_boundary(const struct settings *s, const struct mesh *m,
     b->kind = r.says != NULL ? r.says->condition->kind : BOUNDARY_SLIP;
     if (r.says == NULL || r.says->condition->build == NULL) return 0;
     for (int k = 0; k < 3; k++)
-        r.between_walls[k] = settings_mesh(s) == NULL && between_walls(s, k);
+        r.between_walls[k] = s->poly == NULL && between_walls(s, k);
     if (r.says->file != NULL) r.file = settings_input(s, r.says->file);
     return build_boundaries_wrong(
         s, r.says, r.says->condition->build(&r, b, wrong), wrong);

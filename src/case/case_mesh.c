@@ -147,27 +147,17 @@ int case_mesh_patches(const struct settings *s, const config_t *tree,
 
 /* --- making it ------------------------------------------------------------ */
 
-static struct mesh *
-case_mesh_make(const struct settings *s,
-               struct mesh *(*make)(const struct box_spec *))
-{
-    struct mesh *own;
-    const struct mesh *const kept = settings_mesh(s);
-
-    if (kept == NULL) return make(&s->mesh.box);
-    memcpy(&own, &kept,
-           sizeof own); /* a further reference; nobody changes the mesh */
-    return mesh_retain(own);
-}
-
+/* One from files, or sheared, is shared: nobody changes it. */
 struct mesh *case_mesh_create(const struct settings *s)
 {
-    return case_mesh_make(s, mesh_create_box);
+    return s->poly != NULL ? mesh_retain(s->poly)
+                           : mesh_create_box(&s->mesh.box);
 }
 
 struct mesh *case_mesh_outline(const struct settings *s)
 {
-    return case_mesh_make(s, mesh_outline_box);
+    return s->poly != NULL ? mesh_retain(s->poly)
+                           : mesh_outline_box(&s->mesh.box);
 }
 
 static struct mesh *read_files(const struct settings *s)
@@ -186,7 +176,7 @@ int case_mesh_read(struct settings *s)
     struct mesh *const m = o->polymesh != NULL
                                ? read_files(s)
                                : mesh_create_sheared(&o->box, o->shear);
-    settings_keep_mesh(s, m);
+    s->poly = m;
     return m == NULL ? 2 : 0;
 }
 
@@ -194,7 +184,7 @@ int case_mesh_read(struct settings *s)
 
 void case_mesh_ends(const struct settings *s, double lo[3], double hi[3])
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
 
     for (int k = 0; k < 3; k++) {
         lo[k] = m == NULL ? 0.0 : m->lo[k];
@@ -207,7 +197,7 @@ void case_mesh_ends(const struct settings *s, double lo[3], double hi[3])
 
 void case_mesh_periodic(const struct settings *s, int periodic[3])
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
 
     for (int k = 0; k < 3; k++)
         periodic[k] =
@@ -216,7 +206,7 @@ void case_mesh_periodic(const struct settings *s, int periodic[3])
 
 double case_mesh_cells(const struct settings *s)
 {
-    const struct mesh *const kept = settings_mesh(s);
+    const struct mesh *const kept = s->poly;
     const int *const n = s->mesh.box.cells;
 
     return kept != NULL ? kept->n_cells : (double)n[0] * n[1] * n[2];
@@ -225,7 +215,7 @@ double case_mesh_cells(const struct settings *s)
 /* Of a box the product of its sides. */
 double case_mesh_volume(const struct settings *s)
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
     const double *const size = s->mesh.box.size;
     double sum = 0.0;
 
@@ -237,7 +227,7 @@ double case_mesh_volume(const struct settings *s)
 
 int case_mesh_holds(const struct settings *s, const double x[3])
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
     double lo[3], hi[3], offset[3];
 
     if (m != NULL) return mesh_cell_and_offset(m, x, offset) >= 0;

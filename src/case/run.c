@@ -110,7 +110,7 @@ static int run_advance(struct run *run)
 
     run->told = breakdown_overlaps(sim); /* before this run went on */
     progress_init(&progress, sim->t, run->settings->output.end,
-                  settings_quiet(run->settings));
+                  run->settings->quiet);
     while (code == 0 && sim->steps < steps)
         code = advance_one(run, threads, &progress);
     thread_tuner_free(threads);
@@ -165,12 +165,12 @@ static int run_finish(struct run *run, int code)
 static struct recording run_recording(const struct settings *s)
 {
     return (struct recording){
-        .file = settings_file(s),
+        .file = s->file,
         .title = s->title,
         .output = &s->output,
         .seed = s->particles.has_bed ? &s->particles.bed.seed : NULL,
         .filter = s->bodies.filter,
-        .quiet = settings_quiet(s),
+        .quiet = s->quiet,
         .row_every = case_steps_between_rows(s),
         .picture_every = case_steps_between(s, s->output.every),
         .steps = case_steps_until_end(s)};
@@ -251,7 +251,7 @@ int run_case(const struct settings *s, const struct run_options *o)
     run.resume = resume_create(s, run.folder, o, &code);
     if (run.resume != NULL) {
         run.resumes = resume_is_of_run(run.resume);
-        if (!run.resumes && folder_is_used(run.folder) && !settings_quiet(s))
+        if (!run.resumes && folder_is_used(run.folder) && !s->quiet)
             fprintf(stderr,
                     "%s: the files of an earlier run are replaced; -o names "
                     "another folder\n",
@@ -301,7 +301,7 @@ static int run_act(const struct command_line *l)
         case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
     interrupt_watch_end(&watch);
     if (l->threads > 0) omp_set_num_threads(l->threads);
-    if (s != NULL && l->quiet) settings_set_quiet(s);
+    if (s != NULL && l->quiet) s->quiet = 1;
     if (s != NULL && o.resume) resume_keep_step(s, o.dir);
     if (s != NULL && case_scales_is_auto(s) && !l->quiet)
         fprintf(stderr, "%s: particles.step = \"auto\" is %.4g s\n", o.dir,

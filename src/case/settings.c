@@ -22,16 +22,13 @@ struct settings_text {
     size_t n_tables;
     struct key **patches; /* the tables that are freed here, at their places in
                              the list; NULL without a mesh from files */
-    char *file;
-    struct mesh *mesh;    /* NULL for a box */
-    int quiet;            /* [-] 1: no progress is printed */
     struct inputs *files; /* that the case names */
 };
 
 void settings_beside(const struct settings *s, const char *file, char *path,
                      size_t size)
 {
-    const char *const at = s->text->file, *const end = strrchr(at, '/');
+    const char *const at = s->file, *const end = strrchr(at, '/');
     const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
 
     snprintf(path, size, "%.*s%s", folder, at, file);
@@ -63,8 +60,8 @@ struct settings *settings_create(const char *file, int n_overrides,
         alloc_zeroed(s->text->n_tables + 1, sizeof *s->text->tables);
     memcpy(s->text->tables, tables,
            s->text->n_tables * sizeof *s->text->tables);
-    s->text->file = strdup(file);
-    *code = source_read(&s->text->tree, &s->text->files, s->text->file);
+    s->file = strdup(file);
+    *code = source_read(&s->text->tree, &s->text->files, s->file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
         *code = source_override(&s->text->tree, overrides[i]);
     if (*code == 0) *code = schema_check_texts(&s->text->tree);
@@ -94,31 +91,16 @@ void settings_free(struct settings *s)
     for (size_t i = 0; i < s->text->n_tables && s->text->patches != NULL; i++)
         free(s->text->patches[i]);
     free(s->text->patches);
-    free(s->text->file);
+    free((char *)s->file);
     input_forget(&s->text->files);
-    mesh_free(s->text->mesh);
+    mesh_free(s->poly);
     free(s->text);
     free(s);
-}
-
-const char *settings_file(const struct settings *s)
-{
-    return s->text->file;
 }
 
 const struct config_setting_t *settings_root(const struct settings *s)
 {
     return config_root_setting(&s->text->tree);
-}
-
-void settings_set_quiet(struct settings *s)
-{
-    s->text->quiet = 1;
-}
-
-int settings_quiet(const struct settings *s)
-{
-    return s->text->quiet;
 }
 
 /* A text is read of keys for a word, for any text, and for a file. */
@@ -255,16 +237,6 @@ const struct boundary_options *settings_side(const struct settings *s,
             return &s->sides.item[i];
     }
     return NULL;
-}
-
-void settings_keep_mesh(struct settings *s, struct mesh *m)
-{
-    s->text->mesh = m;
-}
-
-const struct mesh *settings_mesh(const struct settings *s)
-{
-    return s->text->mesh;
 }
 
 const char *settings_key(const struct settings *s, const void *member)

@@ -31,6 +31,9 @@
  * its keys put it (KEY_AT). What the case leaves out has its default or is 0.
  */
 struct settings {
+    const char *file;  /* the case as it was given */
+    int quiet;         /* [-] 1: no progress is printed on stderr */
+    struct mesh *poly; /* the mesh, where it is no plain box; else NULL */
     struct {
         /* [-] 1: the case names the group */
         int fluid, particles, averaging, exchange, effects, bodies;
@@ -63,16 +66,9 @@ struct settings *settings_create(const char *file, int n_overrides,
                                  const struct key *const *tables, int *code);
 void settings_free(struct settings *s);
 
-/* The case file as it was given. */
-const char *settings_file(const struct settings *s);
-
 /* All that the case says, with its overrides and defaults. */
 struct config_setting_t;
 const struct config_setting_t *settings_root(const struct settings *s);
-
-/* Whether progress is printed on stderr. */
-void settings_set_quiet(struct settings *s);
-int settings_quiet(const struct settings *s);
 
 /* 1 if the case itself names the key or group, 0 if it is left out or has its
  * default, and if this build leaves the key's folder out. */
@@ -127,11 +123,6 @@ void settings_beside(const struct settings *s, const char *file, char *path,
  * all of them, by their paths. */
 const struct input *settings_input(const struct settings *s, const char *file);
 struct inputs **settings_files(const struct settings *s);
-
-/* The mesh of a case that is no plain box, kept here and freed with it; NULL
- * for a box. */
-void settings_keep_mesh(struct settings *s, struct mesh *m);
-const struct mesh *settings_mesh(const struct settings *s);
 
 /* The path of the key, list or group that has its value or its mark in this
  * member of the settings. */

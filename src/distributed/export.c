@@ -74,7 +74,7 @@ static void put_deck(FILE *f, const struct settings *s, const struct words *w,
     fputs("# ", f);
     text_put(f, s->title, TEXT_LAMMPS);
     fputs("\n# particles and walls of ", f);
-    text_put(f, settings_file(s), TEXT_LAMMPS);
+    text_put(f, s->file, TEXT_LAMMPS);
     fputs(", written by winnow export; without the fluid\n"
           "# one run only: LAMMPS up to 2022 changes the dashpots of "
           "walls in a second one\n",

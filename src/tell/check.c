@@ -155,7 +155,7 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
     double lo[3], size[3], area = 1.0;
     int up = 0;
 
-    if (settings_mesh(s) != NULL) return; /* it has no one section */
+    if (s->poly != NULL) return; /* it has no one section */
     if (!s->effects.has_gravity || !s->particles.has_bed) return;
     case_mesh_ends(s, lo, size);
     for (int i = 0; i < 3; i++)

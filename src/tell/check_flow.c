@@ -240,7 +240,7 @@ static void print_smearing(const struct settings *s, double b,
               : is_bed && b < narrow * k->d_most
                   ? "NARROW: the fields show single spheres"
                   : "of the largest particle");
-    if (settings_mesh(s) != NULL || !is_bed) return;
+    if (s->poly != NULL || !is_bed) return;
     case_mesh_ends(s, lo, size);
     const int up = vector_axis(s->effects.gravity);
     const double base = size[(up + 1) % 3] * size[(up + 2) % 3];

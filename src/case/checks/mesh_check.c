@@ -128,8 +128,7 @@ static int check_patch(const struct settings *s, const struct mesh *m,
     const struct boundary_options *const o = settings_side(s, p->name);
     char path[128];
 
-    if (o == NULL && (p->is_symmetry || p->n == 0 || settings_mesh(s) == NULL))
-        return 0;
+    if (o == NULL && (p->is_symmetry || p->n == 0 || s->poly == NULL)) return 0;
     if (o == NULL)
         return settings_wrong(s, "fluid",
                               "the patch %s, %d faces with %.3g m^2, has no "
@@ -144,7 +143,7 @@ static int check_patch(const struct settings *s, const struct mesh *m,
 
 int mesh_check_fluid(const struct settings *s)
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
     int code = 0;
 
     for (int i = 0; m != NULL && i < m->n_patches && code == 0; i++)

@@ -120,7 +120,7 @@ static int check_probes(const struct settings *s)
         if (!case_mesh_holds(s, x))
             code = settings_wrong(
                 s, probes, "the point [%g, %g, %g] m is outside the %s", x[0],
-                x[1], x[2], settings_mesh(s) == NULL ? "box" : "mesh");
+                x[1], x[2], s->poly == NULL ? "box" : "mesh");
     }
     return code;
 }

@@ -187,7 +187,7 @@ static int validate_check_place(const struct settings *s)
         const double *const x = s->particles.place.item[i].position;
         for (int k = 0; k < 3; k++) {
             /* the period of a box that is oblique leads back into it */
-            if (periodic[k] && settings_mesh(s) != NULL) continue;
+            if (periodic[k] && s->poly != NULL) continue;
             const double margin =
                 periodic[k] ? 0.0 : (0.5 - build_particles_wall_overlap(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)

@@ -45,7 +45,7 @@ static void build_particles_print_settled(const struct settings *s,
     const char *const warning =
         r->settled ? "" : ": NOT AT REST, raise particles.bed.settle";
 
-    if (settings_quiet(s) || (r->steps == 0 && cached == NULL)) return;
+    if (s->quiet || (r->steps == 0 && cached == NULL)) return;
     if (r->steps == 0)
         fprintf(stderr,
                 "the bed was settled before: %s (--fresh settles it anew)\n",

@@ -376,8 +376,7 @@ int case_surfaces_place(const struct settings *s, struct particles *ps,
 /* Prescribed particles must exist. */
 int case_surfaces_add(const struct settings *s, struct simulation *sim)
 {
-    if (are_unseen(s) && !settings_quiet(s))
-        fprintf(stderr, "%s: %s\n", list, unseen);
+    if (are_unseen(s) && !s->quiet) fprintf(stderr, "%s: %s\n", list, unseen);
     const int n =
         s->particles.has_bed ? s->particles.bed.count : sim->particles->n;
 

@@ -89,13 +89,13 @@ static int all_triangles(const struct mesh *m, double (*made)[3][3])
 
 int case_walls_count(const struct settings *s)
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
     return m != NULL ? all_triangles(m, NULL) : 0;
 }
 
 struct surface case_walls_surface(const struct settings *s)
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
     const int n = all_triangles(m, NULL);
     double(*const corner)[3][3] = alloc_zeroed((size_t)n, sizeof *corner);
     struct surface made = {.name = case_walls_name, .shape = &surface_stl};
@@ -111,7 +111,7 @@ struct surface case_walls_surface(const struct settings *s)
 
 void case_walls_ends(const struct settings *s, double lo[3], double hi[3])
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
     int has[6] = {0}, periodic[3];
 
     case_mesh_ends(s, lo, hi);
@@ -131,7 +131,7 @@ void case_walls_ends(const struct settings *s, double lo[3], double hi[3])
 /* For particles periodic directions are those of the axes. */
 static int check_periods(const struct settings *s)
 {
-    const struct mesh *const m = settings_mesh(s);
+    const struct mesh *const m = s->poly;
 
     for (int i = 0; i < m->n_periods; i++) {
         const double *const P = m->period[i];
@@ -151,7 +151,7 @@ int case_walls_check(const struct settings *s)
 {
     const char *const pull = case_cohesion_of_box(s);
 
-    if (settings_mesh(s) == NULL) return 0;
+    if (s->poly == NULL) return 0;
     if (pull == NULL || case_walls_count(s) == 0) return check_periods(s);
     return settings_wrong(s, pull,
                           "it acts between particles and the walls of a box, "
@@ -170,7 +170,7 @@ struct case_walls {
 struct case_walls *case_walls_create(const struct settings *s,
                                      const struct surface *walls)
 {
-    if (settings_mesh(s) == NULL) return NULL;
+    if (s->poly == NULL) return NULL;
     struct case_walls *const w = alloc_zeroed(1, sizeof *w);
 
     w->mesh = case_mesh_create(s);

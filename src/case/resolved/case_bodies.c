@@ -41,7 +41,7 @@ void case_bodies_keep(struct settings *s)
 
     case_mesh_ends(s, c->lo, c->hi);
     case_mesh_periodic(s, c->periodic);
-    for (int k = 0; k < 3 && settings_mesh(s) == NULL; k++)
+    for (int k = 0; k < 3 && s->poly == NULL; k++)
         c->h[k] = (c->hi[k] - c->lo[k]) / s->mesh.box.cells[k];
     for (int l = 0; l < BODY_LISTS; l++)
         c->n += s->bodies.list[l].n;

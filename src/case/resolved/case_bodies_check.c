@@ -23,7 +23,7 @@ static int check_mesh(const struct settings *s)
 {
     const double *const grading = s->mesh.box.grading;
 
-    if (settings_mesh(s) != NULL)
+    if (s->poly != NULL)
         return settings_wrong(s, "bodies",
                               "bodies are held in the cells of a plain box; "
                               "leave out mesh.polymesh and mesh.shear");

@@ -388,7 +388,7 @@ struct case_copy *case_text_copy(const struct settings *s,
     fprintf(c->out,
             "# The case of this run, by winnow " VERSION_TEXT
             ", from %s.\n# `winnow run case.cfg` repeats it.",
-            settings_file(s));
+            s->file);
     for (int i = 0; i < o->n_overrides; i++)
         fprintf(c->out, "%s -s %s", i == 0 ? " It was run with" : "",
                 o->overrides[i]);

@@ -67,11 +67,10 @@ static void put_texts(const struct resume *r, struct state_file *f)
 {
     const struct settings *const s = r->settings;
     const struct run_options *const o = r->options;
-    const char *const text =
-        input_kept(settings_files(s), settings_file(s))->text;
+    const char *const text = input_kept(settings_files(s), s->file)->text;
 
     state_file_put_text(f, "program", program);
-    state_file_put_text(f, "case_file", settings_file(s));
+    state_file_put_text(f, "case_file", s->file);
     state_file_put_text(f, "case", text != NULL ? text : "");
     state_file_put_text(f, "settings", r->lines);
     char step[32];
@@ -312,7 +311,7 @@ static int load_early(struct resume *r, struct bed_settling *b)
 
     bed_settling_state(b, s);
     if (s->failed || state_file_all_visited(r->early) != 0) return WRONG;
-    if (!settings_quiet(r->settings))
+    if (!r->settings->quiet)
         fprintf(stderr, "%s: the bed continues to settle from t = %g s\n",
                 folder_name(r->folder), bed_settling_time(b));
     forget_early(r);
@@ -367,7 +366,7 @@ static int resume_load(struct resume *r)
         return 2;
     state_file_free(r->found);
     r->found = NULL;
-    if (!settings_quiet(r->settings))
+    if (!r->settings->quiet)
         fprintf(stderr, "%s: resumed at t = %g s, after %ld steps\n",
                 folder_name(r->folder), r->sim->t, r->sim->steps);
     return recorder_begin(r->recorder) != 0 ? NOT_WRITTEN : 0;

@@ -143,7 +143,7 @@ static void outline(struct engine *e)
     const int drawn = moving || (s->output.picture && !many);
     struct simulation *const w = &e->whole;
 
-    if (s->output.picture && !drawn && !settings_quiet(s))
+    if (s->output.picture && !drawn && !s->quiet)
         fprintf(stderr, "no picture is drawn of more than %g particles\n",
                 most_drawn);
     if (!drawn && s->output.profiles.n == 0 && s->output.probes.n == 0) return;

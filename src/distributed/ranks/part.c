@@ -154,7 +154,7 @@ static void part_print_settled(const struct part *part,
                                const struct settings *s,
                                const struct bed_report *r)
 {
-    if (part->p.rank == 0 && !settings_quiet(s))
+    if (part->p.rank == 0 && !s->quiet)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
                 r->time, r->kinetic,
                 r->settled ? "" : ": NOT AT REST, raise particles.bed.settle");

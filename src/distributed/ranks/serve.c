@@ -160,7 +160,7 @@ static struct settings *read_case(int argc, char **argv)
         i += takes && argv[i][2] == '\0';
     }
     struct settings *const s = case_file_read(file, n, overrides, &code);
-    if (s != NULL) settings_set_quiet(s);
+    if (s != NULL) s->quiet = 1;
     free(overrides);
     return s;
 }
