@@ -33,6 +33,7 @@ function sentence(file, i,    k, s) {
     if (match(s, /[.:;]( |$)/)) s = substr(s, 1, RSTART - 1)
     gsub(/[|]/, "\\|", s)
     gsub(/</, "\\&lt;", s)
+    gsub(/[*]/, "\\*", s)
     sub(/ $/, "", s)
     return length(s) > 140 ? "" : s
 }
