@@ -108,9 +108,9 @@ tools:
 	@mkdir -p $B && sh tests/table.sh $B tests/tables/book.txt
 	@sh tests/tally.sh
 steps-check: $B/winnow $(STEPS) $(STEPS:$B/%=$B/san/%)
-	@sh tests/steps.sh $B
+	@sh tests/table.sh $B tests/tables/steps.txt
 steps-slow: $(STEPS:$B/%=$B/san/%)
-	@sh tests/steps.sh $B long
+	@sh tests/table.sh $B tests/tables/steps.txt long
 commands: $B/winnow
 	@sh tests/commands.sh $B
 solutions: $(PATCHES:=.tried)
@@ -171,7 +171,7 @@ bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour
 
 book: $B/winnow $(STEPS) ## the chapters as pages: build/book/index.html
 	sh .ci/install book
-	sh tests/steps.sh $B beside >$B/steps-beside.txt
+	sh tests/table.sh $B tests/tables/steps.txt beside | grep '|' >$B/steps-beside.txt
 	sh chapters/tools/book.sh $B/book
 	sh chapters/tools/browser.sh $B/book
 	sh tests/live.sh $B

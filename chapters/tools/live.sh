@@ -56,7 +56,7 @@ $picture
 PAGE
     fi
 fi
-# What tests/steps.sh compares the program with, if `make book` has asked it.
+# What tests/tables/steps.txt compares the program with, if `make book` has asked it.
 beside=$(dirname "$page")/../steps-beside.txt
 if [ -z "$plain" ] && [ -f "$beside" ]; then
     awk -F'|' -v step="$name" '
