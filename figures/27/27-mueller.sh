@@ -10,7 +10,6 @@
 # mesh C takes two minutes, of B' half a minute. An interrupted run leaves its means up
 # to there; told again, it goes on, and a run that is done is not made again.
 . "$(dirname "$0")/../here.sh"
-command -v winnow >/dev/null || PATH=$PWD/build:$PATH
 out=out/27-mueller
 froms="1 2 3 4 5 6 8 10 12 14 16"
 

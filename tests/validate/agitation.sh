@@ -15,7 +15,7 @@ out=out/validate-agitation
 figures=figures
 [ -z "${END:-}" ] || figures=$out/figures
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
-mkdir -p $out $figures
+mkdir -p $out $figures/23
 
 # NAME CASE OVERRIDES...: what the run was asked is kept beside it.
 run() {

@@ -14,7 +14,7 @@ out=out/validate-coupling
 figures=figures
 [ -z "${END:-}" ] || figures=$out/figures
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
-mkdir -p $out $figures
+mkdir -p $out $figures/30
 python=/usr/bin/python3 # Debian's own, which python3-vtk9 belongs to
 [ -x $python ] || python=python3
 
