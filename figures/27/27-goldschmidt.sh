@@ -10,7 +10,6 @@
 #
 # On one quiet core DPMFoam takes half an hour, winnow two minutes.
 . "$(dirname "$0")/../here.sh"
-command -v winnow >/dev/null || PATH=$PWD/build:$PATH
 out=out/27-beside
 tutorial=/usr/share/doc/openfoam-examples/examples/lagrangian/DPMFoam/Goldschmidt
 end=0.4

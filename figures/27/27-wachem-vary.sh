@@ -8,7 +8,6 @@
 # On one quiet core a choice takes a quarter of an hour, the stiff one three. Told again, an
 # interrupted run goes on, and a run that is done is not made again.
 . "$(dirname "$0")/../here.sh"
-command -v winnow >/dev/null || PATH=$PWD/build:$PATH
 out=out/27-wachem-vary
 
 choices() {
