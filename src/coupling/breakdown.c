@@ -9,6 +9,8 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
+#include "coupling/effect_scales.h"
+#include "coupling/stability.h"
 #include "coupling/effect.h"
 #include "mesh/measures.h"
 
@@ -167,6 +169,51 @@ static void describe_seen(const struct simulation *sim, const char *when,
         sim->coupling->report.eps_lowest);
 }
 
+/* The largest solids fraction at which the exchange of momentum is stable
+ * (stability.h), where the cells hold more than that; else 0. Effects that add
+ * to the mass of the particles are not looked at. */
+static double passed_stability(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    const struct added_mass none = {0};
+    double mass = 0.0, volume = 0.0;
+
+    if (sim->coupling == NULL) return 0.0;
+    for (int i = 0; i < ps->n; i++) {
+        mass += ps->m[i];
+        volume += particles_volume(ps, i);
+    }
+    for (int i = 0; i < sim->n_effects; i++)
+        if (sim->effects[i].effect->added_mass != NULL) return 0.0;
+    if (mass == 0.0) return 0.0;
+    const double densest = stability_max_solid_fraction(
+        &none, mass / volume / sim->fluid->options.rho,
+        sim->coupling->options.treatment == TREATMENT_SEMI_IMPLICIT);
+    return 1.0 - sim->coupling->report.eps_lowest > densest ? densest : 0.0;
+}
+
+static void describe_unstable(const struct simulation *sim, const char *when,
+                              char text[BREAKDOWN_TEXT])
+{
+    snprintf(text, BREAKDOWN_TEXT,
+             "the grains are so light that their exchange of momentum with the "
+             "fluid is not stable where more than %.3g of the volume is solid, "
+             "and %.3g was: accelerations grew until the particles broke down "
+             "%s, with %.3g m/s.\nTry effects.virtual_mass, fewer grains in a "
+             "place or heavier ones; winnow check names the limit",
+             passed_stability(sim), 1.0 - sim->coupling->report.eps_lowest,
+             when, sim->dem_report.max_speed);
+}
+
+/* 1 if the particles went where they cannot. */
+static int particles_broke(const struct simulation *sim)
+{
+    return sim->particles != NULL &&
+           (sim->dem_report.lost > 0 || sim->dem_report.crossing.found ||
+            (sim->dem != NULL &&
+             sim->dem_report.max_overlap > dem_deepest(sim->dem).most));
+}
+
 /* The message of an effect that failed; NULL if none did. */
 static const char *trouble_of(const struct simulation *sim)
 {
@@ -190,6 +237,8 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
         describe_fluid(sim, when, text);
     else if (trouble_of(sim) != NULL)
         snprintf(text, BREAKDOWN_TEXT, "%s %s", trouble_of(sim), when);
+    else if (particles_broke(sim) && passed_stability(sim) > 0.0)
+        describe_unstable(sim, when, text);
     else if (is_full(sim))
         describe_solids(sim, when, text);
     else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
@@ -226,8 +275,12 @@ void breakdown_warn(int *told, const struct simulation *sim)
     overlap_describe(sim, text);
     fprintf(stderr,
             "winnow: t = %g s: %s: more than %g (%s). That is more than the "
-            "grains should have: try a stiffer material with a smaller "
-            "particles.step, or give the key the overlap that is meant\n",
+            "grains should have: %s\n",
             sim->t, text, dem_deepest(sim->dem).expected,
-            "particles.expected_overlap");
+            "particles.expected_overlap",
+            passed_stability(sim) > 0.0
+                ? "their exchange of momentum with the fluid is not stable, as "
+                  "winnow check says"
+                : "try a stiffer material with a smaller particles.step, or "
+                  "give the key the overlap that is meant");
 }

@@ -266,6 +266,32 @@ static void print_depth(const struct mesh *m, double b)
                       : "");
 }
 
+/* Where the smallest cells are about as small as a grain, those of a packed bed
+ * hold more by their centres than they have room for: in beds of 500 the lowest
+ * fluid fraction was -0.7, -0.34, 0.07, 0.28 for cells of 1.05, 1.25, 1.57, 2
+ * d. A cell that lies within a sphere has no fluid left. */
+static void print_room(const struct settings *s, const struct mesh *m,
+                       const struct case_scales *k)
+{
+    const struct averaging_method *const method = s->averaging.method;
+    double least, most, mean;
+
+    mesh_volumes(m, &least, &most, &mean);
+    const double width = cbrt(least) / k->d_most;
+    const double small = k->particles > 1 ? 1.5 : 0.81;
+    if (method == &pcm_method && s->averaging.cap == 0.0 && width < 2.5)
+        text_line("smallest cell / d", width, "-",
+                  width < small
+                      ? "TOO SMALL: a cell gets more than it has room for, and "
+                        "the run ends; larger cells, or method = \"diffusion\""
+                      : "SMALL: the fields show single grains");
+    if ((method == &dpvm_method || method == &dpvm_cube_method) &&
+        width < 1.0 / sqrt(3.0))
+        text_line("smallest cell / d", width, "-",
+                  "TOO SMALL: a cell within a sphere has no fluid left, and "
+                  "the run ends; method = \"diffusion\"");
+}
+
 void check_averaging(const struct settings *s, const struct case_scales *k)
 {
     struct mesh *const m = case_mesh_outline(s);
@@ -281,6 +307,7 @@ void check_averaging(const struct settings *s, const struct case_scales *k)
         print_smearing(s, b, k);
         print_depth(m, b);
     }
+    if (k->particles > 0 && s->exchange.two_way) print_room(s, m, k);
     if (steps > 0)
         text_line("averaging.steps", steps, "-",
                   "needed: with fewer the fields undershoot");
