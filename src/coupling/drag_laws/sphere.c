@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sphere.c -- laws of one sphere, alone or times a power of the fluid fraction, and
- * of a packed bed beside a suspension (factor.h). */
+/* sphere.c -- laws of one sphere, alone or times a power of the fluid fraction,
+ * and of a packed bed beside a suspension (factor.h). */
 #include "coupling/drag_laws/factor.h"
 
 #include <gsl/gsl_math.h>
