@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "mesh/mesh.h"
+#include "boxes.h"
 #include "facts.h"
 
 /* left: a wall that moves along y; right: slip; bottom: inlet; top: outlet;
@@ -32,14 +33,12 @@ static void fill_boundaries(const struct mesh *m, struct boundary b[6])
  * fluid fraction is 0.6: 1.5 m/s. */
 START_TEST(each_kind_of_side_has_its_velocity)
 {
-    const struct box_spec spec = {
-        {1.0, 2.0, 1.0}, {2, 3, 2}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     static const double expected[6][3] = {{0.0, 3.0, 0.0}, {0.0, 2.0, 4.0},
                                           {0.0, 1.5, 0.0}, {1.0, 2.0, 4.0},
                                           {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
     static const char *const name[6] = {"left", "right", "bottom",
                                         "top",  "back",  "front"};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(1.0, 2.0, 1.0, 2, 3, 2);
     struct boundary b[6] = {{0}};
     const struct fluid_options o = {.rho = 1.2,
                                     .mu = 1.8e-5,

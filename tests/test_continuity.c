@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "boxes.h"
 #include "facts.h"
 
 #include <math.h>
@@ -11,8 +12,6 @@ static const double U = 0.3, h = 0.01, A = 1e-4, dt = 1e-3, zero = 0.0;
 
 static struct fluid *column(struct boundary b[6], enum continuity form)
 {
-    const struct box_spec spec = {
-        {h, N * h, h}, {1, N, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     for (int i = 0; i < 6; i++)
         b[i] = (struct boundary){.kind = BOUNDARY_SLIP};
     b[2] = (struct boundary){
@@ -28,7 +27,7 @@ static struct fluid *column(struct boundary b[6], enum continuity form)
                                     .tolerance = 1e-12,
                                     .coupled = 1,
                                     .boundaries = b};
-    struct fluid *const fl = fluid_create(mesh_create_box(&spec), &o);
+    struct fluid *const fl = fluid_create(closed_box(h, N * h, h, 1, N, 1), &o);
     for (int c = 0; c < N; c++)
         fl->u[3 * c + 1] = U;
     for (int f = 0; f < fl->mesh->n_faces; f++)
@@ -136,9 +135,7 @@ END_TEST
 START_TEST(ls_5_9_courant_number_of_a_uniform_stream)
 {
     const double eps[] = {1.0, 0.4}, u[3] = {0.3, -0.2, 0.1};
-    const struct box_spec spec = {
-        {0.05, 0.04, 0.06}, {5, 2, 4}, {1.0, 1.0, 1.0}, {1, 1, 1}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = periodic_box(0.05, 0.04, 0.06, 5, 2, 4);
     const struct fluid_options o = {.rho = 1.0,
                                     .dt = dt,
                                     .convection =

@@ -7,6 +7,7 @@
 
 #include "averaging/averaging.h"
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 
@@ -415,12 +416,9 @@ START_TEST(the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes)
 {
     static const int cells[3][3] = {{5, 5, 5}, {5, 5, 1}, {1, 5, 1}};
     for (int i = 0; i < 3; i++) {
-        const struct box_spec spec = {
-            {cells[i][0] * 0.1, cells[i][1] * 0.1, cells[i][2] * 0.1},
-            {cells[i][0], cells[i][1], cells[i][2]},
-            {1.0, 1.0, 1.0},
-            {0, 0, 0}};
-        struct mesh *const m = mesh_create_box(&spec);
+        struct mesh *const m =
+            closed_box(cells[i][0] * 0.1, cells[i][1] * 0.1, cells[i][2] * 0.1,
+                       cells[i][0], cells[i][1], cells[i][2]);
         const double b = 0.2; /* T = dx^2 */
         ck_assert_double_eq_tol(diffusion_safe_steps(m, b), 3.0 - i, 1e-12);
         mesh_free(m);

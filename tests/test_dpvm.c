@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 #include "warped.h"
@@ -34,9 +35,7 @@ static void shares_of(const char *method, const struct mesh *m,
  * 0.4^2 (3 - 0.4) / 4. Of the cube it is a fifth. */
 START_TEST(a_sphere_across_a_face_is_divided_by_its_cap)
 {
-    const struct box_spec spec = {
-        {2.0, 2.0, 2.0}, {2, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(2.0, 2.0, 2.0, 2, 1, 1);
     struct particles *const ps = particles_create(1);
     double share[2];
 
@@ -78,9 +77,7 @@ END_TEST
  * within a sphere are full to rounding. */
 START_TEST(dpvm_fills_no_cell_beyond_its_volume)
 {
-    const struct box_spec spec = {
-        {3.0, 3.0, 3.0}, {10, 10, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(3.0, 3.0, 3.0, 10, 10, 10);
     struct particles *const ps = particles_create(27);
     double share[1000], highest = 0.0, pcm = 0.0;
 
@@ -104,12 +101,8 @@ END_TEST
  * anywhere inside, none over a wall. */
 START_TEST(the_part_in_a_region_does_not_depend_on_the_cells_in_it)
 {
-    const struct box_spec coarse = {
-        {6.0, 6.0, 6.0}, {3, 3, 3}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    const struct box_spec fine = {
-        {6.0, 6.0, 6.0}, {6, 6, 6}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const one = mesh_create_box(&coarse);
-    struct mesh *const eight = mesh_create_box(&fine);
+    struct mesh *const one = closed_box(6.0, 6.0, 6.0, 3, 3, 3);
+    struct mesh *const eight = closed_box(6.0, 6.0, 6.0, 6, 6, 6);
     struct particles *const ps = particles_create(20);
     double a[27], b[216];
     uint64_t state = 3;

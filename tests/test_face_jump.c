@@ -2,6 +2,7 @@
 /* Flow through beds whose fluid fraction jumps from cell to cell, without
  * damping by drag: in two and three directions, by all schemes. */
 #include "fluid/fluid.h"
+#include "boxes.h"
 #include "facts.h"
 
 #include <math.h>
@@ -39,10 +40,6 @@ static struct fluid *create(const struct blow *w, struct boundary b[6])
 {
     const double h = 1e-3;
     const int n[3] = {8, 18, w->depth};
-    const struct box_spec spec = {{n[0] * h, n[1] * h, n[2] * h},
-                                  {n[0], n[1], n[2]},
-                                  {1.0, 1.0, 1.0},
-                                  {0, 0, 0}};
     const struct fluid_options o = {
         .rho = 1.2,
         .mu = 1.8e-5,
@@ -67,7 +64,8 @@ static struct fluid *create(const struct blow *w, struct boundary b[6])
                              .time = &zero,
                              .velocity = &through};
     b[3] = (struct boundary){.kind = BOUNDARY_OUTLET};
-    return fluid_create(mesh_create_box(&spec), &o);
+    return fluid_create(
+        closed_box(n[0] * h, n[1] * h, n[2] * h, n[0], n[1], n[2]), &o);
 }
 
 static void discard(struct fluid *fl)

@@ -2,7 +2,6 @@
 #include "mesh/poly/poly.h"
 #include "averaging/poly/facets.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +10,7 @@
 #include "base/alloc.h"
 #include "cloud.h"
 #include "mesh/poly/poly_raw.h"
+#include "facts.h"
 
 static const double ball = 4.0 / 3.0 * M_PI;
 
@@ -257,21 +257,11 @@ START_TEST(the_parts_of_a_ball_in_any_cells_add_up_to_it)
 }
 END_TEST
 
-int main(void)
+FACTS("facets")
 {
-    Suite *const s = suite_create("facets");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, a_ball_on_and_in_a_tetrahedron);
-    tcase_add_test(t, a_cube_on_and_in_a_tetrahedron);
-    tcase_add_loop_test(t, the_flux_is_the_volume, 0, 8);
-    tcase_add_test(t, a_box_by_its_facets_is_the_box);
-    tcase_add_loop_test(t, the_parts_of_a_ball_in_any_cells_add_up_to_it, 0, 5);
-    SRunner *const r = srunner_create(s);
-    srunner_set_fork_status(r, CK_NOFORK);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(a_ball_on_and_in_a_tetrahedron);
+    FACT(a_cube_on_and_in_a_tetrahedron);
+    FACT_FOR_EACH(the_flux_is_the_volume, 8);
+    FACT(a_box_by_its_facets_is_the_box);
+    FACT_FOR_EACH(the_parts_of_a_ball_in_any_cells_add_up_to_it, 5);
 }

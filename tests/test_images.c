@@ -7,6 +7,7 @@
 
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 
@@ -101,9 +102,7 @@ END_TEST
  * without them the cell in the corner has six tenths of the right value. */
 START_TEST(ew18_21_an_even_bed_is_even_up_to_the_walls)
 {
-    const struct box_spec spec = {
-        {8.0, 8.0, 8.0}, {8, 8, 8}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(8.0, 8.0, 8.0, 8, 8, 8);
     struct particles *const ps = particles_create(4096);
     double *const field = alloc_doubles(m->n_cells);
 
@@ -126,11 +125,9 @@ END_TEST
  * off beyond 3 b is 4e-4. Without images the ends would have half of it. */
 START_TEST(ew18_17_a_wave_comes_back_damped_and_nothing_else)
 {
-    const struct box_spec spec = {
-        {1.0, 0.1, 0.1}, {40, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     const double b = 0.15, damped = exp(-0.25 * M_PI * M_PI * b * b);
     const struct averaging_options o = {.bandwidth = b};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(1.0, 0.1, 0.1, 40, 1, 1);
     struct particles *const ps = particles_create(50);
     double wave[40], seen[50];
 

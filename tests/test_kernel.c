@@ -6,6 +6,7 @@
 
 #include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 
@@ -147,12 +148,10 @@ END_TEST
  * the small one. */
 START_TEST(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance)
 {
-    const struct box_spec spec = {
-        {3.0, 1.0, 1.0}, {3, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     const struct averaging_options o = {.bandwidth = 2.0};
     const double V[2] = {1.0, 0.125}, u[2] = {1.0, 3.0}, x[2] = {0.7, 1.9};
     const double q[4] = {V[0], V[0] * u[0], V[1], V[1] * u[1]};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(3.0, 1.0, 1.0, 3, 1, 1);
     struct particles *const ps = particles_create(2);
     double volume[3] = {0.0}, momentum[3] = {0.0}, field[6];
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 
@@ -71,9 +72,7 @@ END_TEST
  * two fields, and none in the directions of one cell. */
 START_TEST(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row)
 {
-    const struct box_spec spec = {
-        {3.0, 0.1, 0.1}, {30, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(3.0, 0.1, 0.1, 30, 1, 1);
     struct particles *const ps = particles_create(1);
     double f[60], X[6];
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/more/overlap.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 
 #include "cloud.h"
+#include "facts.h"
 
 static const double ball = 4.0 / 3.0 * M_PI;
 
@@ -152,22 +152,12 @@ START_TEST(corners_that_cells_share_are_found_once)
 }
 END_TEST
 
-int main(void)
+FACTS("overlap")
 {
-    Suite *const s = suite_create("overlap");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, an_eighth_a_quarter_a_half_and_all_of_a_ball);
-    tcase_add_test(t, a_plane_cuts_off_a_cap);
-    tcase_add_loop_test(t, the_closed_form_is_the_integral, 0, 8);
-    tcase_add_test(t, the_axes_are_alike);
-    tcase_add_loop_test(t, the_parts_of_a_ball_in_boxes_add_up_to_it, 0, 24);
-    tcase_add_loop_test(t, corners_that_cells_share_are_found_once, 0, 8);
-    SRunner *const r = srunner_create(s);
-    srunner_set_fork_status(r, CK_NOFORK);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(an_eighth_a_quarter_a_half_and_all_of_a_ball);
+    FACT(a_plane_cuts_off_a_cap);
+    FACT_FOR_EACH(the_closed_form_is_the_integral, 8);
+    FACT(the_axes_are_alike);
+    FACT_FOR_EACH(the_parts_of_a_ball_in_boxes_add_up_to_it, 24);
+    FACT_FOR_EACH(corners_that_cells_share_are_found_once, 8);
 }

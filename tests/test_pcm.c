@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 
@@ -19,10 +20,8 @@ struct scene {
 
 static struct scene scene_of(double cap)
 {
-    const struct box_spec spec = {
-        {2.0, 2.0, 1.0}, {2, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     const struct averaging_options o = {.cap = cap};
-    struct scene s = {.mesh = mesh_create_box(&spec)};
+    struct scene s = {.mesh = closed_box(2.0, 2.0, 1.0, 2, 1, 1)};
 
     s.ps = particles_create(3);
     cloud_place(s.ps, 0.1, 0.5, 0.5, 1.0);

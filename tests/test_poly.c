@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "boxes.h"
 #include "facts.h"
 #include "capture.h"
 #include "cloud.h"
@@ -40,9 +41,8 @@ static double volume(const struct mesh *m)
  * links as our own box. */
 START_TEST(a_block_is_our_box)
 {
-    const struct box_spec spec = {
-        {1.0, 2.0, 0.5}, {4, 3, 2}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const m = mesh_of("box"), *const b = mesh_create_box(&spec);
+    struct mesh *const m = mesh_of("box"), *const b = closed_box(1.0, 2.0, 0.5,
+                                                                 4, 3, 2);
     ck_assert_int_eq(m->n_cells, b->n_cells);
     ck_assert_int_eq(m->n_faces, b->n_faces);
     ck_assert_int_eq(m->n_internal, b->n_internal);

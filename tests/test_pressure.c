@@ -3,6 +3,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
+#include "boxes.h"
 #include "facts.h"
 
 #include <math.h>
@@ -213,8 +214,6 @@ END_TEST
 static double left_of_a_wave(const char *scheme, int shared)
 {
     const double V = 0.9;
-    const struct box_spec spec = {
-        {2.4e-3, 0.048, 2.4e-3}, {1, 20, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     struct boundary b[6];
     discard(column(b, 1, 1.0, 0, "upwind")); /* for b */
     b[2].velocity = &V;
@@ -227,7 +226,8 @@ static double left_of_a_wave(const char *scheme, int shared)
                                     .coupled = 1,
                                     .pressure_shared = shared,
                                     .boundaries = b};
-    struct fluid *const fl = fluid_create(mesh_create_box(&spec), &o);
+    struct fluid *const fl =
+        fluid_create(closed_box(2.4e-3, 0.048, 2.4e-3, 1, 20, 1), &o);
     for (int c = 0; c < 20; c++) {
         fl->eps[c] = c < 10 ? 0.42 : 1.0;
         fl->K[c] = c < 10 ? 1e3 : 0.0;
@@ -257,8 +257,6 @@ END_TEST
  * some ten; without the residual the difference is of the size of H itself. */
 START_TEST(forces_after_the_prediction_are_those_of_the_product)
 {
-    const struct box_spec spec = {
-        {1.0, 1.0, 0.1}, {12, 10, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     struct boundary b[6];
     for (int i = 0; i < 6; i++)
         b[i] = (struct boundary){
@@ -272,7 +270,7 @@ START_TEST(forces_after_the_prediction_are_those_of_the_product)
                                     .u_tolerance = 0.3,
                                     .tolerance = 1e-8,
                                     .boundaries = b};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(1.0, 1.0, 0.1, 12, 10, 1);
     struct fluid *const fl = fluid_create(m, &o);
     const int n = 3 * m->n_cells;
     double *const H = alloc_doubles(n);

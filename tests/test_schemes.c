@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "boxes.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>
@@ -58,11 +59,8 @@ static void vortex_velocity(double x, double y, double t, double u[2])
 
 static struct fluid *vortex_create(const struct vortex *v)
 {
-    const struct box_spec spec = {{2.0 * M_PI, 2.0 * M_PI, 1.0},
-                                  {v->n, v->n, 1},
-                                  {1.0, 1.0, 1.0},
-                                  {1, 1, 1}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m =
+        periodic_box(2.0 * M_PI, 2.0 * M_PI, 1.0, v->n, v->n, 1);
     const struct fluid_options o = {
         .rho = 1.0,
         .mu = nu,
@@ -206,9 +204,7 @@ END_TEST
  * leave 0 .. 1, and how high is it afterwards? */
 static void band(const char *convection, double *beyond, double *left)
 {
-    const struct box_spec spec = {
-        {0.1, 1.0, 0.1}, {1, 64, 1}, {1.0, 1.0, 1.0}, {1, 1, 1}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = periodic_box(0.1, 1.0, 0.1, 1, 64, 1);
     const struct fluid_options o = {.rho = 1.0,
                                     .dt = 1e-3,
                                     .convection =

@@ -8,6 +8,7 @@
 
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 #include "linear/chebyshev.h"
@@ -161,9 +162,7 @@ END_TEST
 /* Long enough, some milliseconds, for two threads to be at work at once. */
 START_TEST(no_thread_packs_into_the_bundle_of_another)
 {
-    const struct box_spec spec = {
-        {1.0, 1.0, 1.0}, {40, 40, 40}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const mesh = mesh_create_box(&spec);
+    struct mesh *const mesh = closed_box(1.0, 1.0, 1.0, 40, 40, 40);
     const int n = 7 * mesh->n_cells;
     double *const one = alloc_doubles(n), *const two = alloc_doubles(n);
 
@@ -205,11 +204,8 @@ END_TEST
 START_TEST(no_box_or_a_very_long_one_is_refused)
 {
     const struct box none = {{0, 0, 0}, {0, 0, 0}, {NULL, NULL, NULL}};
-    const struct box_spec spec = {{1.0, 1.0, 1.0},
-                                  {1, SEPARABLE_MOST + 1, 1},
-                                  {1.0, 1.0, 1.0},
-                                  {0, 0, 0}};
-    struct mesh *const mesh = mesh_create_box(&spec);
+    struct mesh *const mesh =
+        closed_box(1.0, 1.0, 1.0, 1, SEPARABLE_MOST + 1, 1);
 
     ck_assert_ptr_null(separable_create(&none, 1.0, 0.0, 1e-6));
     ck_assert_ptr_null(separable_create(&mesh->box, 1.0, 0.0, 1e-6));

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 #include "warped.h"
@@ -93,9 +94,7 @@ END_TEST
  * cell near each wall and one between, 5 a direction. */
 START_TEST(cells_with_equal_surroundings_share_a_stencil)
 {
-    const struct box_spec spec = {
-        {1.2, 1.1, 1.0}, {12, 11, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(1.2, 1.1, 1.0, 12, 11, 10);
     struct stencil *const s = stencil_create(m, 0.16, STENCIL_TO_CENTRE);
 
     ck_assert_int_eq(s->n_shapes, 125);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spheres that move through a fluid, in other axes and other units: the same
  * numbers. */
+#include "boxes.h"
 #include "facts.h"
 #include "suspension.h"
 #include "turned.h"
@@ -126,9 +127,7 @@ static struct simulation *moved(int v, const struct mesh *plain,
 static struct mesh *mesh_in(struct units in)
 {
     const double size = 0.008 * in.L;
-    const struct box_spec spec = {
-        {size, size, size}, {4, 4, 4}, {1.0, 1.0, 1.0}, {1, 1, 1}};
-    return mesh_create_box(&spec);
+    return periodic_box(size, size, size, 4, 4, 4);
 }
 
 static void particle(const struct particles *ps, int id, double v[3],

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "boxes.h"
 #include "facts.h"
 #include "cloud.h"
 
@@ -10,10 +11,8 @@
  * with a second grid of cells of at least b. */
 static void row(int n, double b, double x, double *field)
 {
-    const struct box_spec spec = {
-        {1.0, 1.0, 1.0}, {n, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     const struct averaging_options o = {.bandwidth = b};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = closed_box(1.0, 1.0, 1.0, n, 1, 1);
     struct particles *const ps = particles_create(1);
     const double q = 1.0;
 

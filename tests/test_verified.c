@@ -3,6 +3,7 @@
  * cases.
  */
 #include "fluid/fluid.h"
+#include "boxes.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>
@@ -73,9 +74,7 @@ struct made_error {
 
 static struct fluid *made_create(int n, int shared, double dt, const char *time)
 {
-    const struct box_spec spec = {
-        {2.0, 2.0, 1.0}, {n, n, 1}, {1.0, 1.0, 1.0}, {1, 1, 1}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = periodic_box(2.0, 2.0, 1.0, n, n, 1);
     const struct fluid_options o = {.rho = 1.0,
                                     .mu = 1.0,
                                     .dt = dt,
@@ -169,9 +168,7 @@ END_TEST
 static double wave_error(const char *time, int n, double dt)
 {
     const double L = 2.0 * M_PI, speed = 1.0, q = 0.3, mu = 0.05;
-    const struct box_spec spec = {
-        {L, 1.0, 1.0}, {n, 1, 1}, {1.0, 1.0, 1.0}, {1, 1, 1}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m = periodic_box(L, 1.0, 1.0, n, 1, 1);
     const struct fluid_options o = {.rho = 1.0,
                                     .mu = mu,
                                     .dt = dt,
@@ -301,8 +298,6 @@ static double cube_error(int n)
     static const double u[] = {-0.20623, -0.22283, -0.23696, -0.27293, -0.25160,
                                -0.10999, -0.00612, 0.00802,  0.03905,  0.07334,
                                0.12183,  0.33171,  0.39821,  0.48443,  0.58964};
-    const struct box_spec spec = {
-        {1.0, 1.0, 0.5}, {n, n, n / 2}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     struct boundary b[6];
     double sum = 0.0;
 
@@ -319,7 +314,8 @@ static double cube_error(int n)
                                     .piso_tolerance = 1e-3,
                                     .tolerance = 1e-4,
                                     .boundaries = b};
-    struct fluid *const fl = fluid_create(mesh_create_box(&spec), &o);
+    struct fluid *const fl =
+        fluid_create(closed_box(1.0, 1.0, 0.5, n, n, n / 2), &o);
     for (int i = 0; i < 25 * n; i++)
         ck_assert_int_eq(fluid_step(fl), 0);
     for (int i = 0; i < 15; i++) {
@@ -355,10 +351,6 @@ static void stream_boundaries(struct boundary b[6], const double *U)
 static struct fluid *column(const struct boundary b[6], double dt,
                             const double size[3], const int cells[3])
 {
-    const struct box_spec spec = {{size[0], size[1], size[2]},
-                                  {cells[0], cells[1], cells[2]},
-                                  {1.0, 1.0, 1.0},
-                                  {0, 0, 0}};
     const struct fluid_options o = {.rho = 1.2,
                                     .mu = 1.8e-5,
                                     .dt = dt,
@@ -370,7 +362,9 @@ static struct fluid *column(const struct boundary b[6], double dt,
                                     .tolerance = 1e-9,
                                     .coupled = 1,
                                     .boundaries = b};
-    return fluid_create(mesh_create_box(&spec), &o);
+    return fluid_create(
+        closed_box(size[0], size[1], size[2], cells[0], cells[1], cells[2]),
+        &o);
 }
 
 /* From rest, the inlet switched on at once: eps jumping 0.4/1 across one face,
