@@ -70,7 +70,7 @@ static void vtk_array_copy(const struct vtk_array *a, size_t first, size_t n,
             wide[v] = real_at(a, first + v);
 }
 
-/* --- its bytes ----------------------------------------------------------- */
+/* --- its bytes ------------------------------------------------------------ */
 
 /* The bytes of one array, compressed by zlib in blocks.
  *

@@ -310,8 +310,7 @@ const struct recorder_part recorder_bodies_among = {
 const struct recorder_part recorder_bodies_left = {.create = bodies_create_left,
                                                    .columns = columns_left};
 
-/* --- their outlines --------------------------------------------------------
- */
+/* --- their outlines ------------------------------------------------------- */
 
 struct outlines {
     const struct solid_bodies *bodies;

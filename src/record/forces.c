@@ -39,8 +39,7 @@ static int has_word(const char *text, const char *word)
     return 0;
 }
 
-/* --- grains on surfaces ----------------------------------------------------
- */
+/* --- grains on surfaces --------------------------------------------------- */
 
 /* What the grains do to some surfaces. Chapter "Averaged flow".
  *

@@ -179,7 +179,7 @@ double history_mean_fall(const struct simulation *sim)
     return size > 0.0 && n > 0.0 ? sum / (size * n) : 0.0;
 }
 
-/* --- physics ------------------------------------------------------------ */
+/* --- physics -------------------------------------------------------------- */
 
 /* Component k of a sum over all [N s]. */
 static double component(const struct simulation *sim, int k,
@@ -198,7 +198,7 @@ HISTORY_VALUE(fluid_energy,
 HISTORY_VECTOR(momentum, component(sim, k, coupling_total_momentum))
 HISTORY_VECTOR(unpaid, component(sim, k, coupling_unpaid_impulse))
 
-/* --- insertion and removal ---------------------------------------------- */
+/* --- insertion and removal ------------------------------------------------ */
 
 HISTORY_VALUE(particles, sim->particles->n)
 HISTORY_VALUE(inserted, (double)sim->population->totals.inserted)
@@ -209,7 +209,7 @@ HISTORY_VALUE(mass_out, sim->population->totals.mass_out)
 HISTORY_VECTOR(brought, component(sim, k, replacement_momentum))
 HISTORY_VALUE(replaced, sim->fluid->replaced)
 
-/* --- the energy of the particles ---------------------------------------- */
+/* --- the energy of the particles ------------------------------------------ */
 
 HISTORY_VALUE(normal_springs, dem_energy(sim->dem)->normal)
 HISTORY_VALUE(tangential_springs, dem_energy(sim->dem)->tangential)
@@ -224,7 +224,7 @@ HISTORY_VALUE(of_walls, dem_energy(sim->dem)->walls)
 HISTORY_VALUE(energy_brought, dem_energy(sim->dem)->added)
 HISTORY_VALUE(residual_of_energy, energy_residual(dem_energy(sim->dem)))
 
-/* --- numerics ----------------------------------------------------------- */
+/* --- numerics ------------------------------------------------------------- */
 
 HISTORY_VALUE(cfl, sim->fluid->report.cfl)
 HISTORY_VALUE(mass_residual, sim->fluid->report.mass_residual)

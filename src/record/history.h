@@ -50,8 +50,7 @@ extern const struct history_column history_columns[];
 int history_applies(const struct history_column *c,
                     const struct simulation *sim);
 
-/* --- numbers of the whole bed, which means of a run are made of, too ---------
- */
+/* --- numbers of the whole bed, which means of a run are made of, too ------ */
 
 /* Mean pressure where the fluid enters less that where it leaves [Pa]; between
  * bottom and top where there is no inlet. */

@@ -111,7 +111,7 @@ void recorder_free(struct recorder *r)
     free(r);
 }
 
-/* --- extremes for the summary ------------------------------------------- */
+/* --- extremes for the summary --------------------------------------------- */
 
 static void update_extremes(struct recorder *r)
 {
@@ -133,7 +133,7 @@ static void update_extremes(struct recorder *r)
     }
 }
 
-/* --- rows and fields ----------------------------------------------------- */
+/* --- rows and fields ------------------------------------------------------ */
 
 static int recorder_add_row(struct recorder *r)
 {
@@ -433,8 +433,7 @@ void recorder_print(const struct recorder *r)
         printf("open %s/particles.pvd in ParaView\n", dir);
 }
 
-/* --- the visit of all output. Chapter "Nothing is lost". -------------------
- */
+/* --- the visit of all output. Chapter "Nothing is lost". ------------------ */
 
 static void recorder_state_sums(struct recorder *r, struct state *s)
 {

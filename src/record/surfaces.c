@@ -117,8 +117,7 @@ const struct recorder_part recorder_surface_table = {
     .last_row = surface_table_add_row,
     .state = surface_table_visit};
 
-/* --- as polygons -----------------------------------------------------------
- */
+/* --- as polygons ---------------------------------------------------------- */
 
 struct surface_fields {
     const struct simulation *sim;
@@ -221,8 +220,7 @@ const struct recorder_part recorder_surfaces = {.create = surface_fields_create,
                                                 .finish = put_section,
                                                 .state = surface_fields_visit};
 
-/* --- the walls -------------------------------------------------------------
- */
+/* --- the walls ------------------------------------------------------------ */
 
 /* On faces that the fluid flows through the stress is zero. */
 struct walls {

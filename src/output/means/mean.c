@@ -54,8 +54,7 @@ void mean_state(struct mean *m, struct state *s)
     state_reals(s, "square", "weight value^2", m->square, m->n, 1);
 }
 
-/* --- blocks ----------------------------------------------------------------
- */
+/* --- blocks --------------------------------------------------------------- */
 
 enum { MOST_BLOCKS = 32, LEAST_BLOCKS = 8 };
 
