@@ -96,11 +96,6 @@ void summary_count(struct summary *s, const char *key, long long value)
     if (s) fprintf(put_key(s, key), "%lld", value);
 }
 
-void summary_truth(struct summary *s, const char *key, int value)
-{
-    if (s) fputs(value ? "true" : "false", put_key(s, key));
-}
-
 void summary_text(struct summary *s, const char *key, const char *value)
 {
     if (s) summary_put_text(put_key(s, key), value);

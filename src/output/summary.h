@@ -22,7 +22,6 @@ struct summary *summary_create(const char *path);
 
 void summary_number(struct summary *s, const char *key, double value);
 void summary_count(struct summary *s, const char *key, long long value);
-void summary_truth(struct summary *s, const char *key, int value);
 void summary_text(struct summary *s, const char *key, const char *value);
 
 /* Begin a group of entries, which may contain groups, and end the last one. */

@@ -90,7 +90,8 @@ double history_buoyant_weight(const struct simulation *sim)
            sim->fluid->options.rho * processes_total(sim, volume) * g * section;
 }
 
-double history_particle_energy(const struct simulation *sim)
+/* Kinetic energy of the particles [J]. */
+static double particle_energy(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     double sum = 0.0;
@@ -102,7 +103,7 @@ double history_particle_energy(const struct simulation *sim)
 }
 
 /* I = (2/5) m R^2 = m d^2 / 10. */
-double history_spin_energy(const struct simulation *sim)
+static double spin_energy(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     double sum = 0.0;
@@ -120,8 +121,8 @@ static double history_sums_count(const struct simulation *sim)
     return processes_total(sim, sim->particles->n);
 }
 
-/* A third of their mean square about the mean. */
-double history_granular_temperature(const struct simulation *sim)
+/* A third of the mean square of their velocity about its mean [m^2/s^2]. */
+static double granular_temperature(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const double *const v[3] = {ps->vx, ps->vy, ps->vz};
@@ -153,7 +154,8 @@ void history_up(const struct simulation *sim, double up[3])
         up[k] /= size;
 }
 
-double history_mean_height(const struct simulation *sim)
+/* The mean coordinate upwards [m]. */
+static double mean_height(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const double n = history_sums_count(sim);
@@ -165,8 +167,8 @@ double history_mean_height(const struct simulation *sim)
     return processes_total(sim, sum);
 }
 
-/* The mean fall velocity, that of a single sphere. */
-double history_mean_fall(const struct simulation *sim)
+/* Mean of their velocity along gravity [m/s]; 0 without gravity. */
+static double mean_fall(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const double *const g = sim->gravity;
@@ -267,8 +269,8 @@ const struct history_column history_columns[] = {
     {"buoyant_weight [Pa]", history_buoyant_weight, C},
     {"inlet_velocity [m/s]", inlet_velocity, F},
     {"kinetic_energy_fluid [J]", fluid_energy, F},
-    {"kinetic_energy_particles [J]", history_particle_energy, P},
-    {"rotational_energy_particles [J]", history_spin_energy, P},
+    {"kinetic_energy_particles [J]", particle_energy, P},
+    {"rotational_energy_particles [J]", spin_energy, P},
     {"particles [-]", particles, I},
     {"particles_in [-]", inserted, I},
     {"particles_out [-]", removed, I},
@@ -291,9 +293,9 @@ const struct history_column history_columns[] = {
     {"work_of_walls [J]", of_walls, E},
     {"energy_brought [J]", energy_brought, E},
     {"energy_residual [J]", residual_of_energy, E},
-    {"granular_temperature [m2/s2]", history_granular_temperature, P},
-    {"mean_height [m]", history_mean_height, P},
-    {"mean_fall_velocity [m/s]", history_mean_fall, P},
+    {"granular_temperature [m2/s2]", granular_temperature, P},
+    {"mean_height [m]", mean_height, P},
+    {"mean_fall_velocity [m/s]", mean_fall, P},
     {"momentum_x [N s]", momentum_x, 0},
     {"momentum_y [N s]", momentum_y, 0},
     {"momentum_z [N s]", momentum_z, 0},

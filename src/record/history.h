@@ -63,20 +63,8 @@ double history_bed_weight(const struct simulation *sim);
 /* The same less the weight of the fluid in their place [Pa]. */
 double history_buoyant_weight(const struct simulation *sim);
 
-/* Kinetic energy of the particles, and that of their rotation [J]. */
-double history_particle_energy(const struct simulation *sim);
-double history_spin_energy(const struct simulation *sim);
-/* A third of the mean square of their velocity about its mean [m^2/s^2]. */
-double history_granular_temperature(const struct simulation *sim);
-
 /* Upwards: against gravity, of which a part along a period, where nothing is
  * high or low, does not count beside another part; without gravity y. */
 void history_up(const struct simulation *sim, double up[3]);
-
-/* Mean height of the particles, the coordinate upwards [m]. */
-double history_mean_height(const struct simulation *sim);
-
-/* Mean of their velocity along gravity [m/s]; 0 without gravity. */
-double history_mean_fall(const struct simulation *sim);
 
 #endif

@@ -116,7 +116,7 @@ static void *profiles_create(const struct recorder_view *v, int *failed)
         const struct profile_field field =
             field_named(v->whole, o->profiles.item[i].field);
         l->line[i].upright = v->sim->gravity[where.along] != 0.0;
-        l->line[i].profile = profile_create(v->drawn->mesh, &where, 1, &field);
+        l->line[i].profile = profile_create(v->drawn->mesh, &where, &field);
         profiles_name(o, i, l->line[i].name);
         *failed = l->line[i].profile == NULL;
     }
@@ -146,8 +146,8 @@ static void profiles_summarize(const void *part, struct summary *to)
         const struct profile *const p = l->line[i].profile;
         summary_begin(to, l->line[i].name);
         if (!l->line[i].upright)
-            summary_number(to, "mirror_error", profile_mirror_error(p, 0));
-        summary_number(to, "block_error", profile_block_error(p, 0));
+            summary_number(to, "mirror_error", profile_mirror_error(p));
+        summary_number(to, "block_error", profile_block_error(p));
         summary_end(to);
     }
     summary_end(to);

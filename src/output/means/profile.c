@@ -13,16 +13,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    MOST_POINTS = 20000, /* of a line, along it and across */
-    PER_FIELD = 3        /* columns: mean, spread, error */
-};
+enum { MOST_POINTS = 20000 }; /* of a line, along it and across */
 
-/* Numbers are stored field by field, and within a field along the line. */
 struct profile {
     struct profile_line line;
-    int n_fields, n; /* n points on the line */
-    struct profile_field *fields;
+    struct profile_field field;
+    int n;           /* [-] points on the line */
     double *x;       /* [m] of each point, ascending */
     double ends;     /* [m] sum of the two ends of the line */
     int row[2];      /* [-] rows of cells on both sides of the line */
@@ -91,8 +87,8 @@ static void create_probes(struct profile *p, const struct mesh *m)
 }
 
 struct profile *profile_create(const struct mesh *m,
-                               const struct profile_line *line, int n_fields,
-                               const struct profile_field *fields)
+                               const struct profile_line *line,
+                               const struct profile_field *field)
 {
     const double lo = m->lo[line->across], hi = m->hi[line->across];
 
@@ -110,14 +106,12 @@ struct profile *profile_create(const struct mesh *m,
         lay_out(p, &m->box);
     else
         create_probes(p, m);
-    p->n_fields = n_fields;
-    p->fields = alloc_zeroed((size_t)n_fields, sizeof p->fields[0]);
-    memcpy(p->fields, fields, (size_t)n_fields * sizeof p->fields[0]);
-    p->sample = alloc_doubles(n_fields * p->n);
-    p->weight = alloc_doubles(n_fields * p->n);
-    p->amount = alloc_doubles(n_fields * p->n);
-    p->mean = mean_create(n_fields * p->n);
-    p->blocks = mean_blocks_create(n_fields * p->n);
+    p->field = *field;
+    p->sample = alloc_doubles(p->n);
+    p->weight = alloc_doubles(p->n);
+    p->amount = alloc_doubles(p->n);
+    p->mean = mean_create(p->n);
+    p->blocks = mean_blocks_create(p->n);
     p->ends = m->lo[line->along] + m->hi[line->along];
     return p;
 }
@@ -125,7 +119,6 @@ struct profile *profile_create(const struct mesh *m,
 void profile_free(struct profile *p)
 {
     if (p == NULL) return;
-    free(p->fields);
     free(p->x);
     free(p->dz);
     free(p->probe);
@@ -138,9 +131,9 @@ void profile_free(struct profile *p)
 }
 
 /* The same with probes; the weight is 0 where all of them are outside. */
-static double seen(const struct profile *p, const struct profile_field *f,
-                   int i, double *weight)
+static double seen(const struct profile *p, int i, double *weight)
 {
+    const struct profile_field *const f = &p->field;
     double amount = 0.0;
 
     for (int j = 0; j < p->n_deep; j++)
@@ -151,15 +144,14 @@ static double seen(const struct profile *p, const struct profile_field *f,
     return amount;
 }
 
-/* The sample of one field at point i of the line, and its weight. */
-static double profile_sampled(const struct profile *p,
-                              const struct profile_field *f, int i,
-                              double *weight)
+/* The sample at point i of the line, and its weight. */
+static double profile_sampled(const struct profile *p, int i, double *weight)
 {
+    const struct profile_field *const f = &p->field;
     double amount = 0.0;
 
     *weight = 0.0;
-    if (p->probe != NULL) return seen(p, f, i, weight);
+    if (p->probe != NULL) return seen(p, i, weight);
     for (int r = 0; r < 2; r++)
         for (int k = 0; k < p->n_deep; k++) {
             const int c =
@@ -177,21 +169,18 @@ void profile_add(struct profile *p, double time, double dt)
 {
     if (time + 1e-9 * fabs(time) < p->line.from) /* a rounded sum of steps */
         return;
-    for (int f = 0; f < p->n_fields; f++)
-        for (int i = 0; i < p->n; i++) {
-            const int at = f * p->n + i;
-            p->sample[at] =
-                profile_sampled(p, &p->fields[f], i, &p->weight[at]);
-            p->amount[at] = dt * p->weight[at];
-        }
+    for (int i = 0; i < p->n; i++) {
+        p->sample[i] = profile_sampled(p, i, &p->weight[i]);
+        p->amount[i] = dt * p->weight[i];
+    }
     mean_add(p->mean, dt, p->sample, p->weight);
     mean_blocks_add(p->blocks, p->sample, p->amount);
 }
 
-/* The mean of field f at a place, linear between the points of the line. */
-static double mean_at(const struct profile *p, int f, double x)
+/* The mean at a place, linear between the points of the line. */
+static double mean_at(const struct profile *p, double x)
 {
-    const double *const y = &p->mean->value[f * p->n];
+    const double *const y = p->mean->value;
     int i = 0;
 
     while (i < p->n - 1 && p->x[i + 1] < x)
@@ -200,27 +189,27 @@ static double mean_at(const struct profile *p, int f, double x)
     return y[i] + (x - p->x[i]) / (p->x[i + 1] - p->x[i]) * (y[i + 1] - y[i]);
 }
 
-double profile_mirror_error(const struct profile *p, int f)
+double profile_mirror_error(const struct profile *p)
 {
-    const struct profile_field *const is = &p->fields[f];
+    const struct profile_field *const is = &p->field;
     const int turns = is->components == 3 && is->component == p->line.along;
     double sum = 0.0;
 
     for (int i = 0; i < p->n; i++) {
-        const double image = mean_at(p, f, p->ends - p->x[i]);
+        const double image = mean_at(p, p->ends - p->x[i]);
         const double half =
-            0.5 * (p->mean->value[f * p->n + i] - (turns ? -image : image));
+            0.5 * (p->mean->value[i] - (turns ? -image : image));
         sum += half * half;
     }
     return sqrt(sum / p->n);
 }
 
-double profile_block_error(const struct profile *p, int f)
+double profile_block_error(const struct profile *p)
 {
     double sum = 0.0;
 
     for (int i = 0; i < p->n; i++) {
-        const double error = mean_blocks_error(p->blocks, f * p->n + i);
+        const double error = mean_blocks_error(p->blocks, i);
         sum += error * error;
     }
     return sqrt(sum / p->n);
@@ -234,30 +223,23 @@ void profile_state(struct profile *p, struct state *s)
 
 int profile_write(const struct profile *p, const char *path)
 {
-    const int n_columns = 1 + PER_FIELD * p->n_fields;
-    double *const table = alloc_doubles(n_columns * p->n);
+    const char *const name = p->field.name, *const unit = p->field.unit;
+    double(*const row)[4] = alloc_zeroed((size_t)p->n, sizeof *row);
     struct table_head head = {0};
 
     table_head_add(&head, "%c [m]", "xyz"[p->line.along]);
-    for (int f = 0; f < p->n_fields; f++) {
-        const struct profile_field *const is = &p->fields[f];
-        table_head_add(&head, "%s_mean [%s]", is->name, is->unit);
-        table_head_add(&head, "%s_std [%s]", is->name, is->unit);
-        table_head_add(&head, "%s_error [%s]", is->name, is->unit);
-    }
+    table_head_add(&head, "%s_mean [%s]", name, unit);
+    table_head_add(&head, "%s_std [%s]", name, unit);
+    table_head_add(&head, "%s_error [%s]", name, unit);
     for (int i = 0; i < p->n; i++) {
-        double *const row = table + n_columns * i;
-        row[0] = p->x[i];
-        for (int f = 0; f < p->n_fields; f++) {
-            const int at = f * p->n + i;
-            row[1 + PER_FIELD * f] = p->mean->value[at];
-            row[2 + PER_FIELD * f] = mean_spread(p->mean, at);
-            row[3 + PER_FIELD * f] = mean_blocks_error(p->blocks, at);
-        }
+        row[i][0] = p->x[i];
+        row[i][1] = p->mean->value[i];
+        row[i][2] = mean_spread(p->mean, i);
+        row[i][3] = mean_blocks_error(p->blocks, i);
     }
-    const int failed = table_write(path, n_columns,
-                                   (const char *const *)head.name, p->n, table);
+    const int failed =
+        table_write(path, head.n, (const char *const *)head.name, p->n, row[0]);
     table_head_clear(&head);
-    free(table);
+    free(row);
     return failed;
 }

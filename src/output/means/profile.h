@@ -45,25 +45,25 @@ struct profile;
 
 /* NULL after a message if the line is outside the box. */
 struct profile *profile_create(const struct mesh *m,
-                               const struct profile_line *line, int n_fields,
-                               const struct profile_field *fields);
+                               const struct profile_line *line,
+                               const struct profile_field *field);
 void profile_free(struct profile *p);
 
-/* Takes a sample of the present fields at `time`; it represents an interval of
+/* Takes a sample of the present field at `time`; it represents an interval of
  * dt [s]. */
 void profile_add(struct profile *p, double time, double dt);
 
-/* Of field f, as root mean squares over the line, in its unit; nan if there is
+/* As root mean squares over the line, in the unit of the field; nan if there is
  * nothing to compare: half the difference of the mean and its mirror image (a
  * velocity along the line changes its sign there), and the error by blocks. */
-double profile_mirror_error(const struct profile *p, int f);
-double profile_block_error(const struct profile *p, int f);
+double profile_mirror_error(const struct profile *p);
+double profile_block_error(const struct profile *p);
 
 /* The means so far (state.h). */
 void profile_state(struct profile *p, struct state *s);
 
 /* Columns: x [m], then NAME_mean, NAME_std (over time) and NAME_error (of the
- * mean, by blocks) of each field, nan where the weight was always 0. Non-zero
+ * mean, by blocks), nan where the weight was always 0. Non-zero
  * after a message. */
 int profile_write(const struct profile *p, const char *path);
 
