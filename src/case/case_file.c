@@ -4,7 +4,6 @@
 
 #include "case/case_mesh.h"
 #include "case/checks/case_memory.h"
-#include "case/checks/mesh_check.h"
 #include "case/checks/validate.h"
 #include "coupling/processes.h"
 #include "case/particles/case_population.h"
@@ -54,10 +53,10 @@ struct settings *case_file_read(const char *file, int n_overrides,
     case_file_tables(tables);
     s = settings_create(file, n_overrides, overrides, tables, code);
     if (s == NULL) return NULL;
-    *code = mesh_check_keys(s);
+    *code = case_mesh_check_keys(s);
     if (*code == 0) *code = case_memory_check(s, 0.0);
     if (*code == 0) *code = case_mesh_read(s);
-    if (*code == 0) *code = mesh_check_cells(s);
+    if (*code == 0) *code = case_mesh_check_cells(s);
     if (*code == 0) case_bodies_keep(s);
     if (*code == 0) *code = validate_case(s);
     if (*code == 0) *code = case_surfaces_read(s);

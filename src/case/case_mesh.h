@@ -42,4 +42,15 @@ double case_mesh_cells(const struct settings *s);
 double case_mesh_volume(const struct settings *s);
 int case_mesh_holds(const struct settings *s, const double x[3]);
 
+/* What a case says of its mesh. All return 0, or 2 after a message. */
+
+/* The keys, before there is a mesh. */
+int case_mesh_check_keys(const struct settings *s);
+
+/* The shape and the size of its cells. */
+int case_mesh_check_cells(const struct settings *s);
+
+/* The patches and their boundary conditions, where the mesh is no plain box. */
+int case_mesh_check_fluid(const struct settings *s);
+
 #endif

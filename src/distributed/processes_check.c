@@ -12,7 +12,6 @@
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
 #include "base/text.h"
-#include "case/checks/materials_check.h"
 #include "distributed/words.h"
 #include "case/schema.h"
 #include "fluid/inlet_profile.h"
@@ -215,7 +214,7 @@ int processes_check_export(const struct settings *s)
     if (!words_has_law(s))
         return refuse_key(s, KEY_OF(s, particles.contact),
                           "LAMMPS has Hertz's spring and a linear one");
-    if (materials_check_rolling(s))
+    if (case_materials_resist_rolling(s))
         return refuse_key(s, KEY_OF(s, particles.grains.of.rolling),
                           "LAMMPS' law of it is another one");
     const struct words w = words_of(s, 1.0);

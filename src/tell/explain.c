@@ -8,7 +8,6 @@
 
 #include "case/case_file.h"
 #include "case/particles/case_materials.h"
-#include "case/checks/materials_check.h"
 #include "case/checks/model_choice.h"
 #include "case/command.h"
 #include "case/nearest.h"
@@ -258,7 +257,7 @@ static const struct part parts[] = {
 
 static int is_named(const struct settings *s, const struct part *p)
 {
-    return p->group == rolling ? materials_check_rolling(s)
+    return p->group == rolling ? case_materials_resist_rolling(s)
                                : settings_has(s, p->group);
 }
 

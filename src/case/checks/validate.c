@@ -10,8 +10,7 @@
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/checks/case_scales.h"
-#include "case/checks/materials_check.h"
-#include "case/checks/mesh_check.h"
+#include "case/particles/case_materials.h"
 #include "case/checks/model_choice.h"
 #include "case/checks/output_check.h"
 #include "case/particles/case_cohesion.h"
@@ -115,7 +114,7 @@ static int validate_check_parts(const struct settings *s)
 static int check_fluid(const struct settings *s)
 {
     const int files = s->mesh.polymesh != NULL;
-    int code = mesh_check_fluid(s);
+    int code = case_mesh_check_fluid(s);
 
     for (int k = 0; k < 3 && code == 0 && !files; k++)
         code = check_direction(s, k);
@@ -233,7 +232,7 @@ static int validate_check_particles(struct settings *s)
     const int bed = s->particles.has_bed, place = s->particles.has_place;
     int code = check_integrator(s);
 
-    if (code == 0) code = materials_check(s);
+    if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_surfaces_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = case_population_check(s);

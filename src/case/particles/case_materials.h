@@ -25,4 +25,16 @@ struct materials *case_materials_create(const struct settings *s);
 /* The measured properties of the k-th pair of materials. */
 struct materials_measured case_materials_pair(const struct settings *s, int k);
 
+/* Each is given once, and what is made of a material names one that there is:
+ * 0, or 2 after one message. */
+int case_materials_check(const struct settings *s);
+
+/* A name that the case gives at `path` must be one of the materials': 0, or 2
+ * after one message. */
+int case_materials_check_name(const struct settings *s, const char *path,
+                              const char *name);
+
+/* 1 if any two of them, or one with itself, resist rolling. */
+int case_materials_resist_rolling(const struct settings *s);
+
 #endif

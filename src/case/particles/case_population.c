@@ -18,7 +18,6 @@
 #include "dem/population/population.h"
 #include "case/particles/case_cohesion.h"
 #include "case/particles/case_materials.h"
-#include "case/checks/materials_check.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
 #include "case/nearest.h"
@@ -176,7 +175,7 @@ static int case_population_check_names(const struct settings *s,
 {
     if (in->sizes != NULL && check_size_name(s, sources, in->sizes) != 0)
         return 2;
-    return materials_check_name(s, sources, in->material);
+    return case_materials_check_name(s, sources, in->material);
 }
 
 static int case_population_check_given(const struct settings *s, int i,

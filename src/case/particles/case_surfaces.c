@@ -12,7 +12,6 @@
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
-#include "case/checks/materials_check.h"
 #include "case/particles/case_cohesion.h"
 #include "case/models.h"
 #include "dem/surfaces/stl.h"
@@ -160,7 +159,7 @@ static int case_surfaces_check_name(const struct settings *s, int i)
     for (int k = 0; k < i; k++)
         if (strcmp(name, all[k].of.name) == 0)
             return settings_wrong(s, list, "the name %s is given twice", name);
-    return materials_check_name(s, list, all[i].material);
+    return case_materials_check_name(s, list, all[i].material);
 }
 
 /* Each key belongs to the shapes that read it, and a direction has a length. */
