@@ -12,6 +12,19 @@
 
 /* --- sums over particles and faces ---------------------------------------- */
 
+void history_up(const struct simulation *sim, double up[3])
+{
+    for (int k = 0; k < 3; k++)
+        up[k] = sim->mesh->box.periodic[k] ? 0.0 : -sim->gravity[k];
+    if (vector_length(up) == 0.0)
+        for (int k = 0; k < 3; k++)
+            up[k] = -sim->gravity[k];
+    const double size = vector_length(up);
+    if (size == 0.0) up[1] = 1.0;
+    for (int k = 0; k < 3 && size > 0.0; k++)
+        up[k] /= size;
+}
+
 /* The first patch of this kind, or else the one of this name; a patch at which
  * the fluid enters at a given pressure is an inlet. */
 static const struct patch *patch_of(const struct simulation *sim,
@@ -43,8 +56,13 @@ static double mean_pressure(const struct simulation *sim, const struct patch *p)
 
 double history_pressure_drop(const struct simulation *sim)
 {
-    const struct patch *const in = patch_of(sim, BOUNDARY_INLET, "bottom");
-    const struct patch *const out = patch_of(sim, BOUNDARY_OUTLET, "top");
+    double up[3];
+    history_up(sim, up);
+    const int axis = vector_axis(up), turned = up[axis] < 0.0;
+    const char *const *const ends = &mesh_sides[2 * axis];
+    const struct patch *const in = patch_of(sim, BOUNDARY_INLET, ends[turned]);
+    const struct patch *const out =
+        patch_of(sim, BOUNDARY_OUTLET, ends[!turned]);
 
     if (in == NULL || out == NULL) return 0.0;
     return mean_pressure(sim, in) - mean_pressure(sim, out);
@@ -139,19 +157,6 @@ static double granular_temperature(const struct simulation *sim)
             sum += (v[k][i] - mean) * (v[k][i] - mean);
     }
     return processes_total(sim, sum) / (3.0 * n);
-}
-
-void history_up(const struct simulation *sim, double up[3])
-{
-    for (int k = 0; k < 3; k++)
-        up[k] = sim->mesh->box.periodic[k] ? 0.0 : -sim->gravity[k];
-    if (vector_length(up) == 0.0)
-        for (int k = 0; k < 3; k++)
-            up[k] = -sim->gravity[k];
-    const double size = vector_length(up);
-    if (size == 0.0) up[1] = 1.0;
-    for (int k = 0; k < 3 && size > 0.0; k++)
-        up[k] /= size;
 }
 
 /* The mean coordinate upwards [m]. */

@@ -53,7 +53,7 @@ int history_applies(const struct history_column *c,
 /* --- numbers of the whole bed, which means of a run are made of, too ------ */
 
 /* Mean pressure where the fluid enters less that where it leaves [Pa]; between
- * bottom and top where there is no inlet. */
+ * the lower and the upper end where there is no inlet. */
 double history_pressure_drop(const struct simulation *sim);
 
 /* Weight of the particles over the cross-section of the box normal to gravity
