@@ -87,6 +87,7 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/table.sh $B tests/tables/cli.txt
+	@sh tests/table.sh $B tests/tables/advice.txt
 kills: $B/winnow
 	@sh tests/table.sh $B tests/tables/resume.txt
 	@sh tests/kills.sh $B/winnow

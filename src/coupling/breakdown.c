@@ -237,10 +237,10 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
         describe_fluid(sim, when, text);
     else if (trouble_of(sim) != NULL)
         snprintf(text, BREAKDOWN_TEXT, "%s %s", trouble_of(sim), when);
-    else if (particles_broke(sim) && passed_stability(sim) > 0.0)
-        describe_unstable(sim, when, text);
     else if (is_full(sim))
         describe_solids(sim, when, text);
+    else if (particles_broke(sim) && passed_stability(sim) > 0.0)
+        describe_unstable(sim, when, text);
     else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
              sim->dem_report.lost_through >= 0)
         describe_through(sim, when, text);
