@@ -36,6 +36,11 @@ function look(page, width) {
            e.getBoundingClientRect().right > width + 1);
     wrong('wider than the window: ' + (wide ? wide.textContent.slice(0, 40) : ''));
   }
+  for (const word of doc.querySelectorAll('pre > span > span'))
+    if (frame.contentWindow.getComputedStyle(word).display !== 'inline') {
+      wrong('a line of code is torn');
+      break;
+    }
   for (const image of doc.images)
     if (!image.naturalWidth) wrong('no image ' + image.getAttribute('src'));
   for (const formula of doc.querySelectorAll('math'))

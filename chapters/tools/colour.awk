@@ -64,17 +64,18 @@ function with_links(s,    done, text, name, to) {
 }
 
 # Code without comments.
-function coloured(s,    done, w, before) {
+function coloured(s,    done, w, gap, before) {
     done = ""
     if (s ~ /^ *#/) return span("pp", escaped(s))
     while (match(s, /"([^"\\]|\\.)*"|'([^'\\]|\\.)+'|[A-Za-z_][A-Za-z0-9_]*|[0-9][0-9a-fA-Fx.]*([eE][-+]?[0-9]+)?/)) {
         w = substr(s, RSTART, RLENGTH)
-        done = done escaped(substr(s, 1, RSTART - 1))
+        gap = substr(s, 1, RSTART - 1)
+        done = done escaped(gap)
         s = substr(s, RSTART + RLENGTH)
         if (w ~ /^["']/) done = done span("st", escaped(w))
         else if (w ~ /^[0-9]/) done = done span("fl", w)
         else if (w in keyword) done = done span(keyword[w], w)
-        else if (before ~ /^(struct|enum|union)$/ || w ~ /_t$/) done = done span("dt", w)
+        else if ((before ~ /^(struct|enum|union)$/ && gap ~ /^ +$/) || w ~ /_t$/) done = done span("dt", w)
         else if (s ~ /^\(/) {
             if (home[w] != "" && !defines)
                 done = done "<a class=\"fu\" href=\"" root home[w] ".html#" w "\">" w "</a>"
