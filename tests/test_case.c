@@ -5,7 +5,6 @@
 #include "dem/contact.h"
 #include "dem/surfaces/surface.h"
 #include "case/build.h"
-#include "case/particles/case_cohesion.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "tell/check.h"
@@ -490,7 +489,7 @@ START_TEST(cohesion_of_a_case_reaches_the_particles)
         case_file_read("cases/mueller-bed.cfg", 3, overrides, &code);
 
     ck_assert_ptr_nonnull(s);
-    struct attraction *const a = case_cohesion_create(s, &n);
+    struct attraction *const a = case_materials_attractions(s, &n);
     ck_assert_int_eq(n, 2);
     ck_assert_ptr_eq(a[0].law, &electrostatic);
     ck_assert_double_eq(a[0].range, 2e-3);

@@ -9,7 +9,7 @@
 #include "base/vector.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
-#include "case/particles/case_cohesion.h"
+#include "case/particles/case_materials.h"
 #include "case/fill.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
@@ -279,7 +279,7 @@ void build_free(struct simulation *sim)
     averaging_free(sim->averaging);
     dem_free(sim->dem);
     case_surfaces_free(sim);
-    case_cohesion_free(sim);
+    free(sim->attractions);
     if (sim->population != NULL) sim->insert_remove->free(sim->population);
     free(sim->materials);
     particles_free(sim->particles);

@@ -12,7 +12,7 @@
 #include "base/vector.h"
 #include "case/build.h"
 #include "base/text.h"
-#include "case/particles/case_cohesion.h"
+#include "case/particles/case_materials.h"
 #include "case/fill.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
@@ -197,7 +197,7 @@ void check_cohesion(const struct settings *s, const struct case_scales *k)
     const double d = k->d, density = k->density;
     const double weight = density * M_PI / 6.0 * gsl_pow_3(d) * 9.81;
     int n;
-    struct attraction *const all = case_cohesion_create(s, &n);
+    struct attraction *const all = case_materials_attractions(s, &n);
 
     if (n > 0) puts("Cohesion");
     for (int i = 0; i < n; i++) {

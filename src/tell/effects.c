@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "case/fill.h"
-#include "case/particles/case_cohesion.h"
+#include "case/particles/case_materials.h"
 #include "coupling/effects.h"
 #include "coupling/stability.h"
 #include "dem/attraction.h"
@@ -106,7 +106,7 @@ int check_effect_rows(const struct settings *s, struct effect_scales *k,
                       struct effect_row row[CHECK_EFFECTS])
 {
     int n, rows = 0;
-    struct attraction *const all = case_cohesion_create(s, &n);
+    struct attraction *const all = case_materials_attractions(s, &n);
 
     for (int i = 0; effects[i] != NULL && rows < CHECK_EFFECTS; i++) {
         const struct effect *const e = effects[i];

@@ -13,7 +13,6 @@
 #include "case/particles/case_materials.h"
 #include "case/checks/model_choice.h"
 #include "case/checks/output_check.h"
-#include "case/particles/case_cohesion.h"
 #include "coupling/processes.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
@@ -234,7 +233,7 @@ static int validate_check_particles(struct settings *s)
 
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_surfaces_check(s);
-    if (code == 0) code = case_cohesion_check(s);
+    if (code == 0) code = case_materials_check_attractions(s);
     if (code == 0) code = case_population_check(s);
     if (code == 0) code = validate_check_list(s);
     if (code != 0) return code;
@@ -242,7 +241,7 @@ static int validate_check_particles(struct settings *s)
         return settings_wrong(s, "particles", "give either bed or place%s",
                               bed ? ", not both" : ", or insert");
     code = bed ? check_bed(s) : validate_check_place(s);
-    return code != 0 ? code : case_cohesion_check_pairs(s);
+    return code != 0 ? code : case_materials_check_pairs(s);
 }
 
 /* An average over more than that many lengths of the mesh is the same

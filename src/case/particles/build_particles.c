@@ -11,7 +11,6 @@
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
-#include "case/particles/case_cohesion.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/resume/bed_cache.h"
@@ -189,8 +188,9 @@ static int build_particles_complete(const struct settings *s,
     *o = build_particles_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
     case_surfaces_complete(s, sim, o);
-    const int code = case_cohesion_complete(s, sim, o);
-    return code != 0 ? code : case_bodies_complete(s, sim, o);
+    o->attractions = sim->attractions =
+        case_materials_attractions(s, &o->n_attractions);
+    return case_bodies_complete(s, sim, o);
 }
 
 int build_particles_check(const struct settings *s)

@@ -1,4 +1,5 @@
-/* case_materials.h -- the materials of a case, by name and by number.
+/* case_materials.h -- the materials of a case, by name and by number, and what
+ * attracts its particles.
  *
  * Number 0 is called "grains"; the others come in the order of the list
  * particles.materials. A sphere or a wall names its material, and
@@ -7,6 +8,7 @@
 #ifndef CASE_PARTICLES_CASE_MATERIALS_H
 #define CASE_PARTICLES_CASE_MATERIALS_H
 
+#include "dem/attraction.h"
 #include "dem/materials.h"
 #include "case/settings.h"
 
@@ -36,5 +38,19 @@ int case_materials_check_name(const struct settings *s, const char *path,
 
 /* 1 if any two of them, or one with itself, resist rolling. */
 int case_materials_resist_rolling(const struct settings *s);
+
+/* The attractions that the case names, to be released with free(), and how
+ * many; NULL if none. */
+struct attraction *case_materials_attractions(const struct settings *s, int *n);
+
+/* 0, or 2 after a message. */
+int case_materials_check_attractions(const struct settings *s);
+/* The same for the memory of the list of pairs, after all else of the particles
+ * is checked. */
+int case_materials_check_pairs(const struct settings *s);
+
+/* The key of an attraction between particles and the walls of the box, and of
+ * nothing else, that the case names; NULL: it names none. */
+const char *case_materials_attraction_of_box(const struct settings *s);
 
 #endif

@@ -16,7 +16,6 @@
 #include "dem/population/overlaps.h"
 #include "dem/population/grain_table.h"
 #include "dem/population/population.h"
-#include "case/particles/case_cohesion.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
@@ -329,7 +328,8 @@ static int check_period(const struct settings *s)
 {
     struct dem_options o = build_particles_dem(s, 1.0);
     const double most = case_population_diameters(s, -1).max;
-    struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
+    struct attraction *const pulls =
+        case_materials_attractions(s, &o.n_attractions);
 
     o.attractions = pulls;
     const int wrong = most > 0.0 && dem_period_wrong(&o, most, most);

@@ -12,7 +12,6 @@
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
-#include "case/particles/case_cohesion.h"
 #include "case/models.h"
 #include "dem/surfaces/stl.h"
 #include "dem/surfaces/surface.h"
@@ -235,7 +234,7 @@ static int check_driven(const struct settings *s, int i)
 /* Attractions act between particles and the walls of the box only. */
 static int check_others(const struct settings *s)
 {
-    const char *const pull = case_cohesion_of_box(s);
+    const char *const pull = case_materials_attraction_of_box(s);
 
     if (s->particles.surfaces.n == 0 || pull == NULL) return 0;
     return settings_wrong(s, list,

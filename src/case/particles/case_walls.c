@@ -11,7 +11,6 @@
 #include "dem/surfaces/surface.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/particles/case_cohesion.h"
 
 const char case_walls_name[] = "mesh";
 
@@ -149,7 +148,7 @@ static int check_periods(const struct settings *s)
 
 int case_walls_check(const struct settings *s)
 {
-    const char *const pull = case_cohesion_of_box(s);
+    const char *const pull = case_materials_attraction_of_box(s);
 
     if (s->poly == NULL) return 0;
     if (pull == NULL || case_walls_count(s) == 0) return check_periods(s);

@@ -10,7 +10,7 @@
 #include "base/vector.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
-#include "case/particles/case_cohesion.h"
+#include "case/particles/case_materials.h"
 #include "resolved/shapes/block_contacts.h"
 
 /* Less than 3 cells across by rounding is 3. A sphere of fewer is a few cells
@@ -38,7 +38,7 @@ static int check_mesh(const struct settings *s)
  * solid fractions, a cell that a body enters, and what knows no surfaces. */
 static int case_bodies_check_particles(const struct settings *s)
 {
-    const char *const pull = case_cohesion_of_box(s);
+    const char *const pull = case_materials_attraction_of_box(s);
     const struct case_bodies *const c = s->all_bodies;
     int moves = 0;
 
