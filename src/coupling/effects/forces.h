@@ -47,9 +47,6 @@ void saffman_lift(double rho, double mu, double d, const double w[3],
  * the second Dennis, Singh and Ingham (1980), to Re_r = 1000.
  */
 
-/* Re_r = rho d^2 |Omega| / mu [-]. */
-double spin_reynolds(double rho, double mu, double d, double Omega);
-
 /* C_LR [-] for Re of the slip and Re_r of the spin. */
 double spin_lift_coefficient(double Re, double Re_r);
 

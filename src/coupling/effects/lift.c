@@ -181,7 +181,8 @@ const struct effect saffman_effect = {
 
 /* --- spin ----------------------------------------------------------------- */
 
-double spin_reynolds(double rho, double mu, double d, double Omega)
+/* Re_r = rho d^2 |Omega| / mu [-]. */
+static double spin_reynolds(double rho, double mu, double d, double Omega)
 {
     return rho * d * d * Omega / mu;
 }

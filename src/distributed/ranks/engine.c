@@ -18,7 +18,8 @@ static struct engine *of(struct processes *hooks)
     return (struct engine *)hooks;
 }
 
-void engine_give(int order, int detail, const char *path)
+/* Asks the others. */
+static void engine_give(int order, int detail, const char *path)
 {
     struct message m = {.order = order, .detail = detail};
 
@@ -214,15 +215,6 @@ static int engine_check(const struct settings *s)
     return code;
 }
 
-static const struct processes_engine of_ranks = {
-    .check = engine_check, .build = engine_build, .summary = &engine_summary};
-const struct processes_engine *const processes_engine = &of_ranks;
-
-void engine_stop(int code)
-{
-    engine_give(STOP, code, "");
-}
-
 /* --- engine summary ------------------------------------------------------- */
 
 /* What differs from one machine stands in the summary. */
@@ -275,5 +267,14 @@ static void engine_summary_summarize(const void *of, struct summary *f)
     free(all);
 }
 
-const struct recorder_part engine_summary = {
+static const struct recorder_part engine_summary = {
     .create = engine_summary_create, .summarize = engine_summary_summarize};
+
+static const struct processes_engine of_ranks = {
+    .check = engine_check, .build = engine_build, .summary = &engine_summary};
+const struct processes_engine *const processes_engine = &of_ranks;
+
+void engine_stop(int code)
+{
+    engine_give(STOP, code, "");
+}

@@ -12,8 +12,6 @@
 #include "distributed/ranks/pieces.h"
 #include "record/recorder_part.h"
 
-extern const struct recorder_part engine_summary;
-
 /* Serves until the first rank stops; returns its exit code. The words are those
  * of the command line. */
 int engine_serve(int argc, char **argv);
@@ -48,9 +46,6 @@ struct engine {
  * first rank a new list, elsewhere NULL. What the effects have summed up goes
  * to the first rank, too. */
 double *engine_count(struct engine *e, long *moved);
-
-/* Asks the others. */
-void engine_give(int order, int detail, const char *path);
 
 /* The largest of the codes: all ranks go on, or none does. */
 int engine_agree(int code);

@@ -36,7 +36,9 @@ static void tell_lammps(void *lammps, const char *line)
     lammps_command(lammps, line);
 }
 
-void spheres_tell(const struct spheres *q, const char *format, ...)
+/* Tells LAMMPS one line. */
+__attribute__((format(printf, 2, 3))) static void
+spheres_tell(const struct spheres *q, const char *format, ...)
 {
     char line[4096];
     va_list args;
@@ -139,7 +141,8 @@ static void spheres_cut(struct spheres *q)
     spheres_tell(q, "%s", line);
 }
 
-void spheres_equip(struct spheres *q, const struct words *w)
+/* Contacts, walls and motion; and how they end. */
+static void spheres_equip(struct spheres *q, const struct words *w)
 {
     q->w = *w;
     words_contacts(w, tell_lammps, q->lammps);
@@ -148,7 +151,7 @@ void spheres_equip(struct spheres *q, const struct words *w)
     spheres_tell(q, "thermo 0");
 }
 
-void spheres_strip(struct spheres *q)
+static void spheres_strip(struct spheres *q)
 {
     words_no_walls(&q->w, tell_lammps, q->lammps);
     spheres_tell(q, "unfix push");

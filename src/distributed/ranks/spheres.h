@@ -78,14 +78,6 @@ struct spheres {
     double *x_before; /* [m] 3 a sphere */
 };
 
-/* Tells LAMMPS one line. */
-void spheres_tell(const struct spheres *q, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-/* Contacts, walls and motion; and how they end. */
-void spheres_equip(struct spheres *q, const struct words *w);
-void spheres_strip(struct spheres *q);
-
 /* An array of rows of LAMMPS, by its name, and the number of its rows. */
 double **spheres_rows(const struct spheres *q, const char *name);
 int spheres_count(const struct spheres *q);

@@ -18,6 +18,15 @@
 
 /* --- mirrors -------------------------------------------------------------- */
 
+/* The surface of the bodies as a wall to the averaging.
+ *
+ * What a method of averaging puts into a cell of a body, at the depth s below
+ * its surface, is moved out to the place as far before it, its mirror image: at
+ * a plane wall nothing would then flow through the surface [SX15 5c]. Sums of
+ * volume, momentum and force stay [SX15 A.1]. A field is continued into the
+ * body by the same weights: an image has the value of what it mirrors.
+ */
+
 enum { CORNERS = 8 };
 
 /* A cell in a body, and the open cells around its mirror image. */
@@ -80,7 +89,7 @@ static const double *extend(struct averaging_wall *self, int m,
     return all->extended;
 }
 
-struct mirrors *mirrors_create(const struct mesh *mesh)
+static struct mirrors *mirrors_create(const struct mesh *mesh)
 {
     struct mirrors *const m = alloc_zeroed(1, sizeof *m);
 
@@ -90,7 +99,7 @@ struct mirrors *mirrors_create(const struct mesh *mesh)
     return m;
 }
 
-void mirrors_free(struct mirrors *m)
+static void mirrors_free(struct mirrors *m)
 {
     if (m == NULL) return;
     free(m->list);
@@ -99,7 +108,8 @@ void mirrors_free(struct mirrors *m)
     free(m);
 }
 
-struct averaging_wall *mirrors_wall(struct mirrors *m)
+/* Borrowed. */
+static struct averaging_wall *mirrors_wall(struct mirrors *m)
 {
     return &m->wall;
 }
@@ -206,7 +216,8 @@ static void mirror_cell(void *by, int i, int c, const double r[3], double s)
     add_mirror(all, c, &b->shape[i], x, r, s);
 }
 
-void mirrors_update(struct mirrors *m, const struct solid_bodies *b)
+/* The bodies have moved. */
+static void mirrors_update(struct mirrors *m, const struct solid_bodies *b)
 {
     struct closing by = {m, b};
 

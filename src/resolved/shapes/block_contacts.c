@@ -14,6 +14,10 @@
 
 /* --- body gaps ------------------------------------------------------------ */
 
+/* What a gap does in a time dt [s]; a number of which the largest counts. */
+typedef double body_gap_act(struct solid_bodies *b, const struct body_gap *g,
+                            double dt);
+
 static int can_move(const struct solid_bodies *b, int i)
 {
     return b->motion[i] == BODY_FREE || b->motion[i] == BODY_SPRING;
@@ -88,8 +92,9 @@ static void body_gaps_add_impulse(struct solid_bodies *b, int i,
     body_motion_add_spin(b, i, turn);
 }
 
-void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
-                    const double J[3])
+/* The impulse J [N s] on i, its negative on j. */
+static void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
+                           const double J[3])
 {
     body_gaps_add_impulse(b, g->i, g->arm_i, J, 1.0);
     if (g->j >= 0 && can_move(b, g->j))
@@ -241,8 +246,9 @@ static int look_around(struct solid_bodies *b, const struct box_domain *box,
     return n;
 }
 
-double body_gaps_each(struct solid_bodies *b, double reach, double dt,
-                      body_gap_act *act)
+/* All gaps narrower than `reach` [m] between bodies of which one can move. */
+static double body_gaps_each(struct solid_bodies *b, double reach, double dt,
+                             body_gap_act *act)
 {
     const struct dem_options *const o = &b->contacts;
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
@@ -272,7 +278,8 @@ double body_gaps_each(struct solid_bodies *b, double reach, double dt,
     return most;
 }
 
-int body_gaps_touch(const struct solid_bodies *b, int i, int j)
+/* 1 if contacts keep bodies i and j apart, of which one moves. */
+static int body_gaps_touch(const struct solid_bodies *b, int i, int j)
 {
     return body_shape_balls(&b->shape[i]) > 0 ||
            body_shape_balls(&b->shape[j]) > 0;

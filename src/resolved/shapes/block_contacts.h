@@ -26,24 +26,9 @@ struct body_gap {
     double m;                  /* [kg] that resists an impulse along n there */
 };
 
-/* What a gap does in a time dt [s]; a number of which the largest counts. */
-typedef double body_gap_act(struct solid_bodies *b, const struct body_gap *g,
-                            double dt);
-
-/* All gaps narrower than `reach` [m] between bodies of which one can move. */
-double body_gaps_each(struct solid_bodies *b, double reach, double dt,
-                      body_gap_act *act);
-
-/* The impulse J [N s] on i, its negative on j. */
-void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
-                    const double J[3]);
-
 /* What an overlap is compared with [m]: the diameter of the ball, or where the
  * body of a point is narrowest. */
 double body_gaps_width(const struct solid_bodies *b, const struct body_gap *g);
-
-/* 1 if contacts keep bodies i and j apart, of which one moves. */
-int body_gaps_touch(const struct solid_bodies *b, int i, int j);
 
 /* How deep a ball is in another body by more than a tenth of its radius, where
  * one of the two can move [m], and these two; 0: nowhere. */
@@ -51,7 +36,7 @@ double body_gaps_deepest(const struct solid_bodies *b, int pair[2]);
 
 /* Contacts of bodies that are not all spheres.
  *
- * A ball (body_gaps.h) of the radius R whose centre is at the distance s < R
+ * A ball of the radius R whose centre is at the distance s < R
  * from the surface of another body: with n the gradient of s and the overlap R
  * - s,
  *
