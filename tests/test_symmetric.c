@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/multigrid/level_matrix.h"
 
+#include <omp.h>
+
 #include "facts.h"
 #include "linear_case.h"
 
@@ -142,10 +144,61 @@ START_TEST(residual_and_relaxation_are_their_formulas)
 }
 END_TEST
 
+/* The same numbers, to the bit, by any number of threads. */
+START_TEST(all_stages_in_one_pass_are_stage_by_stage)
+{
+    const struct level_matrix_kind *const kind = &level_matrix_bands;
+    const struct level_smoothing w = {0.8F, 0.1F, 0.6F};
+    struct links b = links_cube(40, 36, 32);
+    const int n = b.n;
+    double *const g = noise_vector(b.n_links, 3), *const sums =
+                                                      alloc_doubles(n);
+    void *const S = kind->create(n, b.n_links, b.owner, b.neighbour, 0);
+    float *const rhs = kind->vector(S), *const x = kind->vector(S);
+    float *const y = kind->vector(S), *const now = kind->vector(S);
+    float *const r = kind->vector(S), *const r_now = kind->vector(S);
+    float *const coarse = kind->vector(S);
+    int *const parent = alloc_ints(n);
+
+    for (int l = 0; l < b.n_links; l++)
+        g[l] = 1.5 + g[l];
+    for (int i = 0; i < n; i++) {
+        parent[i] = i / 2;
+        rhs[i] = (float)(i % 7) - 3.1F;
+        coarse[i] = 0.1F * (float)(i % 5);
+        sums[i] = i % 100 == 0;
+    }
+    kind->fill(S, g, sums, 0.25);
+    for (int i = 0; i < n; i++)
+        x[i] = w.first * kind->inverse(S)[i] * rhs[i];
+    kind->relax(S, rhs, x, 1.0F + w.previous, x, 0.0F, w.second, y);
+    kind->residual(S, rhs, y, r);
+    omp_set_num_threads(_i + 1);
+    ck_assert(kind->descend(S, rhs, w, now, r_now));
+    ck_assert_mem_eq(now, y, (size_t)n * sizeof *y);
+    ck_assert_mem_eq(r_now, r, (size_t)n * sizeof *r);
+    for (int i = 0; i < n; i++)
+        y[i] += coarse[parent[i]];
+    kind->relax(S, rhs, y, 1.0F, y, 0.0F, w.first, x);
+    kind->relax(S, rhs, x, 1.0F + w.previous, y, -w.previous, w.second, y);
+    ck_assert(kind->ascend(S, rhs, w, parent, coarse, x, now));
+    ck_assert_mem_eq(now, y, (size_t)n * sizeof *y);
+    float *const all[] = {rhs, x, y, now, r, r_now, coarse};
+    for (int i = 0; i < 7; i++)
+        kind->vector_free(S, all[i]);
+    kind->free(S);
+    free(g);
+    free(sums);
+    free(parent);
+    links_free(&b);
+}
+END_TEST
+
 FACTS("symmetric")
 {
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
     FACT(a_box_needs_no_list_of_columns);
     FACT(the_product_is_that_of_the_csr);
     FACT(residual_and_relaxation_are_their_formulas);
+    FACT_FOR_EACH(all_stages_in_one_pass_are_stage_by_stage, 4);
 }

@@ -135,4 +135,6 @@ const struct level_matrix_kind level_matrix_rows = {"rows",
                                                     level_matrix_inverse,
                                                     level_matrix_residual,
                                                     level_matrix_relax,
-                                                    level_matrix_multiply};
+                                                    level_matrix_multiply,
+                                                    NULL,
+                                                    NULL};

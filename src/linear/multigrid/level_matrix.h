@@ -10,6 +10,11 @@
 #ifndef LINEAR_MULTIGRID_LEVEL_MATRIX_H
 #define LINEAR_MULTIGRID_LEVEL_MATRIX_H
 
+/* The weights of the two stages of Chebyshev smoothing. */
+struct level_smoothing {
+    float first, previous, second; /* [-] */
+};
+
 /* How a matrix is stored. `data` is what create returns. */
 struct level_matrix_kind {
     const char *name;
@@ -31,6 +36,16 @@ struct level_matrix_kind {
                   const float *w, float beta, float gamma, float *y);
     /* y = A x in double; returns x.y. */
     double (*multiply)(const void *data, const double *x, double *y);
+    /* All that a cycle does on a level on its way down, and up again: y from
+     * zero by the two stages, and r = b - A y; y plus that of its parents on
+     * the coarser level, and the two stages, by way of x. Return 0 if this is
+     * not quicker than stage by stage, and nothing has been done. NULL: never.
+     */
+    int (*descend)(const void *data, const float *b,
+                   struct level_smoothing weights, float *y, float *r);
+    int (*ascend)(const void *data, const float *b,
+                  struct level_smoothing weights, const int *parent,
+                  const float *coarse, float *x, float *y);
 };
 
 /* By diagonals, which the cycle uses; and the plain kind. */

@@ -29,7 +29,7 @@ struct level {
     void *A;
     double *g;    /* coefficient of each link: minus the entry */
     double *sums; /* row sums of A: the coefficients to a given value outside */
-    float *b, *r; /* right-hand side, residual */
+    float *b, *r; /* right-hand side, padded; residual */
     float *x, *y; /* two stages of the solution, padded */
     int *parent;  /* [-] aggregate of each unknown; owned */
     struct level_members
@@ -66,11 +66,6 @@ static void members_release(struct level_members *m)
     free(m->weight);
 }
 
-static float *alloc_floats(int n)
-{
-    return alloc_zeroed((size_t)n, sizeof(float));
-}
-
 /* A level with the unknowns and links of a graph. */
 static void level_init(struct level *v, const struct graph *g, int finest)
 {
@@ -80,8 +75,8 @@ static void level_init(struct level *v, const struct graph *g, int finest)
     v->A = v->kind->create(g->n, g->n_links, g->owner, g->neighbour, finest);
     v->g = alloc_doubles(g->n_links);
     v->sums = alloc_doubles(g->n);
-    v->b = alloc_floats(g->n);
-    v->r = alloc_floats(g->n);
+    v->r = alloc_zeroed((size_t)g->n, sizeof *v->r);
+    v->b = v->kind->vector(v->A);
     v->x = v->kind->vector(v->A);
     v->y = v->kind->vector(v->A);
 }
@@ -93,7 +88,7 @@ static void level_release(struct level *v)
     v->kind->free(v->A);
     free(v->g);
     free(v->sums);
-    free(v->b);
+    v->kind->vector_free(v->A, v->b);
     free(v->r);
     free(v->parent);
     members_release(&v->links);
@@ -315,18 +310,15 @@ void multigrid_set_coefficients(struct multigrid *mg, const double *g,
     if (mg->coarsest != NULL) factor_coarsest(mg);
 }
 
-/* The weights of the two stages of Chebyshev smoothing [Saad03, 12.3.2]. */
-struct weights {
-    float first, previous, second;
-};
-
-static struct weights smoothing(void)
+/* The weights of Chebyshev smoothing [Saad03, 12.3.2]. */
+static struct level_smoothing smoothing(void)
 {
     const double theta = 0.5 * (high + low), delta = 0.5 * (high - low);
     const double rho0 = delta / theta;
     const double rho1 = 1.0 / (2.0 * theta / delta - rho0);
-    const struct weights w = {(float)(1.0 / theta), (float)(rho1 * rho0),
-                              (float)(2.0 * rho1 / delta)};
+    const struct level_smoothing w = {(float)(1.0 / theta),
+                                      (float)(rho1 * rho0),
+                                      (float)(2.0 * rho1 / delta)};
 
     return w;
 }
@@ -343,7 +335,7 @@ static void jacobi_rows(int first, int last, struct level *v, float weight)
 /* Two stages of smoothing of A y = b, from y = 0. */
 static void smooth_from_zero(struct level *v)
 {
-    const struct weights w = smoothing();
+    const struct level_smoothing w = smoothing();
 
     PARALLEL_RANGES(v->n, 1, jacobi_rows, v, w.first);
     v->kind->relax(v->A, v->b, v->x, 1.0F + w.previous, v->x, 0.0F, w.second,
@@ -353,7 +345,7 @@ static void smooth_from_zero(struct level *v)
 /* The same from the present y. */
 static void multigrid_smooth(struct level *v)
 {
-    const struct weights w = smoothing();
+    const struct level_smoothing w = smoothing();
 
     v->kind->relax(v->A, v->b, v->y, 1.0F, v->y, 0.0F, w.first, v->x);
     v->kind->relax(v->A, v->b, v->x, 1.0F + w.previous, v->y, -w.previous,
@@ -377,6 +369,27 @@ static void solve_coarsest(struct multigrid *mg)
         v->y[i] = (float)mg->unknown[i];
 }
 
+static void level_descend(struct level *v)
+{
+    const struct level_matrix_kind *const kind = v->kind;
+
+    if (kind->descend != NULL &&
+        kind->descend(v->A, v->b, smoothing(), v->y, v->r))
+        return;
+    smooth_from_zero(v);
+    kind->residual(v->A, v->b, v->y, v->r);
+}
+
+static void level_ascend(const struct level *coarse, struct level *v)
+{
+    if (v->kind->ascend != NULL &&
+        v->kind->ascend(v->A, v->b, smoothing(), v->parent, coarse->y, v->x,
+                        v->y))
+        return;
+    level_prolong(coarse, v);
+    multigrid_smooth(v);
+}
+
 /* One V-cycle: each level is smoothed, its residual is restricted to the
  * coarser level, the correction is prolonged, and the level is smoothed again.
  */
@@ -385,15 +398,12 @@ static void cycle(struct multigrid *mg)
     struct level *const v = mg->level;
 
     for (int k = 0; k + 1 < mg->n_levels; k++) {
-        smooth_from_zero(&v[k]);
-        v[k].kind->residual(v[k].A, v[k].b, v[k].y, v[k].r);
+        level_descend(&v[k]);
         level_restrict(&v[k + 1], &v[k]);
     }
     solve_coarsest(mg);
-    for (int k = mg->n_levels - 2; k >= 0; k--) {
-        level_prolong(&v[k + 1], &v[k]);
-        multigrid_smooth(&v[k]);
-    }
+    for (int k = mg->n_levels - 2; k >= 0; k--)
+        level_ascend(&v[k + 1], &v[k]);
 }
 
 /* b = r / scale over a range */

@@ -20,30 +20,8 @@
 
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"
-#include "linear/csr.h"
-#include "linear/multigrid/level_matrix.h"
+#include "linear/multigrid/symmetric.h"
 #include "linear/reduce.h"
-
-enum { SYMMETRIC_BANDS = 6 }; /* at most */
-
-struct symmetric {
-    int n, n_links;
-    int n_bands, distance[SYMMETRIC_BANDS];
-    int pad; /* [-] zeros before and after a vector or band, so that i - d and
-                i + d need no test */
-    double unit; /* [1/coefficient] the numbers in single precision are times
-                    this, to be of order one */
-    float *diag, *inverse;          /* the diagonal and one over it */
-    float *band[SYMMETRIC_BANDS];   /* padded */
-    double *exact_diag;             /* the same in double and in the unit of */
-    double *exact[SYMMETRIC_BANDS]; /* the matrix; NULL unless exact */
-    int *band_of_link,
-        *index_in_band; /* [-] of link l: its band and place there; or -1 and
-           its link in rest; -2: joins a cell to itself */
-    struct csr *rest;   /* NULL if there is nothing left */
-    int *rest_row;      /* [-] the rows of rest that are not empty, ascending */
-    int *rest_from; /* [-] n + 1: rest_row[rest_from[i]] is the first >= i */
-};
 
 enum {
     BLOCK = 512, /* rows in a block, small enough for the first-level cache */
@@ -147,8 +125,8 @@ static void *symmetric_create(int n, int n_links, const int *owner,
     S->band_of_link = alloc_ints(n_links);
     S->index_in_band = alloc_ints(n_links);
     S->diag = alloc_zeroed((size_t)n, sizeof *S->diag);
-    S->inverse = alloc_zeroed((size_t)n, sizeof *S->inverse);
     find_bands(S, owner, neighbour);
+    S->inverse = symmetric_vector(S);
     for (int k = 0; k < S->n_bands; k++)
         S->band[k] = symmetric_vector(S);
     place_links(S, owner, neighbour);
@@ -175,7 +153,7 @@ static void symmetric_free(void *data)
     free(S->band_of_link);
     free(S->index_in_band);
     free(S->diag);
-    free(S->inverse);
+    symmetric_vector_free(S, S->inverse);
     free(S);
 }
 
@@ -250,19 +228,13 @@ static void symmetric_rows(const struct symmetric *S, int first, int last,
     if (S->rest != NULL) rest_rows(S, first, last, x, y);
 }
 
-static int symmetric_block_end(int first, int last)
-{
-    return first + BLOCK < last ? first + BLOCK : last;
-}
-
-static void symmetric_residual_rows(int first, int last,
-                                    const struct symmetric *S, const float *b,
-                                    const float *x, float *r)
+void symmetric_residual_rows(int first, int last, const struct symmetric *S,
+                             const float *b, const float *x, float *r)
 {
     float Ax[BLOCK];
 
     for (int end; first < last; first = end) {
-        end = symmetric_block_end(first, last);
+        end = symmetric_lesser(first + BLOCK, last);
         symmetric_rows(S, first, end, x, Ax);
         for (int i = first; i < end; i++)
             r[i] = b[i] - Ax[i - first];
@@ -277,15 +249,14 @@ static void symmetric_residual(const void *data, const float *b, const float *x,
     PARALLEL_RANGES(S->n, 2, symmetric_residual_rows, S, b, x, r);
 }
 
-static void symmetric_relax_rows(int first, int last, const struct symmetric *S,
-                                 const float *b, const float *x, float alpha,
-                                 const float *w, float beta, float gamma,
-                                 float *y)
+void symmetric_relax_rows(int first, int last, const struct symmetric *S,
+                          const float *b, const float *x, float alpha,
+                          const float *w, float beta, float gamma, float *y)
 {
     float Ax[BLOCK];
 
     for (int end; first < last; first = end) {
-        end = symmetric_block_end(first, last);
+        end = symmetric_lesser(first + BLOCK, last);
         symmetric_rows(S, first, end, x, Ax);
         for (int i = first; i < end; i++)
             y[i] = alpha * x[i] + beta * w[i] +
@@ -336,7 +307,7 @@ static double multiply_rows(int first, int last, const struct symmetric *S,
     const int begin = first;
 
     for (int end; first < last; first = end) {
-        end = symmetric_block_end(first, last);
+        end = symmetric_lesser(first + BLOCK, last);
         exact_rows(S, first, end, x, y);
     }
     return reduce_range(begin, last, x, y);
@@ -421,8 +392,15 @@ static const float *symmetric_inverse(const void *data)
     return S->inverse;
 }
 
-const struct level_matrix_kind level_matrix_bands = {
-    "bands",           symmetric_create,      symmetric_free,
-    symmetric_vector,  symmetric_vector_free, symmetric_fill,
-    symmetric_inverse, symmetric_residual,    symmetric_relax,
-    symmetric_multiply};
+const struct level_matrix_kind level_matrix_bands = {"bands",
+                                                     symmetric_create,
+                                                     symmetric_free,
+                                                     symmetric_vector,
+                                                     symmetric_vector_free,
+                                                     symmetric_fill,
+                                                     symmetric_inverse,
+                                                     symmetric_residual,
+                                                     symmetric_relax,
+                                                     symmetric_multiply,
+                                                     symmetric_stages_descend,
+                                                     symmetric_stages_ascend};
