@@ -165,10 +165,8 @@ static void *create_bodies(const struct recorder_view *v, int *failed)
     r->table = bodies_create_table(r, v->folder);
     r->pictures = r->table != NULL ? recorder_series(v, "bodies") : NULL;
     r->d = alloc_doubles(r->bodies->ps->n);
-    if (r->pictures != NULL) return r;
-    bodies_release(r);
-    *failed = 1;
-    return NULL;
+    *failed = r->pictures == NULL;
+    return r;
 }
 
 static void add_surroundings(const struct record *r, int i, double *row)
@@ -381,12 +379,9 @@ static void *outlines_create(const struct recorder_view *v, int *failed)
     outlines_make_room(r);
     if (r->n_balls > 0) r->clumps = recorder_series(v, "body_clumps");
     if (r->n_triangles > 0) r->surfaces = recorder_series(v, "body_surfaces");
-    if ((r->n_balls == 0 || r->clumps != NULL) &&
-        (r->n_triangles == 0 || r->surfaces != NULL))
-        return r;
-    *failed = 1;
-    outlines_release(r);
-    return NULL;
+    *failed = (r->n_balls > 0 && r->clumps == NULL) ||
+              (r->n_triangles > 0 && r->surfaces == NULL);
+    return r;
 }
 
 /* Where the balls and the triangles are now. */

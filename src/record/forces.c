@@ -349,10 +349,8 @@ static void *forces_create(const struct recorder_view *v, int *failed)
     }
     f->row = alloc_doubles(f->n_columns);
     f->table = forces_create_table(f, v->folder);
-    if (f->table != NULL) return f;
-    *failed = 1;
-    forces_release(f);
-    return NULL;
+    *failed = f->table == NULL;
+    return f;
 }
 
 static void forces_visit(void *part, struct state *s)

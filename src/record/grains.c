@@ -284,10 +284,8 @@ static void *contacts_create(const struct recorder_view *v, int *failed)
 
     c->found = contact_list_create(v->sim);
     c->series = recorder_series(v, "contacts");
-    if (c->series != NULL) return c;
-    *failed = 1;
-    contacts_release(c);
-    return NULL;
+    *failed = c->series == NULL;
+    return c;
 }
 
 static void contacts_visit(void *part, struct state *s)

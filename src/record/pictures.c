@@ -123,10 +123,8 @@ static void *pictures_create(const struct recorder_view *v, int *failed)
     p->animation.folder = v->folder;
     p->at_end = o->picture && (v->drawn != v->sim || v->sim->processes == NULL);
     p->moving = v->sim->particles != NULL && o->animation;
-    if (!p->moving || folder_make(v->folder, "frames") == 0) return p;
-    *failed = 1;
-    pictures_release(p);
-    return NULL;
+    *failed = p->moving && folder_make(v->folder, "frames") != 0;
+    return p;
 }
 
 /* The present state as a picture (picture.h). */

@@ -120,9 +120,7 @@ static void *profiles_create(const struct recorder_view *v, int *failed)
         profiles_name(o, i, l->line[i].name);
         *failed = l->line[i].profile == NULL;
     }
-    if (!*failed) return l;
-    profiles_release(l);
-    return NULL;
+    return l;
 }
 
 /* Takes a sample of the snapshot. */
@@ -240,10 +238,8 @@ static void *probes_create(const struct recorder_view *v, int *failed)
                        f.unit);
     }
     p->table = folder_table(v->folder, "probes.csv", &head);
-    if (p->table != NULL) return p;
-    *failed = 1;
-    probes_release(p);
-    return NULL;
+    *failed = p->table == NULL;
+    return p;
 }
 
 static void probes_visit(void *part, struct state *s)

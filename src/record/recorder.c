@@ -94,8 +94,12 @@ static int choose_parts(struct recorder *r)
     }
     for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
         assert(n < PARTS);
-        r->state[n] = recorder_parts[i]->create(&v, &failed);
-        if (r->state[n] != NULL) r->part[n++] = recorder_parts[i];
+        const struct recorder_part *const part = recorder_parts[i];
+        r->state[n] = part->create(&v, &failed);
+        if (r->state[n] != NULL && failed)
+            part->free(r->state[n]);
+        else if (r->state[n] != NULL)
+            r->part[n++] = part;
     }
     return failed;
 }

@@ -38,9 +38,9 @@ struct recorder_view {
 };
 
 struct recorder_part {
-    /* What the functions below get, released by free. NULL if this simulation
-     * has nothing of the kind, and, with *failed, after a message if the file
-     * cannot be written. */
+    /* What the functions below get, released by free, also with *failed, after
+     * a message that a file cannot be written. NULL if this simulation has
+     * nothing of the kind. */
     void *(*create)(const struct recorder_view *v, int *failed);
     void (*free)(void *part);
     int (*row)(void *part);               /* with each row of history.csv */

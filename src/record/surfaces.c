@@ -68,10 +68,8 @@ static void *surface_table_create(const struct recorder_view *v, int *failed)
     t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
     t->row = alloc_doubles(1 + EACH * v->sim->n_surfaces);
     t->table = surface_table_create_table(v->sim, v->folder);
-    if (t->table != NULL) return t;
-    *failed = 1;
-    surface_table_release(t);
-    return NULL;
+    *failed = t->table == NULL;
+    return t;
 }
 
 /* The rows so far, and the sums at the last of them. */
@@ -145,10 +143,8 @@ static void *surface_fields_create(const struct recorder_view *v, int *failed)
     p->last = v->whole;
     p->folder = v->folder;
     p->series = recorder_series(v, "surfaces");
-    if (p->series != NULL) return p;
-    *failed = 1;
-    surface_fields_release(p);
-    return NULL;
+    *failed = p->series == NULL;
+    return p;
 }
 
 static int surface_fields_any_moves(const struct simulation *sim)
@@ -323,10 +319,8 @@ static void *walls_create(const struct recorder_view *v, int *failed)
     w->shear = alloc_doubles(3 * n);
     w->u = alloc_doubles(3 * n);
     w->series = recorder_series(v, "walls");
-    if (w->series != NULL) return w;
-    *failed = 1;
-    walls_release(w);
-    return NULL;
+    *failed = w->series == NULL;
+    return w;
 }
 
 static void walls_visit(void *part, struct state *s)
