@@ -84,34 +84,40 @@ void chunk_begin_owner(struct chunk *s, int i)
     s->walls.start[i - s->begin] = s->walls.n;
 }
 
-static void list_add(struct neighbour_list *v, int n, const int *partner,
-                     int rolls)
+static int *room_for(struct neighbour_list *v, int n)
 {
-    if (n == 0) return;
     if (v->n + n > v->capacity) {
         v->capacity = roomy(v->n + n);
         v->partner =
             alloc_grown(v->partner, v->n, v->capacity, sizeof *v->partner);
-        v->xi = alloc_grown(v->xi, v->n, v->capacity, sizeof *v->xi);
-        if (rolls)
-            v->roll_angle = alloc_grown(v->roll_angle, v->n, v->capacity,
-                                        sizeof *v->roll_angle);
     }
-    memset(v->xi[v->n], 0, (size_t)n * sizeof *v->xi);
-    if (rolls)
-        memset(v->roll_angle[v->n], 0, (size_t)n * sizeof *v->roll_angle);
-    memcpy(&v->partner[v->n], partner, (size_t)n * sizeof *partner);
-    v->n += n;
+    return v->partner + v->n;
 }
 
-void chunk_add_pairs(struct chunk *s, int n, const int *partner)
+int *chunk_room_for_pairs(struct chunk *s, int n)
 {
-    list_add(&s->pairs, n, partner, s->has_rolling);
+    return room_for(&s->pairs, n);
 }
 
 void chunk_add_wall(struct chunk *s, int wall)
 {
-    list_add(&s->walls, 1, &wall, s->has_rolling);
+    *room_for(&s->walls, 1) = wall;
+    s->walls.n++;
+}
+
+/* None of the pairs has a history yet. */
+static void empty_histories(struct neighbour_list *v, int rolls)
+{
+    if (v->n > v->history_capacity) {
+        const size_t n = (size_t)(v->history_capacity = v->capacity);
+        free(v->xi);
+        free(v->roll_angle);
+        v->xi = alloc_zeroed(n, sizeof *v->xi);
+        v->roll_angle = rolls ? alloc_zeroed(n, sizeof *v->roll_angle) : NULL;
+    }
+    if (v->n == 0) return;
+    memset(v->xi, 0, (size_t)v->n * sizeof *v->xi);
+    if (rolls) memset(v->roll_angle, 0, (size_t)v->n * sizeof *v->roll_angle);
 }
 
 /* The load of particle j among those of the chunk; an index before the chunk's
@@ -135,6 +141,8 @@ void chunk_finish_lists(struct chunk *s, int n)
     const int most = s->pairs.n + s->walls.n + SWEEP_LANES;
 
     chunk_begin_owner(s, s->end);
+    empty_histories(&s->pairs, s->has_rolling);
+    empty_histories(&s->walls, s->has_rolling);
     for (int q = 0; q < s->pairs.n; q++)
         s->window =
             chunk_larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);

@@ -25,7 +25,7 @@ struct neighbour_list {
     int *start, *partner;
     double (*xi)[3]; /* [m] xi of the pair while it is not among the contacts */
     double (*roll_angle)[3]; /* [rad] theta likewise; NULL without rolling */
-    int n, capacity;
+    int n, capacity, history_capacity;
 };
 
 /* Pairs first, then walls. The partner of a wall contact is the wall, 2 k for
@@ -129,7 +129,10 @@ void chunk_set_range(struct chunk *s, int number, int count, int n);
  * ascending order. */
 void chunk_clear_lists(struct chunk *s);
 void chunk_begin_owner(struct chunk *s, int i);
-void chunk_add_pairs(struct chunk *s, int n, const int *partner);
+
+/* Room for so many partners at the end of the list of pairs, which is as long
+ * as before; the caller writes some and adds their number to pairs.n. */
+int *chunk_room_for_pairs(struct chunk *s, int n);
 void chunk_add_wall(struct chunk *s, int wall);
 void chunk_finish_lists(struct chunk *s, int n);
 

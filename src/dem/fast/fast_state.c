@@ -3,20 +3,24 @@
  * as a list.  Chapter "Nothing is lost". */
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "dem/fast/fast.h"
 #include "dem/surfaces/surfaces.h"
 
-/* Makes room for a loaded list by adding its pairs anew. */
+/* Makes a loaded list by adding its pairs anew. */
 static void chunk_state_add_partners(struct chunk *c, struct neighbour_list *v,
                                      int n, const int *partner)
 {
-    if (v == &c->pairs)
-        chunk_add_pairs(c, n, partner);
-    else
+    if (v == &c->pairs && n > 0) {
+        memcpy(chunk_room_for_pairs(c, n), partner,
+               (size_t)n * sizeof *partner);
+        c->pairs.n += n;
+    } else {
         for (int q = 0; q < n; q++)
             chunk_add_wall(c, partner[q]);
+    }
 }
 
 enum { WALLS = 6 };

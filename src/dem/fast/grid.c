@@ -189,17 +189,14 @@ static inline int close_inside(const struct bodies *b, int i, int j,
 static void find_inside(int from, int to, struct chunk *s,
                         const struct bodies *b, int i, double skin)
 {
-    enum { MOST = 64 };
+    int n = 0, *const close =
+                   to > from ? chunk_room_for_pairs(s, to - from) : NULL;
 
-    for (int begin = from; begin < to; begin += MOST) {
-        const int end = begin + MOST < to ? begin + MOST : to;
-        int close[MOST], n = 0;
-        for (int j = begin; j < end; j++) {
-            close[n] = j;
-            n += close_inside(b, i, j, skin);
-        }
-        chunk_add_pairs(s, n, close);
+    for (int j = from; j < to; j++) {
+        close[n] = j;
+        n += close_inside(b, i, j, skin);
     }
+    s->pairs.n += n;
 }
 
 /* Partners of i among the particles from ... to - 1. */
@@ -215,8 +212,10 @@ static void find_among(const struct grid *g, int from, int to, struct chunk *s,
         return;
     }
     for (int j = first; j < to; j++)
-        if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin))
-            chunk_add_pairs(s, 1, &j);
+        if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin)) {
+            *chunk_room_for_pairs(s, 1) = j;
+            s->pairs.n++;
+        }
 }
 
 /* Cells that follow each other in the fastest direction are one stretch of
