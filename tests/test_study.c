@@ -313,6 +313,22 @@ START_TEST(a_mean_counts_the_rows_that_were_due)
 }
 END_TEST
 
+/* A run that ended at once has one row; of the time 0.4 s it knows nothing. */
+START_TEST(one_row_says_nothing_of_another_time)
+{
+    const struct measure m = {
+        .file = "history.csv", .column = 1, .from = 0.4, .to = NAN};
+    char dir[64];
+
+    scratch_make(dir);
+    scratch_write(scratch_path(dir, "history.csv"), "time [s],v [m/s]\n0,3\n");
+    struct curve c = measure_take(&m, dir);
+    ck_assert_double_nan(c.value[0]);
+    curve_free(&c);
+    scratch_clear(dir);
+}
+END_TEST
+
 /* A profile says of each mean how sure it is, or nan after too few samples. */
 START_TEST(a_profile_comes_with_its_standard_errors)
 {
@@ -468,6 +484,7 @@ FACTS("study")
     FACT(texts_of_a_summary_are_those_that_were_written);
     FACT(a_measure_reduces_a_column_as_it_says);
     FACT(a_mean_counts_the_rows_that_were_due);
+    FACT(one_row_says_nothing_of_another_time);
     FACT(a_profile_comes_with_its_standard_errors);
     FACT(a_formula_is_computed_as_one_writes_it);
     FACT(a_table_of_measured_values_may_have_gaps);
