@@ -18,6 +18,11 @@ const struct convection_scheme convection_upwind = {
     .function = "convection_upwind_weights",
     .owner_weights = convection_upwind_weights,
     .damps = 1,
+    .order = 1.0,
+    .error = 0.5,
+    .share = 1.0,
+    .least = {1.0, 1.0},
+    .time = 1.0,
 };
 
 static void weights_linear(const struct convection_faces *faces, double *weight)
@@ -32,6 +37,10 @@ const struct convection_scheme convection_linear = {
     .equations = "XS11",
     .function = "weights_linear",
     .owner_weights = weights_linear,
+    .order = 2.0,
+    .error = 1.0 / 6.0,
+    .least = {1.8, 1.2},
+    .time = 1.0,
 };
 
 static void weights_blended(const struct convection_faces *faces,
@@ -57,6 +66,11 @@ const struct convection_scheme convection_blended = {
     .function = "weights_blended",
     .keys = {blend_keys},
     .owner_weights = weights_blended,
+    .order = 1.0,
+    .error = 0.25,
+    .share = 0.5,
+    .least = {1.0, 1.0},
+    .time = 1.0, /* of half of each */
 };
 
 /* Schemes of convection with the gradient of the cell C from
@@ -78,6 +92,10 @@ const struct convection_scheme convection_second_upwind = {
     .keys = {velocity_gradient_keys},
     .owner_weights = convection_upwind_weights,
     .deferred = beyond_second_upwind,
+    .order = 2.0,
+    .error = 1.0 / 3.0,
+    .least = {1.0, 1.0},
+    .time = 1.4,
 };
 
 /* The gradient in C and that of the link limit each other [VanLeer74]: with r =
@@ -99,6 +117,10 @@ const struct convection_scheme convection_van_leer = {
     .keys = {velocity_gradient_keys},
     .owner_weights = convection_upwind_weights,
     .deferred = beyond_van_leer,
+    .order = 2.0,
+    .error = 1.0 / 3.0,
+    .least = {1.7, 1.0},
+    .time = 1.4,
 };
 
 const struct convection_scheme *const convection_schemes[] = {

@@ -33,6 +33,11 @@ struct convection_scheme {
      * from C to D [m/s]; reach: the part of the link that is within C [-].
      * NULL: the scheme has no such part. */
     double (*deferred)(double step, double rise, double reach);
+    /* What it leaves of a wave of wave number k in one radian: error (k
+     * h)^order; over that of second-upwind a share of upwind's and at least
+     * `least`, in a cavity and in a layer (study convection). And what the
+     * equations of the flow take, over upwind [-]. */
+    double order, error, share, least[2], time;
     int damps; /* 1: dissipative, its truncation error damps oscillations from
                   cell to cell */
 };

@@ -4,28 +4,49 @@
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
 #include "base/text.h"
+#include "fluid/convection.h"
 #include "fluid/time_scheme.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 
-/* In words: an error that is so many times as small, or as large if that is
- * below one. */
-static void line_by(const char *name, double time, const char *of, double by)
+/* One choice that could be finer. */
+struct choice {
+    char name[48];
+    double error; /* [-] that it makes now, of a structure of ten cells; nan:
+                     not known */
+    double over;  /* [-] then the error is over that */
+    double time;  /* [-] and the time times that */
+    const char *of;
+};
+
+struct choices {
+    int n;
+    struct choice all[16];
+    double k_h;     /* [-] wave number of ten cells, times the cell */
+    double courant; /* [-] */
+};
+
+static void add_choice(struct choices *c, const char *name, double error,
+                       double over, double time, const char *of)
 {
-    char remark[128];
+    struct choice *const one = &c->all[c->n++];
 
-    snprintf(remark, sizeof remark, "times the time; %s %s %.3g", of,
-             by < 1.0 ? "times" : "over", by < 1.0 ? 1.0 / by : by);
-    text_line(name, time, "-", remark);
+    *one =
+        (struct choice){.error = error, .over = over, .time = time, .of = of};
+    snprintf(one->name, sizeof one->name, "%s", name);
 }
 
-/* A factor of two in a size, of that order. */
-static void accuracy_line(const char *name, double time, const char *of,
-                          double order, int finer)
+/* The largest first, those that are not known last. */
+static int compare_choices(const void *p, const void *q)
 {
-    line_by(name, time, of, pow(2.0, finer ? order : -order));
+    const double a = ((const struct choice *)p)->error,
+                 b = ((const struct choice *)q)->error;
+
+    if (isnan(a) || isnan(b)) return isnan(a) - isnan(b);
+    return (a < b) - (a > b);
 }
 
 /* The time with steps of the fluid and of the particles, and cells, that are so
@@ -44,26 +65,27 @@ static double time_with(const struct case_scales *k, int flow, double steps,
     return (grains + cells * case_scales_cost(&other, flow)) / one;
 }
 
-static void print_fluid(const struct settings *s, const struct case_scales *k)
+/* Implicit Euler damps a wave that goes by with C cells a step by k h C / 2 in
+ * the time of one radian, two steps by (k h C)^2 / 3. */
+static double error_of_step(const struct settings *s, const struct choices *c)
 {
-    const double order = s->fluid.time->time_levels;
+    const double x = c->k_h * c->courant;
 
-    if (order == 1.0)
-        text_line("fluid.time = bdf2", 1.0, "-",
-                  "times the time; the error of the step of order 2, not 1");
-    accuracy_line("fluid.step halved", time_with(k, 1, 2.0, 1.0, 1.0),
-                  "the error of the step", order, 1);
-    accuracy_line("fluid.step doubled", time_with(k, 1, 0.5, 1.0, 1.0),
-                  "the error of the step", order, 0);
+    if (!(x > 0.0)) return NAN;
+    return s->fluid.time->time_levels == 1 ? x / 2.0 : x * x / 3.0;
 }
 
-/* Two of the convection schemes are of first order. */
-static double order_of_cells(const struct settings *s)
+static void add_step(const struct settings *s, const struct case_scales *k,
+                     struct choices *c)
 {
-    const char *const name = s->fluid.convection->name;
+    const double order = s->fluid.time->time_levels;
+    const double error = error_of_step(s, c);
 
-    return strcmp(name, "upwind") == 0 || strcmp(name, "blended") == 0 ? 1.0
-                                                                       : 2.0;
+    if (order == 1.0 && error > 0.0)
+        add_choice(c, "fluid.time = bdf2", error, 0.75 / error, 1.0,
+                   "of the step");
+    add_choice(c, "fluid.step halved", error, pow(2.0, order),
+               time_with(k, 1, 2.0, 1.0, 1.0), "of the step");
 }
 
 /* Directions that have more than one cell, and the product of their numbers. */
@@ -90,20 +112,6 @@ static double time_of_flow(const struct settings *s,
 
     return time_with(k, 1, 1.0, 1.0, 1.0 + share * (by - 1.0));
 }
-
-/* What a convection scheme takes and leaves: its error over that of
- * second-upwind, a share of upwind's and at least `least`, in a cavity (study
- * convection) and in a layer; and the time of the flow's equations over that of
- * upwind. */
-static const struct scheme_cost {
-    const char *name;
-    double share, least[2], time;
-} scheme_costs[] = {{"upwind", 1.0, {1.0, 1.0}, 1.0},
-                    {"blended", 0.5, {1.0, 1.0}, 1.0},
-                    {"linear", 0.0, {1.8, 1.2}, 1.0},
-                    {"van-leer", 0.0, {1.7, 1.0}, 1.4},
-                    {"second-upwind", 0.0, {1.0, 1.0}, 1.4}};
-enum { SCHEME_COSTS = sizeof scheme_costs / sizeof scheme_costs[0] };
 
 /* The flow that convection carries. */
 struct carried {
@@ -151,22 +159,34 @@ static struct carried carried_in(const struct settings *s,
         1, 6.0 * cells * fmin(nu / k->inlet / s->mesh.box.size[only], 0.2)};
 }
 
-static double left_by(const struct scheme_cost *scheme, struct carried c)
+static double left_by(const struct convection_scheme *scheme, struct carried c)
 {
     return fmax(scheme->share * c.upwind, scheme->least[c.layer]);
 }
 
+/* The first terms of the errors of a wave, in one radian: k h / 2 and more. */
+static double error_of_cells(const struct settings *s, const struct choices *c,
+                             int carries)
+{
+    const struct convection_scheme *const scheme = s->fluid.convection;
+
+    if (!carries) return c->k_h * c->k_h / 12.0; /* of the viscous stress */
+    return scheme->error * pow(c->k_h, scheme->order);
+}
+
 /* From one scheme to the other. */
-static void print_scheme(const struct settings *s, const struct case_scales *k,
-                         const struct scheme_cost *from,
-                         const struct scheme_cost *to, struct carried c)
+static void add_scheme(const struct settings *s, const struct case_scales *k,
+                       const struct convection_scheme *from,
+                       const struct convection_scheme *to, struct carried flow,
+                       struct choices *c)
 {
     char name[64];
 
     if (from == to) return;
     snprintf(name, sizeof name, "fluid.convection = %s", to->name);
-    line_by(name, time_of_flow(s, k, to->time / from->time),
-            "the error of convection", left_by(from, c) / left_by(to, c));
+    add_choice(c, name, error_of_cells(s, c, 1),
+               left_by(from, flow) / left_by(to, flow),
+               time_of_flow(s, k, to->time / from->time), "of convection");
 }
 
 /* The only direction that has cells, of a flow without grains; else -1. */
@@ -179,134 +199,120 @@ static int only_direction(const struct settings *s)
     return n[0] > 1 ? 0 : n[1] > 1 ? 1 : 2;
 }
 
-static void print_convection(const struct settings *s,
-                             const struct case_scales *k)
+static void add_cells(const struct settings *s,
+                           const struct case_scales *k, struct choices *c)
 {
-    const struct scheme_cost *from = scheme_costs;
-    const char *const name = s->fluid.convection->name;
+    const struct convection_scheme *const from = s->fluid.convection;
     const int only = only_direction(s);
-    double cells;
+    double n;
 
-    while (from < scheme_costs + SCHEME_COSTS && strcmp(from->name, name) != 0)
-        from++;
-    if (accuracy_directions_of(s, &cells) == 0 ||
-        from == scheme_costs + SCHEME_COSTS ||
-        (only >= 0 && carries_nothing(s, only)))
-        return;
-    const struct carried c = carried_in(s, k, only);
-    print_scheme(s, k, from, &scheme_costs[SCHEME_COSTS - 1], c);
-    if (order_of_cells(s) > 1.0) print_scheme(s, k, from, scheme_costs, c);
+    const int directions = accuracy_directions_of(s, &n);
+    const int carries = only < 0 || !carries_nothing(s, only);
+    if (directions > 0)
+        add_choice(
+            c, "mesh.cells doubled, fluid.step halved",
+            error_of_cells(s, c, carries), pow(2.0, s->fluid.convection->order),
+            time_with(k, 1, 2.0, 1.0, pow(2.0, directions)), "of the cells");
+    if (directions == 0 || !carries) return;
+    const struct carried flow = carried_in(s, k, only);
+    add_scheme(s, k, from, &convection_second_upwind, flow, c);
+    if (s->fluid.convection->order > 1.0)
+        add_scheme(s, k, from, &convection_upwind, flow, c);
 }
 
 /* The number of iterations is proportional to the digits that are asked for,
  * and the rest of a step takes as long as four digits. The error of one digit
  * more is not a tenth, since iterations are whole, but that of four digits more
- * is about 1e-4 (study tolerance). */
-static void print_tolerance(const struct settings *s,
-                            const struct case_scales *k)
+ * is about 1e-4 (study tolerance). A corrector takes a quarter of the time of
+ * the rest, and leaves about a sixth of the error of the one before at Courant
+ * numbers of one half (study correctors). */
+static void add_solvers(const struct settings *s, const struct case_scales *k,
+                        struct choices *c)
 {
-    const double digits = -log10(s->fluid.tolerance);
-
-    line_by("fluid.tolerance over 10",
-            time_of_flow(s, k, (digits + 5.0) / (digits + 4.0)),
-            "the error of the equations, in the mean,", 10.0);
-    if (digits > 1.0)
-        line_by("fluid.tolerance times 10",
-                time_of_flow(s, k, (digits + 3.0) / (digits + 4.0)),
-                "the error of the equations, in the mean,", 0.1);
-}
-
-/* A corrector takes a quarter of the time of the rest, and leaves about a sixth
- * of the error of the one before at Courant numbers of one half (study
- * correctors). */
-static void print_correctors(const struct settings *s,
-                             const struct case_scales *k)
-{
+    const double digits = -log10(s->fluid.tolerance), rest = 4.4;
     const int n = s->fluid.correctors;
-    const double rest = 4.4;
 
-    line_by("fluid.correctors one more",
-            time_of_flow(s, k, (rest + n + 1.0) / (rest + n)),
-            "the error of splitting", 6.0);
-    if (n > 1)
-        line_by("fluid.correctors one less",
-                time_of_flow(s, k, (rest + n - 1.0) / (rest + n)),
-                "the error of splitting", 1.0 / 6.0);
-}
-
-/* All directions that have more than one cell, and the step with them, so that
- * the Courant number stays. */
-static void print_cells(const struct settings *s, const struct case_scales *k)
-{
-    double n;
-    const int directions = accuracy_directions_of(s, &n);
-    const double cells = pow(2.0, directions);
-
-    if (directions == 0) return;
-    accuracy_line("mesh.cells doubled, fluid.step halved",
-                  time_with(k, 1, 2.0, 1.0, cells), "that of the cells",
-                  order_of_cells(s), 1);
-    accuracy_line("mesh.cells halved, fluid.step doubled",
-                  time_with(k, 1, 0.5, 1.0, 1.0 / cells), "that of the cells",
-                  order_of_cells(s), 0);
+    add_choice(c, "fluid.tolerance over 10", s->fluid.tolerance, 10.0,
+               time_of_flow(s, k, (digits + 5.0) / (digits + 4.0)),
+               "of the equations, in the mean");
+    add_choice(
+        c, "fluid.correctors one more", error_of_step(s, c) * pow(6.0, 1.0 - n),
+        6.0, time_of_flow(s, k, (rest + n + 1.0) / (rest + n)), "of splitting");
 }
 
 /* Smoothing reduces a wave by a share proportional to the square of the
  * bandwidth. The diffusion takes the same time for any bandwidth. */
-static void accuracy_print_bandwidth(const struct settings *s)
+static void add_bandwidth(const struct settings *s, const struct case_scales *k,
+                          struct choices *c)
 {
-    if (s->averaging.method != &diffusion_method) return;
-    accuracy_line("averaging.bandwidth halved", 1.0, "the damping of a wave",
-                  2.0, 1);
-    accuracy_line("averaging.bandwidth doubled", 1.0, "the damping of a wave",
-                  2.0, 0);
+    const struct averaging_method *const method = s->averaging.method;
+    const double kb =
+        method->gaussian * s->averaging.bandwidth * c->k_h / k->S_c;
+
+    if (method == &diffusion_method)
+        add_choice(c, "averaging.bandwidth halved", -expm1(-0.25 * kb * kb),
+                   4.0, 1.0, "the damping of a wave");
 }
 
 /* A sub-step asks for the drag of each particle once, which was seen to cost as
  * much as a step of its motion. Where their number is left to the program it is
  * no choice. */
-static void print_substeps(const struct settings *s,
-                           const struct case_scales *k)
+static void add_substeps(const struct settings *s, const struct case_scales *k,
+                         struct choices *c)
 {
     const int n = s->exchange.substeps;
+    const double tau = check_scales(s, k).tau;
     struct case_scales one = *k;
 
     if (n == 0) return;
     one.dem_steps = n;
     one.cells = 0;
     const double more = case_scales_cost(&one, 0) / case_scales_cost(k, 1);
-    accuracy_line("exchange.substeps doubled", 1.0 + more,
-                  "the error of the drag", 1.0, 1);
-    if (n > 1)
-        accuracy_line("exchange.substeps halved", 1.0 - 0.5 * more,
-                      "the error of the drag", 1.0, 0);
+    add_choice(c, "exchange.substeps doubled",
+               tau > 0.0 ? fmin(1.0, 0.5 * k->dt / n / tau) : NAN, 2.0,
+               1.0 + more, "of the drag");
 }
 
 /* The force of a dashpot jumps when a contact begins and ends. Without one, e =
  * 1, the integrator has its own order; without contacts there is no impact. */
-static void print_particles(const struct settings *s,
-                            const struct case_scales *k, int flow)
+static void add_impacts(const struct settings *s, const struct case_scales *k,
+                        int flow, struct choices *c)
 {
-    const double order = s->particles.grains.of.restitution == 1.0 ? 2.0 : 1.0;
+    const double e = s->particles.grains.of.restitution;
+    const double x = k->dem_dt / case_scales_tightest(s, k->impact).contact;
+    const double error = e == 1.0 ? M_PI * M_PI * x * x / 24.0 : (1.0 - e) * x;
 
-    accuracy_line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),
-                  "the error of an impact", order, 1);
-    accuracy_line("particles.step doubled", time_with(k, flow, 1.0, 0.5, 1.0),
-                  "the error of an impact", order, 0);
+    add_choice(c, "particles.step halved", isfinite(error) ? error : NAN,
+               e == 1.0 ? 4.0 : 2.0, time_with(k, flow, 1.0, 2.0, 1.0),
+               "of an impact");
 }
 
 void check_accuracy(const struct settings *s, const struct case_scales *k)
 {
     const int flow = s->has.fluid;
+    struct choices c = {.k_h = 2.0 * M_PI / 10.0};
 
-    puts("What accuracy costs");
-    if (flow) print_fluid(s, k);
-    if (flow) print_cells(s, k);
-    if (flow) print_convection(s, k);
-    if (flow) print_tolerance(s, k);
-    if (flow) print_correctors(s, k);
-    if (s->has.averaging) accuracy_print_bandwidth(s);
-    if (s->has.exchange) print_substeps(s, k);
+    if (flow) {
+        c.courant = check_courant(s, k);
+        add_step(s, k, &c);
+        add_cells(s, k, &c);
+        add_solvers(s, k, &c);
+    }
+    if (s->has.averaging) add_bandwidth(s, k, &c);
+    if (s->has.exchange) add_substeps(s, k, &c);
     if (k->particles > 0 && !s->particles.list->no_contacts)
-        print_particles(s, k, flow);
+        add_impacts(s, k, flow, &c);
+    qsort(c.all, (size_t)c.n, sizeof *c.all, compare_choices);
+    printf(
+        "What accuracy costs, the largest error first, of a structure of ten "
+        "cells\n  %-38s %9s %9s %9s\n  %-38s %9s %9s %9s\n",
+        "", "error", "then", "time", "", "%", "over", "times");
+    for (int i = 0; i < c.n; i++) {
+        const struct choice *const one = &c.all[i];
+        char error[32] = "-";
+        if (!isnan(one->error))
+            snprintf(error, sizeof error, "%.2g", 100.0 * one->error);
+        printf("  %-38s %9s %9.3g %9.4g  %s\n", one->name, error, one->over,
+               one->time, one->of);
+    }
 }

@@ -21,6 +21,8 @@ int check_case(const struct settings *s);
  * attractions; every effect, named or not, and how the phases should be
  * coupled; the next finer and the next coarser choices. */
 void check_flow(const struct settings *s, const struct case_scales *k);
+/* The Courant number of that flow, 0 if nothing is known to move. */
+double check_courant(const struct settings *s, const struct case_scales *k);
 void check_averaging(const struct settings *s, const struct case_scales *k);
 void check_drag(const struct settings *s, const struct case_scales *k);
 void check_cohesion(const struct settings *s, const struct case_scales *k);

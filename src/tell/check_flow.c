@@ -174,6 +174,13 @@ static void print_viscous(const struct settings *s, double number)
     text_line("nu dt / h^2", number, "-", remark);
 }
 
+double check_courant(const struct settings *s, const struct case_scales *k)
+{
+    const double eps_s = k->particles > 0 ? CHECK_PACKED : 0.0;
+
+    return rates_of(s).courant / (1.0 - eps_s) * k->dt;
+}
+
 void check_flow(const struct settings *s, const struct case_scales *k)
 {
     const double dt = k->dt, eps_s = k->particles > 0 ? CHECK_PACKED : 0.0;
