@@ -199,8 +199,8 @@ static int only_direction(const struct settings *s)
     return n[0] > 1 ? 0 : n[1] > 1 ? 1 : 2;
 }
 
-static void add_cells(const struct settings *s,
-                           const struct case_scales *k, struct choices *c)
+static void add_cells(const struct settings *s, const struct case_scales *k,
+                      struct choices *c)
 {
     const struct convection_scheme *const from = s->fluid.convection;
     const int only = only_direction(s);
