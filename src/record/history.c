@@ -186,8 +186,6 @@ static double mean_fall(const struct simulation *sim)
     return size > 0.0 && n > 0.0 ? sum / (size * n) : 0.0;
 }
 
-/* --- physics -------------------------------------------------------------- */
-
 /* Component k of a sum over all [N s]. */
 static double component(const struct simulation *sim, int k,
                         void (*sum_of)(const struct simulation *, double[3]))
@@ -198,64 +196,13 @@ static double component(const struct simulation *sim, int k,
     return sum[k];
 }
 
-HISTORY_VALUE(now, sim->t)
-HISTORY_VALUE(inlet_velocity, fluid_inlet_velocity(sim->fluid))
-HISTORY_VALUE(fluid_energy,
-              processes_total(sim, fluid_kinetic_energy(sim->fluid)))
-HISTORY_VECTOR(momentum, component(sim, k, coupling_total_momentum))
-HISTORY_VECTOR(unpaid, component(sim, k, coupling_unpaid_impulse))
-
-/* --- insertion and removal ------------------------------------------------ */
-
-HISTORY_VALUE(particles, sim->particles->n)
-HISTORY_VALUE(inserted, (double)sim->population->totals.inserted)
-HISTORY_VALUE(removed, (double)sim->population->totals.removed)
-HISTORY_VALUE(waiting, (double)sim->population->totals.waiting)
-HISTORY_VALUE(mass_in, sim->population->totals.mass_in)
-HISTORY_VALUE(mass_out, sim->population->totals.mass_out)
-HISTORY_VECTOR(brought, component(sim, k, replacement_momentum))
-HISTORY_VALUE(replaced, sim->fluid->replaced)
-
-/* --- the energy of the particles ------------------------------------------ */
-
-HISTORY_VALUE(normal_springs, dem_energy(sim->dem)->normal)
-HISTORY_VALUE(tangential_springs, dem_energy(sim->dem)->tangential)
-HISTORY_VALUE(damped_n, dem_energy(sim->dem)->damped_n)
-HISTORY_VALUE(damped_t, dem_energy(sim->dem)->damped_t)
-HISTORY_VALUE(slid, dem_energy(sim->dem)->slid)
-HISTORY_VALUE(released, dem_energy(sim->dem)->released)
-HISTORY_VALUE(rolled, dem_energy(sim->dem)->rolled)
-HISTORY_VALUE(work, dem_energy(sim->dem)->work)
-HISTORY_VALUE(attracted, dem_energy(sim->dem)->attracted)
-HISTORY_VALUE(of_walls, dem_energy(sim->dem)->walls)
-HISTORY_VALUE(energy_brought, dem_energy(sim->dem)->added)
-HISTORY_VALUE(residual_of_energy, energy_residual(dem_energy(sim->dem)))
-
-/* --- numerics ------------------------------------------------------------- */
-
-HISTORY_VALUE(cfl, sim->fluid->report.cfl)
-HISTORY_VALUE(mass_residual, sim->fluid->report.mass_residual)
-HISTORY_VALUE(momentum_residual, sim->fluid->report.momentum_residual)
-HISTORY_VALUE(splitting, sim->fluid->report.piso_residual)
-HISTORY_VALUE(pressure_iterations, sim->fluid->report.pressure.iterations)
-HISTORY_VALUE(momentum_iterations, sim->fluid->report.momentum.iterations)
-HISTORY_VALUE(backflow_faces, sim->fluid->report.backflow_faces)
-HISTORY_VALUE(flow_substeps, sim->fluid->report.flow_substeps)
-HISTORY_VECTOR(mean_gradient, sim->fluid->mean_gradient[k])
-HISTORY_VALUE(exchange_residual, sim->coupling->report.exchange_residual)
-HISTORY_VALUE(eps_lowest, sim->coupling->report.eps_lowest)
-HISTORY_VALUE(capped_cells, averaging_report(sim->averaging)->capped)
-HISTORY_VALUE(substeps, sim->coupling->report.substeps)
-HISTORY_VALUE(max_overlap, sim->dem_report.max_overlap)
-HISTORY_VALUE(contacts, sim->dem_report.contacts)
-HISTORY_VALUE(rebuilds, (double)sim->dem_report.rebuilds)
-HISTORY_VALUE(relabelled, vector_length(sim->fluid->relabelled))
-
 static double shortest_time(const struct simulation *sim)
 {
     const double t = sim->coupling->report.shortest_time;
     return t < HUGE_VAL ? t : 0.0; /* no particle has one */
 }
+
+/* --- the columns ---------------------------------------------------------- */
 
 enum {
     F = HISTORY_FLUID,
@@ -267,66 +214,16 @@ enum {
     E = HISTORY_BUDGET
 };
 
+/* history.def has a line a column, in the order of the row: it makes a function
+ * of each, called by its line, and then the table of them. */
+#define COLUMN_AT(line) column_##line
+#define COLUMN_OF(line) COLUMN_AT(line)
+#define COLUMN(needs, title, value) HISTORY_VALUE(COLUMN_OF(__LINE__), value)
+#include "record/history.def"
+#undef COLUMN
+#define COLUMN(needs, title, value) {title, COLUMN_OF(__LINE__), needs},
 const struct history_column history_columns[] = {
-    {"time [s]", now, 0},
-    {"pressure_drop [Pa]", history_pressure_drop, F},
-    {"bed_weight [Pa]", history_bed_weight, P},
-    {"buoyant_weight [Pa]", history_buoyant_weight, C},
-    {"inlet_velocity [m/s]", inlet_velocity, F},
-    {"kinetic_energy_fluid [J]", fluid_energy, F},
-    {"kinetic_energy_particles [J]", particle_energy, P},
-    {"rotational_energy_particles [J]", spin_energy, P},
-    {"particles [-]", particles, I},
-    {"particles_in [-]", inserted, I},
-    {"particles_out [-]", removed, I},
-    {"particles_waiting [-]", waiting, I},
-    {"mass_in [kg]", mass_in, I},
-    {"mass_out [kg]", mass_out, I},
-    {"momentum_brought_x [N s]", brought_x, I},
-    {"momentum_brought_y [N s]", brought_y, I},
-    {"momentum_brought_z [N s]", brought_z, I},
-    {"fluid_replaced [kg]", replaced, I | C},
-    {"energy_normal_springs [J]", normal_springs, E},
-    {"energy_tangential_springs [J]", tangential_springs, E},
-    {"lost_in_normal_dashpots [J]", damped_n, E},
-    {"lost_in_tangential_dashpots [J]", damped_t, E},
-    {"lost_by_sliding [J]", slid, E},
-    {"lost_by_tangential_springs [J]", released, E},
-    {"lost_by_rolling [J]", rolled, E},
-    {"work_of_outside_forces [J]", work, E},
-    {"work_of_cohesion [J]", attracted, E},
-    {"work_of_walls [J]", of_walls, E},
-    {"energy_brought [J]", energy_brought, E},
-    {"energy_residual [J]", residual_of_energy, E},
-    {"granular_temperature [m2/s2]", granular_temperature, P},
-    {"mean_height [m]", mean_height, P},
-    {"mean_fall_velocity [m/s]", mean_fall, P},
-    {"momentum_x [N s]", momentum_x, 0},
-    {"momentum_y [N s]", momentum_y, 0},
-    {"momentum_z [N s]", momentum_z, 0},
-    {"unpaid_impulse_x [N s]", unpaid_x, C},
-    {"unpaid_impulse_y [N s]", unpaid_y, C},
-    {"unpaid_impulse_z [N s]", unpaid_z, C},
-    {"max_cfl [-]", cfl, F},
-    {"max_overlap [-]", max_overlap, P},
-    {"contacts [-]", contacts, P},
-    {"list_rebuilds [-]", rebuilds, P},
-    {"eps_f_lowest [-]", eps_lowest, C},
-    {"capped_cells [-]", capped_cells, C},
-    {"substeps [-]", substeps, C},
-    {"shortest_relaxation_time [s]", shortest_time, C},
-    {"mass_residual [-]", mass_residual, F},
-    {"momentum_residual [-]", momentum_residual, F},
-    {"piso_splitting [-]", splitting, F},
-    {"exchange_residual [-]", exchange_residual, C},
-    {"relabelled_momentum [N s]", relabelled, C},
-    {"pressure_iterations [-]", pressure_iterations, F},
-    {"momentum_iterations [-]", momentum_iterations, F},
-    {"backflow_faces [-]", backflow_faces, F},
-    {"mean_gradient_x [Pa/m]", mean_gradient_x, D},
-    {"mean_gradient_y [Pa/m]", mean_gradient_y, D},
-    {"mean_gradient_z [Pa/m]", mean_gradient_z, D},
-    {"flow_substeps [-]", flow_substeps, N},
+#include "record/history.def"
     {NULL, NULL, 0}};
 
 /* 1 if the pressure has a mean gradient, given or adapted. */
