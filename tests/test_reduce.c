@@ -109,6 +109,23 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
+/* To the bit: so the vector z need not be stored. */
+START_TEST(a_scaled_vector_in_single_precision_is_summed_as_its_copy)
+{
+    enum { N = 5003 };
+    double *const x = noise_vector(N, 1), *const z = noise_vector(N, 2);
+    float y[N];
+
+    for (int i = 0; i < N; i++) {
+        y[i] = (float)z[i];
+        z[i] = 0.3 * (double)y[i];
+    }
+    ck_assert(reduce_range_scaled(3, N, x, y, 0.3) == reduce_range(3, N, x, z));
+    free(x);
+    free(z);
+}
+END_TEST
+
 FACTS("reduce")
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
@@ -118,4 +135,5 @@ FACTS("reduce")
     FACT(a_dot_product_counts_every_unknown_once);
     FACT(fields_side_by_side_have_their_own_dot_products);
     FACT(threads_do_not_change_a_bit);
+    FACT(a_scaled_vector_in_single_precision_is_summed_as_its_copy);
 }

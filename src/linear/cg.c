@@ -11,7 +11,7 @@
 
 struct cg_work {
     int n;
-    double *r, *z, *p, *q; /* residual, M r, direction, A p */
+    double *r, *p, *q; /* residual, direction, A p */
 };
 
 struct cg_work *cg_work_create(int n)
@@ -20,7 +20,6 @@ struct cg_work *cg_work_create(int n)
 
     w->n = n;
     w->r = alloc_doubles(n);
-    w->z = alloc_doubles(n);
     w->p = alloc_doubles(n);
     w->q = alloc_doubles(n);
     return w;
@@ -30,7 +29,6 @@ void cg_work_free(struct cg_work *w)
 {
     if (w == NULL) return;
     free(w->r);
-    free(w->z);
     free(w->p);
     free(w->q);
     free(w);
@@ -55,14 +53,6 @@ static double cg_residual(struct preconditioned A, const double *b,
     return rr;
 }
 
-/* p = z + beta p over a range */
-static void cg_update_direction(int first, int last, double beta,
-                                const double *z, double *p)
-{
-    for (int i = first; i < last; i++)
-        p[i] = z[i] + beta * p[i];
-}
-
 /* x += alpha p, r -= alpha q over a range; returns its part of r.r */
 static double cg_advance(int first, int last, double alpha, struct cg_work *w,
                          double *x)
@@ -85,10 +75,9 @@ static double iterate(struct preconditioned A, double *x, double rr,
     double rz_old = 1.0;
 
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
-        const double rz = A.kind->apply(A.matrix, w->r, w->z);
+        const double rz = A.kind->apply(A.matrix, w->r, rr);
 
-        PARALLEL_RANGES(w->n, 1, cg_update_direction,
-                        it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
+        A.kind->direction(A.matrix, w->r, it == 0 ? 0.0 : rz / rz_old, w->p);
 
         const double pq = A.kind->multiply(A.matrix, w->p, w->q);
 

@@ -61,24 +61,35 @@ static double preconditioned_jacobi_multiply(const void *matrix,
     return reduce_dot(A->n, x, y);
 }
 
-/* z = D^-1 r over a range; returns its part of r.z. */
-static double preconditioned_jacobi_divide(int first, int last,
-                                           const double *diag, const double *r,
-                                           double *z)
+/* r.D^-1 r over a range. */
+static double preconditioned_jacobi_sum(int first, int last, const double *diag,
+                                        const double *r)
 {
+    double sum = 0.0;
+
     for (int i = first; i < last; i++)
-        z[i] = r[i] / diag[i];
-    return reduce_range(first, last, r, z);
+        sum += r[i] * (r[i] / diag[i]);
+    return sum;
 }
 
 static double preconditioned_jacobi_apply(void *matrix, const double *r,
-                                          double *z)
+                                          double rr)
 {
     const struct csr *const A = matrix;
     double rz;
 
-    PARALLEL_SUM(rz, A->n, 1, preconditioned_jacobi_divide, A->diag, r, z);
+    (void)rr;
+    PARALLEL_SUM(rz, A->n, 1, preconditioned_jacobi_sum, A->diag, r);
     return rz;
+}
+
+static void preconditioned_jacobi_direction(const void *matrix, const double *r,
+                                            double beta, double *p)
+{
+    const struct csr *const A = matrix;
+
+    for (int i = 0; i < A->n; i++)
+        p[i] = r[i] / A->diag[i] + beta * p[i];
 }
 
 const struct preconditioned_kind preconditioned_jacobi = {
@@ -88,4 +99,5 @@ const struct preconditioned_kind preconditioned_jacobi = {
     .set = preconditioned_jacobi_set,
     .multiply = preconditioned_jacobi_multiply,
     .apply = preconditioned_jacobi_apply,
+    .direction = preconditioned_jacobi_direction,
 };

@@ -3,7 +3,7 @@
  *
  * The matrix is one of diffusion: the entry -g[l] for each link l, and a
  * diagonal such that the row sums are those given. Conjugate gradients need two
- * operations of it: the product y = A x, and z = M r with a symmetric positive
+ * operations of it: the product y = A x, and M r with a symmetric positive
  * definite M close to A^-1, the preconditioner. A kind of preconditioner is one
  * descriptor, which also decides how the matrix is stored. The plain kind is
  * that of Jacobi, M = D^-1 with the diagonal D of the matrix, stored by rows;
@@ -26,8 +26,11 @@ struct preconditioned_kind {
     void (*set)(void *matrix, const double *g, const double *sums);
     /* y = A x; returns x.y. */
     double (*multiply)(const void *matrix, const double *x, double *y);
-    /* z = M r; returns r.z. */
-    double (*apply)(void *matrix, const double *r, double *z);
+    /* Computes M r, which stays in the matrix, and returns r.M r; rr is r.r.
+     * Then p = M r + beta p. */
+    double (*apply)(void *matrix, const double *r, double rr);
+    void (*direction)(const void *matrix, const double *r, double beta,
+                      double *p);
 };
 
 struct preconditioned {

@@ -21,6 +21,23 @@ double reduce_range(int first, int last, const double *x, const double *y)
     return sum;
 }
 
+double reduce_range_scaled(int first, int last, const double *x, const float *y,
+                           double factor)
+{
+    double lane[LANES] = {0.0};
+    double sum = 0.0;
+    int i = first;
+
+    for (; i + LANES <= last; i += LANES)
+        for (int k = 0; k < LANES; k++)
+            lane[k] += x[i + k] * (factor * (double)y[i + k]);
+    for (; i < last; i++)
+        sum += x[i] * (factor * (double)y[i]);
+    for (int k = 0; k < LANES; k++)
+        sum += lane[k];
+    return sum;
+}
+
 double reduce_dot(int n, const double *x, const double *y)
 {
     double sum;

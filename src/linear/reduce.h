@@ -12,6 +12,10 @@ enum { REDUCE_FIELDS = 16 }; /* at most, side by side */
 double reduce_dot(int n, const double *x, const double *y);
 double reduce_range(int first, int last, const double *x, const double *y);
 
+/* sum_i x_i (factor y_i), with y in single precision. */
+double reduce_range_scaled(int first, int last, const double *x, const float *y,
+                           double factor);
+
 /* dot[k] = sum_i x[m * i + k] y[m * i + k] for m fields side by side. */
 void reduce_range_many(int first, int last, int m, const double *x,
                        const double *y, double *dot);

@@ -208,6 +208,7 @@ struct multigrid {
     struct graph *links;        /* of the coarsest level, for its matrix */
     double *unknown;            /* of the coarsest level */
     double unit;                /* one over the typical entry of the matrix */
+    double scale;               /* of y of the finest level, after a cycle */
 };
 
 /* Adds the level above g and returns its graph; or NULL if the aggregates are
@@ -233,9 +234,9 @@ static struct graph *add_level(struct multigrid *mg, struct graph *g)
     return coarse;
 }
 
-struct multigrid *multigrid_create(int n, int n_links, const int *owner,
-                                   const int *neighbour, const double *strength,
-                                   const double *link, const double *V)
+void *multigrid_create(int n, int n_links, const int *owner,
+                       const int *neighbour, const double *strength,
+                       const double *link, const double *V)
 {
     struct multigrid *const mg = alloc_zeroed(1, sizeof *mg);
     struct graph *g =
@@ -257,8 +258,10 @@ struct multigrid *multigrid_create(int n, int n_links, const int *owner,
     return mg;
 }
 
-void multigrid_free(struct multigrid *mg)
+void multigrid_free(void *matrix)
 {
+    struct multigrid *const mg = matrix;
+
     if (mg == NULL) return;
     for (int k = 0; k < mg->n_levels; k++)
         level_release(&mg->level[k]);
@@ -298,9 +301,10 @@ static double rms(int n, const double *x)
     return sqrt(reduce_dot(n, x, x) / n);
 }
 
-void multigrid_set_coefficients(struct multigrid *mg, const double *g,
+void multigrid_set_coefficients(void *matrix, const double *g,
                                 const double *sums)
 {
+    struct multigrid *const mg = matrix;
     struct level *const v = mg->level;
 
     mg->unit = 1.0 / (v->n_links > 0 ? rms(v->n_links, g) : rms(v->n, sums));
@@ -414,32 +418,55 @@ static void copy_in(int first, int last, const double *r, double scale,
         b[i] = (float)(r[i] / scale);
 }
 
-/* z = scale y over a range; returns its part of r.z */
-static double copy_out(int first, int last, const float *y, double scale,
-                       const double *r, double *z)
+/* M r, which stays in y of the finest level, over mg->scale; returns r.M r. */
+static double multigrid_kind_apply(void *matrix, const double *r, double rr)
 {
-    for (int i = first; i < last; i++)
-        z[i] = scale * (double)y[i];
-    return reduce_range(first, last, r, z);
-}
-
-double multigrid_apply(struct multigrid *mg, const double *r, double *z)
-{
+    struct multigrid *const mg = matrix;
     struct level *const v = mg->level;
-    const double scale = rms(v->n, r);
+    const double scale = sqrt(rr / v->n);
     double rz;
 
     if (scale > 0.0) {
         PARALLEL_RANGES(v->n, 1, copy_in, r, scale, v->b);
         cycle(mg);
     }
-    PARALLEL_SUM(rz, v->n, 1, copy_out, v->y, scale * mg->unit, r, z);
+    mg->scale = scale * mg->unit;
+    PARALLEL_SUM(rz, v->n, 1, reduce_range_scaled, r, v->y, mg->scale);
     return rz;
 }
 
-double multigrid_multiply(const struct multigrid *mg, const double *x,
-                          double *y)
+/* p = scale y + beta p over a range */
+static void direction_rows(int first, int last, const float *y, double scale,
+                           double beta, double *p)
 {
+    for (int i = first; i < last; i++)
+        p[i] = scale * (double)y[i] + beta * p[i];
+}
+
+static void multigrid_kind_direction(const void *matrix, const double *r,
+                                     double beta, double *p)
+{
+    const struct multigrid *const mg = matrix;
+
+    (void)r;
+    PARALLEL_RANGES(mg->level->n, 1, direction_rows, mg->level->y, mg->scale,
+                    beta, p);
+}
+
+double multigrid_apply(struct multigrid *mg, const double *r, double *z)
+{
+    const int n = mg->level->n;
+    const double rz = multigrid_kind_apply(mg, r, reduce_dot(n, r, r));
+
+    memset(z, 0, (size_t)n * sizeof *z);
+    multigrid_kind_direction(mg, r, 0.0, z);
+    return rz;
+}
+
+double multigrid_multiply(const void *matrix, const double *x, double *y)
+{
+    const struct multigrid *const mg = matrix;
+
     return mg->level[0].kind->multiply(mg->level[0].A, x, y);
 }
 
@@ -453,40 +480,12 @@ int multigrid_unknowns(const struct multigrid *mg, int level)
     return mg->level[level].n;
 }
 
-static void *multigrid_kind_create(int n, int n_links, const int *owner,
-                                   const int *neighbour, const double *strength,
-                                   const double *link, const double *V)
-{
-    return multigrid_create(n, n_links, owner, neighbour, strength, link, V);
-}
-
-static void multigrid_kind_free(void *matrix)
-{
-    multigrid_free(matrix);
-}
-
-static void multigrid_kind_set(void *matrix, const double *g,
-                               const double *sums)
-{
-    multigrid_set_coefficients(matrix, g, sums);
-}
-
-static double multigrid_kind_multiply(const void *matrix, const double *x,
-                                      double *y)
-{
-    return multigrid_multiply(matrix, x, y);
-}
-
-static double multigrid_kind_apply(void *matrix, const double *r, double *z)
-{
-    return multigrid_apply(matrix, r, z);
-}
-
 const struct preconditioned_kind multigrid_preconditioned = {
     .name = "multigrid",
-    .create = multigrid_kind_create,
-    .free = multigrid_kind_free,
-    .set = multigrid_kind_set,
-    .multiply = multigrid_kind_multiply,
+    .create = multigrid_create,
+    .free = multigrid_free,
+    .set = multigrid_set_coefficients,
+    .multiply = multigrid_multiply,
     .apply = multigrid_kind_apply,
+    .direction = multigrid_kind_direction,
 };

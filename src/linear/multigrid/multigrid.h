@@ -21,19 +21,19 @@ struct multigrid;
 /* The preconditioner whose matrix is a struct multigrid. */
 extern const struct preconditioned_kind multigrid_preconditioned;
 
-/* Aggregates for the unknowns and links of a csr (same order). V and the
+/* The functions of that kind, whose `matrix` is a struct multigrid. Aggregates
+ * for the unknowns and links of a csr (same order). V and the
  * arrays of links are borrowed during the call only. */
-struct multigrid *multigrid_create(int n, int n_links, const int *owner,
-                                   const int *neighbour,
-                                   const double *strength, /* [m] |S|/|d| */
-                                   const double *link,     /* [m] 3 a link */
-                                   const double *V);       /* [m^3] */
-void multigrid_free(struct multigrid *mg);
+void *multigrid_create(int n, int n_links, const int *owner,
+                       const int *neighbour,
+                       const double *strength, /* [m] |S|/|d| */
+                       const double *link,     /* [m] 3 a link */
+                       const double *V);       /* [m^3] */
+void multigrid_free(void *mg);
 
 /* Sets the coefficients: g of the links, with the entries -g off the diagonal,
  * and the sums of the rows; both >= 0. */
-void multigrid_set_coefficients(struct multigrid *mg, const double *g,
-                                const double *sums);
+void multigrid_set_coefficients(void *mg, const double *g, const double *sums);
 
 /* z = M r, one cycle from zero, in single precision inside: a symmetric
  * positive definite M. Returns r.z. */
@@ -41,8 +41,7 @@ double multigrid_apply(struct multigrid *mg, const double *r, double *z);
 
 /* y = A x in double, for the coefficients that were set; returns x.y. On a box
  * several times faster than csr_multiply; equal to it up to rounding. */
-double multigrid_multiply(const struct multigrid *mg, const double *x,
-                          double *y);
+double multigrid_multiply(const void *mg, const double *x, double *y);
 
 /* For reports: the number of levels, and the unknowns of one of them. */
 int multigrid_levels(const struct multigrid *mg);
