@@ -8,32 +8,12 @@
 # liquid takes three to eight minutes for each Reynolds number of RE (4 6 8 11),
 # choices and kernels half an hour, gas three quarters of one. END=60 in the environment ends each run at 60, to try
 # the script; what it finds then goes to out/validate-agitation/figures.
-set -eu
-PATH=$(cd "$(dirname "$1")" && pwd):$PATH
-shift
-out=out/validate-agitation
-figures=figures
-[ -z "${END:-}" ] || figures=$out/figures
-export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
-mkdir -p $out $figures/23
+. "$(dirname "$0")/runs.inc"
 
-# NAME CASE OVERRIDES...: what the run was asked is kept beside it.
+# NAME CASE OVERRIDES...
 run() {
-    name=$1 case=$2
-    shift 2
     [ -z "${END:-}" ] || set -- "$@" -s "output.end=$END" -s output.statistics.from=20.0
-    if [ "$(cat "$out/$name.asked" 2>/dev/null)" != "$case $*" ]; then
-        again=
-        [ "$(cat "$out/$name.begun" 2>/dev/null)" != "$case $*" ] || [ ! -e "$out/$name/checkpoint" ] || again=--resume
-        echo "$case $*" >"$out/$name.begun"
-        winnow run "$case" -o "$out/$name" --quiet -s output.every=50 "$@" $again \
-            >"$out/$name.log" 2>&1 || { tail -n 3 "$out/$name.log" >&2; exit 1; }
-        echo "$case $*" >"$out/$name.asked"
-    fi
-}
-
-made() { # PART
-    echo "# Made by: ${END:+END=$END }${RE:+RE='$RE' }sh tests/validate/agitation.sh build/winnow $1"
+    once "$@" -s output.every=50
 }
 
 # NAME QUANTITY KEY: a number of its statistics.

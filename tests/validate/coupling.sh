@@ -7,14 +7,7 @@
 #
 # END=1.3 in the environment ends each run at 1.3 s, to try the scripts; what they
 # find then goes to out/validate-coupling/figures and nothing of ours changes.
-set -eu
-PATH=$(cd "$(dirname "$1")" && pwd):$PATH
-shift
-out=out/validate-coupling
-figures=figures
-[ -z "${END:-}" ] || figures=$out/figures
-export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
-mkdir -p $out $figures/30
+. "$(dirname "$0")/runs.inc"
 python=/usr/bin/python3 # Debian's own, which python3-vtk9 belongs to
 [ -x $python ] || python=python3
 
@@ -28,10 +21,6 @@ run() {
     winnow run "$case" -o "$out/$name" --quiet "$@" >"$out/$name.log" 2>&1 || code=$?
     [ $code = 0 ] || tail -n 3 "$out/$name.log" >&2
     [ $code = 0 ] || [ $code = 3 ] || exit $code
-}
-
-made() { # PART: the first line of each file
-    echo "# Made by: ${END:+END=$END }sh tests/validate/coupling.sh build/winnow $1"
 }
 
 # Case 2, Figs. 6 and 7. 4e-6 s is safe for the springs; XS11 take 1e-6.

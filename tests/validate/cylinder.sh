@@ -10,13 +10,8 @@
 # three meshes the order is found too, and the value that it leads to.
 #
 # The values of the benchmark's authors stand beside (figures/data/).
-set -eu
-PATH=$(cd "$(dirname "$1")" && pwd):$PATH
-shift
+. "$(dirname "$0")/runs.inc"
 [ $# -gt 0 ] || set -- 32 48
-out=out/validate-cylinder
-export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
-mkdir -p $out
 
 # Of the last 1.5 s: the largest coefficients, the frequency from the times at
 # which the lift rises through zero, the smallest coefficients, and the lift from

@@ -11,16 +11,11 @@
 # for each, and 3.1 GB (make validate-bed). Writes figures/24/24-liquid-RE.txt, or
 # 24-liquid-RE-WIDTH-CELLS.txt of another bed than the small one, and the integral times
 # of all velocities that there are, for fig. 13; figures/24/24-liquid.gp draws them.
-set -eu
-PATH=$(cd "$(dirname "$1")" && pwd):$PATH
-shift
+. "$(dirname "$0")/runs.inc"
 [ $# -gt 0 ] || set -- 8
-out=out/validate-resolved-bed
 W=${WIDTH:-4} cells=${CELLS:-8} end=${END:-10}
-export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
 bed=
 [ "$W-$cells" = 4-8 ] || bed=-$W-$cells
-mkdir -p $out
 
 # RE: the case. d, u_in and the density of the fluid are 1; g d^3 / nu^2 = 387. The
 # grains begin where they were thrown, between 0.6 and HEIGHT, with the velocity 0.

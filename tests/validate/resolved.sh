@@ -6,13 +6,8 @@
 #   sh tests/validate/resolved.sh build/winnow [PART...]
 #
 # Writes figures/24/24-*.txt and fails where a band is left.
-set -eu
-PATH=$(cd "$(dirname "$1")" && pwd):$PATH
-shift
+. "$(dirname "$0")/runs.inc"
 [ $# -gt 0 ] || set -- arrays methods places falls courses densities
-out=out/validate-resolved
-export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
-mkdir -p $out
 
 # NAME CASE OVERRIDES...
 run() {
@@ -22,25 +17,6 @@ run() {
         tail -n 3 "$to.log" >&2
         exit 1
     }
-}
-
-# As run, but not again where it is done; one that was interrupted goes on.
-once() {
-    to=$out/$1
-    shift
-    [ "$(cat "$to.done" 2>/dev/null)" != "$*" ] || return 0
-    again=
-    [ "$(cat "$to.begun" 2>/dev/null)" != "$*" ] || [ ! -e "$to/checkpoint" ] || again=--resume
-    echo "$*" >"$to.begun"
-    winnow run "$@" -o "$to" --quiet $again >"$to.log" 2>&1 || {
-        tail -n 3 "$to.log" >&2
-        exit 1
-    }
-    echo "$*" >"$to.done"
-}
-
-made() { # PART
-    echo "# Made by: sh tests/validate/resolved.sh build/winnow $1"
 }
 
 # SOLID CELLS VN END OVERRIDES...: the drag over that of Stokes, after END [s] and
