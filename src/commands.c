@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-const struct command *const commands[] = {&command_run,      &study_command,
+const struct command *const commands[] = {&run_command,      &study_command,
                                           &export_command,   &check_command,
                                           &explain_command,  &list_command,
                                           &list_new_command, &eval_command,

@@ -123,8 +123,8 @@ static int read_option(const struct command *c, int argc, char **argv, int *i,
     return 0;
 }
 
-static int run_command(const struct command *c, int argc, char **argv,
-                       struct command_line *l)
+static int main_act(const struct command *c, int argc, char **argv,
+                    struct command_line *l)
 {
     for (int i = 2; i < argc; i++) {
         if (c->options == NULL || argv[i][0] != '-')
@@ -192,7 +192,7 @@ int main(int argc, char **argv)
     else if (argc < 2 || (c = main_command_named(first)) == NULL)
         code = 2;
     else
-        code = run_command(c, argc, argv, &l);
+        code = main_act(c, argc, argv, &l);
     if (argc < 2) usage(stderr);
     free(texts);
     if (fflush(stdout) != 0 || ferror(stdout)) {

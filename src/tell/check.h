@@ -47,6 +47,10 @@ struct effect_row {
     struct effect_estimate estimate;
 };
 
+/* In words: needed, negligible or unknown. */
+enum { CHECK_VERDICT = 256 };
+void check_verdict(const struct effect_row *r, char text[CHECK_VERDICT]);
+
 /* Fills the rows of all effects that the case has or could have; how many. */
 int check_effect_rows(const struct settings *s, struct effect_scales *k,
                       const struct case_scales *in,

@@ -41,19 +41,25 @@ static void print_row(const char *name, double size, double time, int on,
            on ? "on" : "off", verdict);
 }
 
-static void put_verdict(const struct effect_estimate *e, char text[256])
+void check_verdict(const struct effect_row *r, char text[CHECK_VERDICT])
 {
+    const struct effect_estimate *const e = &r->estimate;
     const char *const colon = e->remark[0] != '\0' ? "; " : "";
-    const double missed = 100.0 * e->loss;
 
-    if (e->loss < noticed)
-        snprintf(text, 256, "negligible: below %g %%%s%s", 100.0 * noticed,
-                 colon, e->remark);
+    text[0] = '\0';
+    if (r->instead != NULL)
+        snprintf(text, CHECK_VERDICT, "negligible: %s stands for it",
+                 r->instead->name);
+    else if (e->of == NULL)
+        return; /* a measure, no force */
+    else if (e->loss < noticed)
+        snprintf(text, CHECK_VERDICT, "negligible: below %g %%%s%s",
+                 100.0 * noticed, colon, e->remark);
     else if (e->unknown)
-        snprintf(text, 256, "unknown: %s", e->remark);
+        snprintf(text, CHECK_VERDICT, "unknown: %s", e->remark);
     else
-        snprintf(text, 256, "needed: %.3g %% of %s%s%s", missed, e->of, colon,
-                 e->remark);
+        snprintf(text, CHECK_VERDICT, "needed: %.3g %% of %s%s%s",
+                 100.0 * e->loss, e->of, colon, e->remark);
 }
 
 /* The attraction of an effect among those of the case, or NULL. */
@@ -138,13 +144,9 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
 
     for (int i = 0; i < n; i++) {
         const struct effect_row *const r = &row[i];
-        char verdict[256] = "";
+        char verdict[CHECK_VERDICT];
 
-        if (r->instead != NULL)
-            snprintf(verdict, sizeof verdict, "negligible: %s stands for it",
-                     r->instead->name);
-        else if (r->effect->estimate != NULL)
-            put_verdict(&r->estimate, verdict);
+        check_verdict(r, verdict);
         print_row(r->effect->name, 100.0 * r->estimate.share, 100.0 * r->time,
                   r->named, verdict);
     }
@@ -158,7 +160,7 @@ static void print_reaction(const struct settings *s,
 {
     const double M = stability_loading(k->rho_s, k->eps_s, k->rho_f);
     struct effect_estimate e = effects_estimate(M / (1.0 + M), "");
-    char verdict[256];
+    char verdict[CHECK_VERDICT];
 
     snprintf(e.remark, sizeof e.remark, "solids %.2g of the volume, load %.3g",
              k->eps_s, M);
@@ -167,7 +169,7 @@ static void print_reaction(const struct settings *s,
         snprintf(e.remark, sizeof e.remark, "a lone one meets its own wake");
     }
     e.of = "the momentum of the mixture";
-    put_verdict(&e, verdict);
+    check_verdict(&(struct effect_row){.estimate = e}, verdict);
     print_row("reaction (two-way)", 100.0 * e.share, NAN, s->exchange.two_way,
               verdict);
 }
@@ -178,7 +180,7 @@ static void print_collisions(const struct settings *s,
 {
     const double rate = k->meetings;
     const int often = k->rests || rate * end > noticed;
-    char verdict[256];
+    char verdict[CHECK_VERDICT];
 
     if (k->rests)
         snprintf(verdict, sizeof verdict,
