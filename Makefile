@@ -195,7 +195,7 @@ check-distributed: ## the tests of build/winnow-mpi, where its packages can be h
 	@if sh .ci/install distributed; then $(MAKE) $(CORES) ranks-check WERROR=; \
 	else echo "skipped: the packages of build/winnow-mpi cannot be had"; fi
 ranks-check: $B/winnow $B/winnow-mpi $B/tests/ranks/compare
-	@sh tests/distributed.sh $B
+	@sh tests/table.sh $B tests/tables/distributed.txt
 # Flags of the headers of others, in which ours find much to warn of.
 MPI_CFLAGS = $(patsubst -I%,-isystem %,$(filter -I% -D%,$(shell pkg-config --cflags petsc liblammps 2>/dev/null))) -D_DEFAULT_SOURCE
 MPI_OBJ := $(patsubst %.c,$B/%.o,$(wildcard $(RANKS)/*.c))
