@@ -104,20 +104,23 @@ struct bodies_survey bodies_check_lost(const struct bodies *b, int begin,
 /* Records the present positions, as those of the last rebuild. */
 void bodies_record_positions(struct bodies *b, int begin, int end);
 
-/* Gap of particles i and j, nearest image, and of particle i and a side of the
- * box [m]. */
-static inline double bodies_pair_gap(const struct bodies *b, int i, int j)
+/* Squared distance of particles i and j, nearest image [m^2]; their gap, and
+ * that of particle i and a side of the box [m]. */
+static inline double bodies_distance2(const struct bodies *b, int i, int j)
 {
-    const struct row_place *const p = &b->place[i], *const q = &b->place[j];
+    const double *const x = b->place[i].x, *const y = b->place[j].x;
     double r2 = 0.0;
 
     for (int k = 0; k < 3; k++) {
-        const double dx = p->x[k] - q->x[k];
-        const double L = b->box.length[k];
-        const double near = dx - L * rint(dx * b->box.inverse[k]);
-        r2 += near * near;
+        const double dx = box_domain_nearest(&b->box, k, x[k] - y[k]);
+        r2 += dx * dx;
     }
-    return sqrt(r2) - p->R - q->R;
+    return r2;
+}
+
+static inline double bodies_pair_gap(const struct bodies *b, int i, int j)
+{
+    return sqrt(bodies_distance2(b, i, j)) - b->place[i].R - b->place[j].R;
 }
 
 static inline double bodies_wall_gap(const struct bodies *b, int i, int wall)

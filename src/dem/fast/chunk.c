@@ -184,45 +184,62 @@ static void return_history(struct chunk *s)
     }
 }
 
-/* Copies the history of entry q of the neighbour list to a slot of the
- * contacts. */
-static inline void copy_history(struct chunk_contacts *c,
-                                struct neighbour_list *v, int slot, int q,
-                                int rolls)
+static inline int near_pair(const struct bodies *b, int i, int j, double margin)
 {
-    for (int k = 0; k < 3; k++) {
-        c->xi[k][slot] = v->xi[q][k];
-        v->xi[q][k] = 0.0;
-    }
-    for (int k = 0; rolls && k < 3; k++) {
-        c->roll_angle[k][slot] = v->roll_angle[q][k];
-        v->roll_angle[q][k] = 0.0;
-    }
+    const double reach = b->place[i].R + b->place[j].R + margin;
+
+    return bodies_distance2(b, i, j) < reach * reach;
 }
 
-/* Writes every pair, and advances the index only for near ones, which avoids a
- * branch. Pairs that are not chosen have separated, and their history is
- * deleted. */
-static inline void choose_contacts_of(struct chunk *s, const struct bodies *b,
-                                      struct neighbour_list *v,
-                                      double (*gap)(const struct bodies *, int,
-                                                    int),
-                                      double margin, int *n, int rolls)
+static inline int near_wall(const struct bodies *b, int i, int wall,
+                            double margin)
+{
+    return bodies_wall_gap(b, i, wall) < margin;
+}
+
+/* From slot `first` on; returns the slot after the last. Writes every pair, and
+ * advances the slot only for near ones, which avoids a branch. */
+static inline int choose_contacts_of(struct chunk *s, const struct bodies *b,
+                                     const struct neighbour_list *v,
+                                     int (*is_near)(const struct bodies *, int,
+                                                    int, double),
+                                     double margin, int first)
 {
     struct chunk_contacts *const c = &s->contacts;
-    int slot = *n;
+    int slot = first;
 
     for (int i = s->begin; i < s->end; i++)
         for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
              q++) {
-            const int j = v->partner[q], near = gap(b, i, j) < margin;
+            const int j = v->partner[q], near = is_near(b, i, j, margin);
             c->owner[slot] = i;
             c->partner[slot] = j;
             c->list_index[slot] = q;
-            copy_history(c, v, slot, q, rolls);
             slot += near;
         }
-    *n = slot;
+    return slot;
+}
+
+/* Of the chosen. Pairs that are not have separated, and their history is
+ * deleted. */
+static void take_history(double *const to[3], const int *list_index, int first,
+                         int last, double (*from)[3], int n)
+{
+    for (int slot = first; slot < last; slot++)
+        for (int k = 0; k < 3; k++)
+            to[k][slot] = from[list_index[slot]][k];
+    if (n > 0) memset(from, 0, (size_t)n * sizeof *from);
+}
+
+static void take_histories(struct chunk *s, struct neighbour_list *v, int first,
+                           int last)
+{
+    const struct chunk_contacts *const c = &s->contacts;
+
+    take_history(c->xi, c->list_index, first, last, v->xi, v->n);
+    if (s->has_rolling)
+        take_history(c->roll_angle, c->list_index, first, last, v->roll_angle,
+                     v->n);
 }
 
 /* The contacts first ... last - 1 are in the order of their owners. Returns the
@@ -280,17 +297,14 @@ int chunk_blocks_fit(const struct chunk *s, int n)
 void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
                            double margin)
 {
-    int n = 0;
-
     return_history(s);
-    if (s->has_rolling)
-        choose_contacts_of(s, b, &s->pairs, bodies_pair_gap, margin, &n, 1);
-    else
-        choose_contacts_of(s, b, &s->pairs, bodies_pair_gap, margin, &n, 0);
-    s->contacts.n_pairs = n;
-    choose_contacts_of(s, b, &s->walls, bodies_wall_gap, margin, &n,
-                       s->has_rolling);
-    s->contacts.n_walls = n - s->contacts.n_pairs;
+    const int pairs = choose_contacts_of(s, b, &s->pairs, near_pair, margin, 0);
+    const int all =
+        choose_contacts_of(s, b, &s->walls, near_wall, margin, pairs);
+    take_histories(s, &s->pairs, 0, pairs);
+    take_histories(s, &s->walls, pairs, all);
+    s->contacts.n_pairs = pairs;
+    s->contacts.n_walls = all - pairs;
     split_into_blocks(s, b->n, s->blocks);
 }
 

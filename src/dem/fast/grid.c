@@ -153,20 +153,12 @@ static int grid_beside(const struct grid *g, int k, int c, int found[3])
     return n;
 }
 
-/* 1 if the gap of i and j, nearest image, is less than the skin. */
+/* 1 if the gap of i and j, nearest image, is less than the skin [LS 5.15]. */
 static inline int close_by(const struct bodies *b, int i, int j, double skin)
 {
-    const double *const x = b->place[i].x, *const y = b->place[j].x;
     const double reach = b->place[i].R + b->place[j].R + skin;
-    double r2 = 0.0;
 
-    for (int k = 0; k < 3; k++) {
-        const double dx = x[k] - y[k];
-        const double near =
-            dx - b->box.length[k] * rint(dx * b->box.inverse[k]);
-        r2 += near * near;
-    }
-    return r2 <= reach * reach; /* [LS 5.15] */
+    return bodies_distance2(b, i, j) <= reach * reach;
 }
 
 /* The same where there are no images. */
