@@ -145,8 +145,7 @@ static struct picture picture_of(const struct pictures *p)
                             .x = {s->x[0], s->x[1], s->x[2]},
                             .v = {s->v[0], s->v[1], s->v[2]},
                             .d = s->d,
-                            .pressure = v->sim->fluid != NULL &&
-                                        v->sim->particles != NULL};
+                            .pressure = v->sim->coupling != NULL};
 }
 
 static int add_frame(void *part, double t)
