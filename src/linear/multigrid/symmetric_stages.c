@@ -13,8 +13,9 @@
 #include <stddef.h>
 
 enum {
-    STRIDE = 2048,     /* [-] rows that a stage takes at once */
-    MIN_ROWS = 1 << 15 /* [-] fewer are in the cache anyway */
+    STRIDE = 512,              /* [-] rows that a stage takes at once */
+    MIN_ROWS = 4096,           /* [-] fewer: stage by stage */
+    MIN_PARALLEL_ROWS = 16384, /* [-] fewer: one thread */
 };
 
 /* How many chunks the rows are divided into; 0 if stage by stage is as good. A
@@ -22,7 +23,7 @@ enum {
 static int chunks_of(const struct symmetric *S)
 {
     const int fit = S->pad > 0 ? S->n / (4 * S->pad + STRIDE) : 0;
-    const int threads = omp_get_max_threads();
+    const int threads = S->n < MIN_PARALLEL_ROWS ? 1 : omp_get_max_threads();
 
     if (S->n < MIN_ROWS || S->rest != NULL || S->n_bands > 3) return 0;
     return fit < threads ? 0 : threads;
@@ -94,7 +95,7 @@ int symmetric_stages_descend(const void *data, const float *b,
     const struct symmetric *const S = data;
     const int chunks = chunks_of(S);
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chunks > 1)
     for (int c = 0; c < chunks; c++) {
         const int first = chunk_first(S, chunks, c);
         const int last = chunk_first(S, chunks, c + 1);
@@ -102,7 +103,7 @@ int symmetric_stages_descend(const void *data, const float *b,
         from_zero_rows(first, first + S->pad, S, b, w, y);
         from_zero_rows(last - S->pad, last, S, b, w, y);
     }
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chunks > 1)
     for (int c = 0; c < chunks; c++)
         descend_chunk(S, chunk_first(S, chunks, c),
                       chunk_first(S, chunks, c + 1), b, w, y, r);
@@ -165,7 +166,7 @@ int symmetric_stages_ascend(const void *data, const float *b,
     const struct ascent a = {S, b, w, parent, coarse, x, y};
     const int chunks = chunks_of(S), pad = S->pad;
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chunks > 1)
     for (int c = 0; c < chunks; c++) {
         const int first = chunk_first(S, chunks, c);
         const int last = chunk_first(S, chunks, c + 1);
@@ -173,7 +174,7 @@ int symmetric_stages_ascend(const void *data, const float *b,
         add_coarse(&a, first, first + 2 * pad);
         add_coarse(&a, last - 2 * pad, last);
     }
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chunks > 1)
     for (int c = 0; c < chunks; c++) {
         const int first = chunk_first(S, chunks, c);
         const int last = chunk_first(S, chunks, c + 1);
@@ -181,7 +182,7 @@ int symmetric_stages_ascend(const void *data, const float *b,
         first_stage(&a, first, first + pad);
         first_stage(&a, last - pad, last);
     }
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (chunks > 1)
     for (int c = 0; c < chunks; c++)
         ascend_chunk(&a, chunk_first(S, chunks, c),
                      chunk_first(S, chunks, c + 1));
