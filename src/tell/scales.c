@@ -268,7 +268,10 @@ struct effect_scales check_scales(const struct settings *s,
         .gravity = vector_length(s->effects.gravity)};
 
     k.weight = k.rho_s * scales_volume(&k) * k.gravity;
-    if (s->has.exchange) scales_in_fluid(s, &k, in, &p);
+    if (s->has.exchange)
+        scales_in_fluid(s, &k, in, &p);
+    else if (k.partners) /* without a fluid they meet, and come to rest */
+        k.eps_s = CHECK_PACKED;
     k.force = fmax(k.weight, k.drag);
     return k;
 }
