@@ -7,7 +7,7 @@
 echo "# case, effect: estimate and measured size [%]; change of speed and drop [%]; time [%]"
 while read -r name seconds; do
     winnow check "cases/$name.cfg" --try "$seconds" -j 1 |
-        awk -v name="$name" 'NR > 3 && $1 != "(chance)" { $1 = sprintf("%-18s", $1)
+        awk -v name="$name" 'NR > 3 && $1 != "(chance)" && $1 != "to" { $1 = sprintf("%-18s", $1)
             printf "%-20s %s %8s %8s %8s %8s %6s\n", name, $1, $2, $3, $4, $5, $6 }'
 done <<END
 settling-sphere 0.1

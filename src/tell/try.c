@@ -38,7 +38,8 @@ enum { WORDS = 256, WORD = 512, NAME = 64 };
 struct attempt {
     const struct command_line *line;
     char dir[NAME]; /* of the runs; "" if there is none */
-    double seconds; /* [s] */
+    double seconds; /* [s] of a run */
+    double end;     /* [s] of the case */
     int has_file;   /* [-] 1: the case names a file for its bed */
     pid_t process;  /* the one that runs; 0: none */
     int n;          /* [-] effects that are tried */
@@ -281,11 +282,15 @@ static int try_table(struct attempt *a, const struct settings *s)
                 is_force ? with.share[i] : NAN, &without, &with,
                 r->named ? "on" : "off");
     }
-    if (!s->has.fluid) return 0;
-    snprintf(same, sizeof same, "fluid.tolerance=%g",
-             changed * s->fluid.tolerance);
-    const struct outcome other = try_run(a, -1, same);
-    try_row("(chance)", NAN, NAN, &other, &with, "all on, other rounding");
+    if (s->has.fluid) {
+        snprintf(same, sizeof same, "fluid.tolerance=%g",
+                 changed * s->fluid.tolerance);
+        const struct outcome other = try_run(a, -1, same);
+        try_row("(chance)", NAN, NAN, &other, &with, "all on, other rounding");
+    }
+    printf("  to its end, %g s, the case takes about %.3g s of one core with "
+           "all of them\n",
+           a->end, with.time * a->end / a->seconds);
     return 0;
 }
 
@@ -316,7 +321,8 @@ int check_try(const struct command_line *l)
                 l->words[1]);
         code = 2;
     } else if (s != NULL) {
-        a->seconds = fmin(a->seconds, s->output.end);
+        a->end = s->output.end;
+        a->seconds = fmin(a->seconds, a->end);
         s->output.end = a->seconds;
         a->has_file = s->particles.bed_file != NULL;
         snprintf(a->dir, sizeof a->dir, "%s/winnow-try-XXXXXX",
