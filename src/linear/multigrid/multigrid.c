@@ -27,8 +27,11 @@ struct level {
     int n, n_links;
     const struct level_matrix_kind *kind; /* how A is stored */
     void *A;
-    double *g;    /* coefficient of each link: minus the entry */
-    double *sums; /* row sums of A: the coefficients to a given value outside */
+    /* The coefficient of each link, minus the entry; and the row sums of A, the
+     * coefficients to a given value outside. On the finest level they are those
+     * of the caller, while the matrix is set; on the others its own. */
+    const double *g, *sums;
+    double *own_g, *own_sums;
     float *b, *r; /* right-hand side, padded; residual */
     float *x, *y; /* two stages of the solution, padded */
     int *parent;  /* [-] aggregate of each unknown; owned */
@@ -73,8 +76,10 @@ static void level_init(struct level *v, const struct graph *g, int finest)
     v->n_links = g->n_links;
     v->kind = &level_matrix_bands;
     v->A = v->kind->create(g->n, g->n_links, g->owner, g->neighbour, finest);
-    v->g = alloc_doubles(g->n_links);
-    v->sums = alloc_doubles(g->n);
+    if (!finest) {
+        v->g = v->own_g = alloc_doubles(g->n_links);
+        v->sums = v->own_sums = alloc_doubles(g->n);
+    }
     v->r = alloc_zeroed((size_t)g->n, sizeof *v->r);
     v->b = v->kind->vector(v->A);
     v->x = v->kind->vector(v->A);
@@ -83,12 +88,12 @@ static void level_init(struct level *v, const struct graph *g, int finest)
 
 static void level_release(struct level *v)
 {
+    v->kind->vector_free(v->A, v->b);
     v->kind->vector_free(v->A, v->x);
     v->kind->vector_free(v->A, v->y);
     v->kind->free(v->A);
-    free(v->g);
-    free(v->sums);
-    v->kind->vector_free(v->A, v->b);
+    free(v->own_g);
+    free(v->own_sums);
     free(v->r);
     free(v->parent);
     members_release(&v->links);
@@ -129,8 +134,8 @@ static void level_connect(struct level *v, const struct graph *fine,
 static void level_set_fine(struct level *v, const double *g, const double *sums,
                            double unit)
 {
-    memcpy(v->g, g, (size_t)v->n_links * sizeof *g);
-    memcpy(v->sums, sums, (size_t)v->n * sizeof *sums);
+    v->g = g;
+    v->sums = sums;
     v->kind->fill(v->A, v->g, v->sums, unit);
 }
 
@@ -150,8 +155,8 @@ static void level_gather(int first, int last, const struct level_members *m,
 static void level_galerkin_coarsen(struct level *v, const struct level *fine,
                                    double unit)
 {
-    PARALLEL_RANGES(v->n_links, 8, level_gather, &v->links, fine->g, v->g);
-    PARALLEL_RANGES(v->n, 8, level_gather, &v->cells, fine->sums, v->sums);
+    PARALLEL_RANGES(v->n_links, 8, level_gather, &v->links, fine->g, v->own_g);
+    PARALLEL_RANGES(v->n, 8, level_gather, &v->cells, fine->sums, v->own_sums);
     v->kind->fill(v->A, v->g, v->sums, unit);
 }
 
