@@ -20,8 +20,8 @@
  */
 
 /* The length of all paths with their closing zeros [byte]. */
-static size_t room_for(const struct key *table, int n,
-                       const struct mesh_patch_name *patch, int *rows)
+static size_t text_length(const struct key *table, int n,
+                          const struct mesh_patch_name *patch, int *rows)
 {
     size_t text = 0;
 
@@ -53,7 +53,7 @@ static struct key *rows_of_patches(const struct key *table, int n,
     int rows;
 
     if (!is_of_patches(table)) return NULL;
-    const size_t text = room_for(table, n, patch, &rows);
+    const size_t text = text_length(table, n, patch, &rows);
     struct key *const made =
         alloc_zeroed((size_t)rows * sizeof *made + text, 1);
     struct key *next = made;
