@@ -84,7 +84,7 @@ void chunk_begin_owner(struct chunk *s, int i)
     s->walls.start[i - s->begin] = s->walls.n;
 }
 
-static int *room_for(struct neighbour_list *v, int n)
+static int *list_room_for(struct neighbour_list *v, int n)
 {
     if (v->n + n > v->capacity) {
         v->capacity = roomy(v->n + n);
@@ -96,12 +96,12 @@ static int *room_for(struct neighbour_list *v, int n)
 
 int *chunk_room_for_pairs(struct chunk *s, int n)
 {
-    return room_for(&s->pairs, n);
+    return list_room_for(&s->pairs, n);
 }
 
 void chunk_add_wall(struct chunk *s, int wall)
 {
-    *room_for(&s->walls, 1) = wall;
+    *list_room_for(&s->walls, 1) = wall;
     s->walls.n++;
 }
 
