@@ -16,7 +16,7 @@ one-grain 0.0066
 rising-bead 0.03
 carried-bead 0.1
 closed-box 0.05
-shear-grain 0.1
+shear-grain 6.5
 falling-cloud 0.1
 settling-suspension 0.05
 small-bed 0.1
