@@ -52,9 +52,12 @@ void check_verdict(const struct effect_row *r, char text[CHECK_VERDICT])
                  r->instead->name);
     else if (e->of == NULL)
         return; /* a measure, no force */
-    else if (e->loss < noticed)
+    else if (e->loss < noticed && e->share < noticed)
         snprintf(text, CHECK_VERDICT, "negligible: below %g %%%s%s",
                  100.0 * noticed, colon, e->remark);
+    else if (e->loss < noticed)
+        snprintf(text, CHECK_VERDICT, "negligible: %.2g %% is missed%s%s",
+                 100.0 * e->loss, colon, e->remark);
     else if (e->unknown)
         snprintf(text, CHECK_VERDICT, "unknown: %s", e->remark);
     else
