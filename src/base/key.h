@@ -9,6 +9,7 @@
 #define BASE_KEY_H
 
 #include <stddef.h>
+#include <string.h>
 
 enum key_type {
     KEY_GROUP,  /* { name = value; ... } */
@@ -106,6 +107,15 @@ struct key_series {
 /* This stands in the path of a row for the name of any side or patch.
  * key_matches: 1 if the row is that of the path. */
 #define KEY_ANY_PATCH "<patch>"
-int key_matches(const char *row, const char *path);
+static inline int key_matches(const char *row, const char *path)
+{
+    const char *const at = strstr(row, KEY_ANY_PATCH);
+    const size_t before = at != NULL ? (size_t)(at - row) : 0;
+
+    if (at == NULL) return strcmp(row, path) == 0;
+    return strncmp(row, path, before) == 0 &&
+           strcmp(at + strlen(KEY_ANY_PATCH),
+                  path + before + strcspn(path + before, ".")) == 0;
+}
 
 #endif
