@@ -16,6 +16,7 @@
 #include <math.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,12 +38,13 @@ enum { WORDS = 256, WORD = 512, NAME = 64 };
 
 struct attempt {
     const struct command_line *line;
-    char dir[NAME]; /* of the runs; "" if there is none */
-    double seconds; /* [s] of a run */
-    double end;     /* [s] of the case */
-    int has_file;   /* [-] 1: the case names a file for its bed */
-    pid_t process;  /* the one that runs; 0: none */
-    int n;          /* [-] effects that are tried */
+    char dir[NAME];     /* of the runs; "" if there is none */
+    double seconds;     /* [s] of a run */
+    double end;         /* [s] of the case */
+    int has_file;       /* [-] 1: the case names a file for its bed */
+    pid_t process;      /* the one that runs; 0: none */
+    int n;              /* [-] effects that are tried */
+    atomic_int stopped; /* [-] 1: a signal has come, or all is done */
     struct effect_row row[CHECK_EFFECTS];
     char on[CHECK_EFFECTS][EFFECT_TRIAL]; /* their groups; "" as in the case */
 };
@@ -54,7 +56,9 @@ struct outcome {
     double share[CHECK_EFFECTS];
 };
 
-/* Starts a program, whose words go to a file; its exit code. */
+/* Starts a program, whose words go to a file; its exit code. Once a signal has
+ * come, nothing more is started: the thread that waits for it (interrupt.h)
+ * cleans up and ends the program. */
 static int try_spawn(struct attempt *a, const char *program,
                      const char *const *words)
 {
@@ -77,12 +81,24 @@ static int try_spawn(struct attempt *a, const char *program,
     return WIFEXITED(status) ? WEXITSTATUS(status) : INTERRUPT_CODE;
 }
 
+/* Runs this program. */
+static int try_start(struct attempt *a, const char *const *words)
+{
+    while (a->stopped)
+        pause();
+    const int code = try_spawn(a, "/proc/self/exe", words);
+    while (a->stopped)
+        pause();
+    return code;
+}
+
 /* Nothing is left behind. */
 static void try_clean_up(void *data)
 {
     struct attempt *const a = data;
     const char *const words[] = {"rm", "-rf", "--", a->dir, NULL};
 
+    a->stopped = 1;
     if (a->process > 0) {
         kill(a->process, SIGKILL);
         waitpid(a->process, NULL, 0);
@@ -164,7 +180,7 @@ static struct outcome try_run(struct attempt *a, int without, const char *more)
     try_add(w, "-j", a->line->threads > 0 ? path : "1");
     try_add(w, "-o", dir);
     try_add(w, "", "--quiet");
-    o.code = try_spawn(a, "/proc/self/exe", w->word);
+    o.code = try_start(a, w->word);
     o.speed = read_summary_number(dir, "second_half.particle_velocity_rms");
     o.drop = read_summary_number(dir, "second_half.mean_pressure_drop");
     o.time = read_summary_number(dir, "seconds.processor");
@@ -200,7 +216,7 @@ static int try_is_allowed(struct attempt *a, const struct effect_row *r,
     try_begin(a, "check", w);
     snprintf(key, sizeof key, "effects.%s", r->effect->name);
     try_override(w, key, group);
-    const int code = try_spawn(a, "/proc/self/exe", w->word);
+    const int code = try_start(a, w->word);
     free(w);
     return code == 0;
 }
