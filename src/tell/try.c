@@ -38,13 +38,13 @@ enum { WORDS = 256, WORD = 512, NAME = 64 };
 
 struct attempt {
     const struct command_line *line;
-    char dir[NAME];     /* of the runs; "" if there is none */
-    double seconds;     /* [s] of a run */
-    double end;         /* [s] of the case */
-    int has_file;       /* [-] 1: the case names a file for its bed */
-    pid_t process;      /* the one that runs; 0: none */
-    int n;              /* [-] effects that are tried */
-    atomic_int stopped; /* [-] 1: a signal has come, or all is done */
+    char dir[NAME];        /* of the runs; "" if there is none */
+    double seconds;        /* [s] of a run */
+    double end;            /* [s] of the case */
+    int has_file;          /* [-] 1: the case names a file for its bed */
+    _Atomic pid_t process; /* the one that runs; 0: none */
+    int n;                 /* [-] effects that are tried */
+    atomic_int stopped;    /* [-] 1: a signal has come, or all is done */
     struct effect_row row[CHECK_EFFECTS];
     char on[CHECK_EFFECTS][EFFECT_TRIAL]; /* their groups; "" as in the case */
 };
@@ -71,11 +71,13 @@ static int try_spawn(struct attempt *a, const char *program,
     posix_spawn_file_actions_addopen(&where, 1, log,
                                      O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_adddup2(&where, 1, 2);
-    errno = posix_spawnp(&a->process, program, &where, NULL,
+    pid_t process = 0;
+    errno = posix_spawnp(&process, program, &where, NULL,
                          (char *const *)(size_t)words, environ);
     posix_spawn_file_actions_destroy(&where);
     if (errno != 0) return 4;
-    while (waitpid(a->process, &status, 0) < 0 && errno == EINTR)
+    a->process = process;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR)
         ;
     a->process = 0;
     return WIFEXITED(status) ? WEXITSTATUS(status) : INTERRUPT_CODE;
@@ -99,9 +101,10 @@ static void try_clean_up(void *data)
     const char *const words[] = {"rm", "-rf", "--", a->dir, NULL};
 
     a->stopped = 1;
-    if (a->process > 0) {
-        kill(a->process, SIGKILL);
-        waitpid(a->process, NULL, 0);
+    const pid_t process = a->process;
+    if (process > 0) {
+        kill(process, SIGKILL);
+        waitpid(process, NULL, 0);
     }
     if (a->dir[0] != '\0') try_spawn(a, "rm", words);
 }
