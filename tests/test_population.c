@@ -2,6 +2,7 @@
 /* Insertion and removal of particles: no overlap, the required size
  * distribution, ids that are never used twice, the same bits after a
  * restart. */
+#include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -152,6 +153,44 @@ START_TEST(a_source_inserts_at_its_rate)
     ck_assert_int_eq((int)insertion_count_due(&in, 2.2), 2);
     in.options.rate = 0.0;
     ck_assert_int_eq((int)insertion_count_due(&in, 0.1), 50);
+}
+END_TEST
+
+/* [kg] of the spheres before number n. */
+static double mass_of_first(const struct insertion_options *o, long n)
+{
+    double m = 0.0;
+
+    for (long k = 0; k < n; k++)
+        m += o->density * M_PI / 6.0 * pow(insertion_diameter(o, k), 3);
+    return m;
+}
+
+/* 1, 2 and 4 mm, whose masses are 1, 8 and 64: what is due has at least the
+ * mass that the rate says, and without its last sphere at most that. A source
+ * that first looks late, as a resumed one does, finds the same number. */
+START_TEST(a_mass_rate_is_met_within_one_sphere)
+{
+    struct sizes *const sizes = three_sizes();
+    struct insertion in = source(sizes, 2000, 0.0);
+    const struct insertion_options *const o = &in.options;
+
+    in.options.start = 0.1;
+    in.options.mass_rate = 0.02;
+    const struct insertion untouched = in;
+    ck_assert_int_eq((int)insertion_count_due(&in, 0.0999), 0);
+    ck_assert_int_eq((int)insertion_count_due(&in, 0.1), 1);
+    for (double t = 0.1; t < 0.8; t += 0.0037) {
+        const long n = insertion_count_due(&in, t);
+        struct insertion late = untouched;
+        const double mass = 0.02 * (t - 0.1);
+        ck_assert_double_ge(mass_of_first(o, n), mass);
+        ck_assert_double_le(mass_of_first(o, n - 1), mass + 1e-15);
+        ck_assert_int_eq((int)insertion_count_due(&late, t), (int)n);
+    }
+    ck_assert_int_gt((int)in.n_due, 400);
+    ck_assert_int_eq((int)insertion_count_due(&in, 1e9), 2000);
+    sizes_free(sizes);
 }
 END_TEST
 
@@ -319,6 +358,9 @@ START_TEST(a_resumed_run_with_insertion_has_the_same_bits)
     struct run a = begin(), b = begin();
     struct kept *const kept = kept_create();
 
+    if (_i) /* as many by mass, about */
+        a.life->sources[0].options.mass_rate =
+            b.life->sources[0].options.mass_rate = 0.05;
     go_on(&a, 400);
     ck_assert_int_gt(a.ps->n, 40);
     particles_state(a.ps, &kept->state);
@@ -435,11 +477,12 @@ FACTS("life")
     FACT(dense_insertion_does_not_change_the_size_distribution);
     FACT(insertion_positions_are_uniform_over_the_region);
     FACT(a_source_inserts_at_its_rate);
+    FACT(a_mass_rate_is_met_within_one_sphere);
     FACT(ids_are_never_given_twice);
     FACT(inserted_mass_is_present_or_removed);
     FACT(particles_that_find_no_room_wait_and_are_counted_once);
     FACT(remaining_particles_keep_their_tangential_displacements);
-    FACT(a_resumed_run_with_insertion_has_the_same_bits);
+    FACT_FOR_EACH(a_resumed_run_with_insertion_has_the_same_bits, 2);
     FACT(inserted_particles_have_no_data_of_removed_ones);
     FACT(a_file_brings_its_spheres_in_its_order);
     FACT(places_of_a_file_are_moved_and_brought_back_into_the_period);

@@ -171,7 +171,8 @@ static double fastest_sphere(const struct settings *s, double d_most)
         const struct insert_setup *const in = &s->particles.insert.item[i];
         const double v = vector_length(in->of.velocity);
         fastest = fmax(fastest, v);
-        if (in->file != NULL && in->of.rate == 0.0) continue; /* a bed */
+        if (in->file != NULL && insertion_at_once(&in->of))
+            continue; /* a bed */
         fastest = fmax(fastest, fall_speed(s, v, d_most, in->of.lo, in->of.hi));
     }
     return fastest;

@@ -142,7 +142,8 @@ static int read_list(const struct settings *s, struct insert_setup *in)
     in->list = grain_table_parse(settings_input(s, in->file), &in->of.count);
     if (in->list == NULL) return 1;
     in->of.list = in->list;
-    if (in->of.rate == 0.0) in->of.overlap = build_particles_wall_overlap(s);
+    if (insertion_at_once(&in->of))
+        in->of.overlap = build_particles_wall_overlap(s);
     insertion_move(in->list, in->of.count, in->offset, &box);
     return 0;
 }
@@ -187,6 +188,11 @@ static int case_population_check_given(const struct settings *s, int i,
                               "source %d: a file says how many there are and "
                               "how large; leave out count, diameter and sizes",
                               i);
+    if (in->of.rate > 0.0 && in->of.mass_rate > 0.0)
+        return settings_wrong(s, sources,
+                              "source %d: give either rate [1/s] or mass_rate "
+                              "[kg/s], not both",
+                              i);
     if (in->file == NULL && in->count == 0)
         return settings_wrong(s, sources, "source %d needs count or file", i);
     if (in->file == NULL && sized != 1)
@@ -221,7 +227,8 @@ static int case_population_check_no_contacts(const struct settings *s, int i,
 {
     int who[2];
 
-    if (o->rate > 0.0 || !insertion_overlap(o, box, o->overlap, who)) return 0;
+    if (!insertion_at_once(o) || !insertion_overlap(o, box, o->overlap, who))
+        return 0;
     return settings_wrong(
         s, sources,
         "source %d: spheres %d and %d of its file overlap; move them apart, or "
@@ -269,7 +276,7 @@ static int check_region(const struct settings *s, int i,
                 "m",
                 i, o->lo[k], o->hi[k], 'x' + k, lo[k], hi[k], c.max);
     }
-    if (o->rate > 0.0 || c.volume <= densest * volume) return 0;
+    if (!insertion_at_once(o) || c.volume <= densest * volume) return 0;
     return settings_wrong(
         s, sources,
         "source %d: %ld spheres would fill %.0f %% of its region; at random no "
@@ -452,7 +459,7 @@ void case_population_report_waiting(const struct simulation *sim)
     const struct population *const l = sim->population;
 
     for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
-        const struct insertion *const in = &l->sources[i];
+        struct insertion *const in = &l->sources[i];
         const long due = insertion_count_due(in, sim->t - sim->dt);
         if (in->n_inserted < due)
             fprintf(

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/population/insertion.h"
 
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -32,12 +32,26 @@ void insertion_place(const struct insertion_options *o, long k, long attempt,
     }
 }
 
-long insertion_count_due(const struct insertion *in, double t)
+/* A sphere is due when the rate has brought the mass of all before it. */
+static long insertion_count_by_mass(struct insertion *in, double t)
+{
+    const struct insertion_options *const o = &in->options;
+    const double mass = (t - o->start) * o->mass_rate;
+
+    while (in->n_due < o->count && in->mass_due <= mass) {
+        const double d = insertion_diameter(o, in->n_due++);
+        in->mass_due += o->density * M_PI / 6.0 * d * d * d;
+    }
+    return in->n_due;
+}
+
+long insertion_count_due(struct insertion *in, double t)
 {
     const struct insertion_options *const o = &in->options;
 
     if (t < o->start) return 0;
-    if (o->rate <= 0.0) return o->count;
+    if (insertion_at_once(o)) return o->count;
+    if (o->mass_rate > 0.0) return insertion_count_by_mass(in, t);
     const double n = floor((t - o->start) * o->rate) + 1.0;
     long due;
     return number_long(n, &due) != 0 || due > o->count ? o->count : due;

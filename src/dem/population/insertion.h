@@ -32,7 +32,8 @@ struct insertion_options {
     double density;                 /* [kg/m^3] */
     int material;                   /* [-] its number */
     long count;                     /* [-] of spheres in all */
-    double rate;                    /* [1/s]; 0: all at once */
+    double rate;                    /* [1/s] or 0 */
+    double mass_rate;               /* [kg/s] or 0; both 0: all at once */
     double start;                   /* [s] time of the first */
     int seed;                       /* [-] of sizes and places */
     struct placement_region region; /* places outside count as attempts */
@@ -46,7 +47,16 @@ struct insertion {
     struct insertion_options options;
     long n_inserted; /* [-] spheres inserted so far */
     long n_attempts; /* [-] places tried for the next one */
+    /* With a mass rate, the spheres found due so far and their mass [kg]; a
+     * resumed run adds them up again, in the same order. */
+    long n_due;
+    double mass_due;
 };
+
+static inline int insertion_at_once(const struct insertion_options *o)
+{
+    return o->rate <= 0.0 && o->mass_rate <= 0.0;
+}
 
 /* The diameter of sphere k of a source [m], and place number `attempt` [m]. */
 double insertion_diameter(const struct insertion_options *o, long k);
@@ -63,8 +73,8 @@ int insertion_step(struct insertion *in, struct particles *ps,
 int insertion_overlap(const struct insertion_options *o,
                       const struct box_domain *box, double share, int who[2]);
 
-/* Number of spheres due by then [-]. */
-long insertion_count_due(const struct insertion *in, double t);
+/* Number of spheres due by then [-]; with a mass rate no fewer than before. */
+long insertion_count_due(struct insertion *in, double t);
 
 /* Adds `by` [m] to the places of a list, and brings those back that are then
  * outside a periodic direction. */
