@@ -112,7 +112,7 @@ steps-check: $B/winnow $(STEPS) $(STEPS:$B/%=$B/san/%)
 	@sh tests/table.sh $B tests/tables/steps.txt
 steps-slow: $(STEPS:$B/%=$B/san/%)
 	@sh tests/table.sh $B tests/tables/steps.txt long
-commands: $B/winnow
+commands: $B/winnow $(STEPS)
 	@sh tests/commands.sh $B
 solutions: $(PATCHES:=.tried)
 chapters/solutions/%.tried: tests
