@@ -123,6 +123,146 @@ START_TEST(motion_leaves_distances_and_finds_back)
 }
 END_TEST
 
+/* --- a table of it -------------------------------------------------------- */
+
+static struct motion_table *table_of(const char *text, int repeat)
+{
+    const struct input in = {.text = (char *)(uintptr_t)text,
+                             .length = strlen(text)};
+    char wrong[CSV_WRONG];
+    return motion_table_create(&in, repeat, wrong);
+}
+
+static const char places[] = "t [s],x [m],z [m]\n0,3,1\n0.5,4,1\n2,3.1,-2\n",
+                  velocities[] = "t v_y\n0 0\n1 4\n3 0\n3.5 0\n";
+
+/* Every row is met, half of the way between two is at half of the time, and
+ * what counts is the way from the first row. After the last it rests. */
+START_TEST(a_table_of_places_is_linear_between_its_rows)
+{
+    struct motion_table *const table = table_of(places, 0);
+    const struct motion m = {
+        .from = 1.0, .velocity = {0.0, 2.0, 0.0}, .table = table};
+    const double at[][5] = {{0.0, 0, 0, 0, 0},
+                            {1.0, 0, 0, 2, 0},
+                            {1.25, 0.5, 0, 2, 0},
+                            {1.5, 1, 0, -0.6, -2},
+                            {2.25, 0.55, -1.5, -0.6, -2},
+                            {3.0, 0.1, -3, 0, 0},
+                            {9.0, 0.1, -3, 0, 0}};
+
+    for (int i = 0; i < 7; i++) {
+        const struct pose p = motion_pose(&m, at[i][0]);
+        ck_assert_double_eq_tol(p.centre[0], at[i][1], 1e-15);
+        ck_assert_double_eq(p.centre[1], 2.0 * fmax(at[i][0] - 1.0, 0.0));
+        ck_assert_double_eq_tol(p.centre[2], at[i][2], 1e-15);
+        ck_assert_double_eq_tol(p.velocity[0], at[i][3], 1e-15);
+        ck_assert_double_eq_tol(p.velocity[2], at[i][4], 1e-15);
+    }
+    free(table);
+}
+END_TEST
+
+/* v = 4 t until 1 s, and falls to 0 until 3 s: ways of 2 and 4 m. */
+START_TEST(the_way_of_a_table_of_velocities_is_their_integral)
+{
+    struct motion_table *const table = table_of(velocities, 0);
+    const struct motion m = {.table = table};
+    const double at[][3] = {{0.5, 0.5, 2.0}, {1.0, 2.0, 4.0}, {2.0, 5.0, 2.0},
+                            {3.0, 6.0, 0.0}, {3.2, 6.0, 0.0}, {4.0, 6.0, 0.0}};
+
+    for (int i = 0; i < 6; i++) {
+        const struct pose p = motion_pose(&m, at[i][0]);
+        ck_assert_double_eq_tol(p.centre[1], at[i][1], 1e-15);
+        ck_assert_double_eq_tol(p.velocity[1], at[i][2], 1e-15);
+    }
+    ck_assert_double_eq(motion_speed(&m, 1.0), 4.0);
+    free(table);
+}
+END_TEST
+
+/* A repeated table begins again from where it is: after n times it has gone n
+ * times its way, without a jump. Its velocity is its derivative. */
+START_TEST(a_repeated_table_goes_on_from_where_it_is)
+{
+    const double way = _i ? 6.0 : 0.1, length = _i ? 3.5 : 2.0, h = 1e-7;
+    struct motion_table *const table = table_of(_i ? velocities : places, 1);
+    const struct motion m = {.table = table};
+    const int k = _i ? 1 : 0;
+
+    for (int n = 0; n < 5; n++)
+        for (double s = 0.01; s < length; s += 0.123) {
+            const double t = n * length + s;
+            const struct pose p = motion_pose(&m, t), q = motion_pose(&m, s);
+            const struct pose a = motion_pose(&m, t - h);
+            const struct pose b = motion_pose(&m, t + h);
+            ck_assert_double_eq_tol(p.centre[k], n * way + q.centre[k], 1e-13);
+            ck_assert_double_eq_tol(
+                p.velocity[k], (b.centre[k] - a.centre[k]) / (2 * h), 1e-6);
+        }
+    for (int n = 1; n < 5; n++) {
+        const struct pose a = motion_pose(&m, n * length - h);
+        const struct pose b = motion_pose(&m, n * length + h);
+        ck_assert_double_le(fabs(b.centre[k] - a.centre[k]), 5.0 * h);
+    }
+    free(table);
+}
+END_TEST
+
+START_TEST(a_table_that_is_no_motion_is_refused)
+{
+    static const char *const wrong[] = {"t,x\n0,0\n",
+                                        "t,x\n0.1,0\n1,1\n",
+                                        "t,x\n0,0\n0,1\n",
+                                        "t,x\n0,0\n1,nan\n",
+                                        "t,x\n0,0\n1,1e13\n",
+                                        "x,y\n0,0\n1,1\n",
+                                        "t,x,v_y\n0,0,0\n1,1,1\n",
+                                        "t,x,q\n0,0,0\n1,1,1\n",
+                                        "t,x [mm]\n0,0\n1,1\n",
+                                        "t [ms],x\n0,0\n1,1\n",
+                                        "t\n0\n1\n",
+                                        "t,x\n0,0\n1e-9,1e12\n"};
+
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        ck_assert_msg(table_of(wrong[i], 0) == NULL, "%s", wrong[i]);
+}
+END_TEST
+
+/* One slope is a constant velocity: the same wall throws the same sphere, and
+ * the same particle pushes it. */
+START_TEST(a_table_of_one_slope_is_a_velocity)
+{
+    struct motion_table *const table = table_of("t v_y\n0 0.5\n9 0.5\n", 0);
+    const struct motion m[2] = {{.velocity = {0.0, 0.5, 0.0}},
+                                {.table = table}};
+    double v[2], w[2];
+
+    for (int k = 0; k < 2; k++) {
+        struct surface s = plate(&m[k]);
+        const struct prescribed_particle one = {.id = 1, .motion = m[k]};
+        struct dem_options o = with(_i ? NULL : &s, 2e-4);
+        struct particles *const ps = sphere_at(0.2, 0.1, 0.0);
+        struct dem_report r;
+        if (_i) {
+            spheres_add(ps, 0.23, -0.1, 0.0, 0.1);
+            o.prescribed = &one;
+            o.n_prescribed = 1;
+        }
+        struct dem *const dem = started(ps, &o);
+        ck_assert_int_eq(dem_run(dem, 2000, &r), 0);
+        v[k] = ps->vy[spheres_place(ps, 0)];
+        w[k] = ps->wz[spheres_place(ps, 0)];
+        dem_free(dem);
+        particles_free(ps);
+    }
+    ck_assert_double_gt(v[0], 0.5);
+    ck_assert_double_eq_tol(v[1], v[0], 1e-9);
+    ck_assert_double_eq_tol(w[1], w[0], 1e-9);
+    free(table);
+}
+END_TEST
+
 /* --- walls ------------------------------------------------------------------
  */
 
@@ -466,6 +606,11 @@ FACTS("motion")
 {
     FACT(velocity_of_a_motion_is_its_derivative);
     FACT(motion_leaves_distances_and_finds_back);
+    FACT(a_table_of_places_is_linear_between_its_rows);
+    FACT(the_way_of_a_table_of_velocities_is_their_integral);
+    FACT_FOR_EACH(a_repeated_table_goes_on_from_where_it_is, 2);
+    FACT(a_table_that_is_no_motion_is_refused);
+    FACT_FOR_EACH(a_table_of_one_slope_is_a_velocity, 2);
     FACT_FOR_EACH(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 2);
     FACT(a_moving_wall_is_at_rest_before_its_start);
     FACT_FOR_EACH(sphere_follows_a_swinging_plate_at_two_sevenths, 2);

@@ -228,6 +228,14 @@ const struct key particles_keys[] = {
     {"particles.surfaces.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
      "angular velocity about that axis", "", "",
      OF(surface_setup, of.motion.spin)},
+    {"particles.surfaces.course", KEY_FILE, "", "", "",
+     "or a table of its motion, which is added: columns t [s], from 0 at the "
+     "start of the motion, and some of x, y, z [m] or of v_x, v_y, v_z [m/s], "
+     "linear between rows; beside the case unless it begins with /",
+     "", "", OF(surface_setup, course.file)},
+    {"particles.surfaces.repeat", KEY_BOOL, "", "", "false",
+     "whether the table begins again after its last row; else it rests", "", "",
+     OF(surface_setup, course.repeat)},
     {"particles.surfaces.from", KEY_REAL, "s", ">= 0", "0.0",
      "start of the motion", "", "", OF(surface_setup, of.motion.from)},
     {"particles.surfaces.until", KEY_REAL, "s", "> 0", "",
@@ -256,6 +264,14 @@ const struct key particles_keys[] = {
     {"particles.prescribed.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
      "angular velocity about that axis, and its own", "", "",
      OF(prescribed_setup, of.motion.spin)},
+    {"particles.prescribed.course", KEY_FILE, "", "", "",
+     "or a table of its motion, which is added: columns t [s], from 0 at the "
+     "start of the motion, and some of x, y, z [m] or of v_x, v_y, v_z [m/s], "
+     "linear between rows; beside the case unless it begins with /",
+     "", "", OF(prescribed_setup, course.file)},
+    {"particles.prescribed.repeat", KEY_BOOL, "", "", "false",
+     "whether the table begins again after its last row; else it rests", "", "",
+     OF(prescribed_setup, course.repeat)},
     {"particles.prescribed.from", KEY_REAL, "s", ">= 0", "0.0",
      "start of the prescribed motion; before it the particle is free", "", "",
      OF(prescribed_setup, of.motion.from)},

@@ -79,20 +79,41 @@ static int read_triangles(const struct settings *s, struct surface_setup *one)
     return 0;
 }
 
+static int read_course(const struct settings *s, struct motion_course *c,
+                       struct motion *m)
+{
+    char wrong[CSV_WRONG];
+
+    if (c->file == NULL) return 0;
+    const struct input *const in = settings_input(s, c->file);
+    m->table = c->table = motion_table_create(in, c->repeat, wrong);
+    if (c->table == NULL) fprintf(stderr, "winnow: %s: %s\n", in->path, wrong);
+    return c->table == NULL;
+}
+
 int case_surfaces_read(struct settings *s)
 {
     for (int i = 0; i < s->particles.surfaces.n; i++) {
         struct surface_setup *const one = &s->particles.surfaces.item[i];
         if (one->of.shape->nearest == NULL && read_triangles(s, one) != 0)
             return 2;
+        if (read_course(s, &one->course, &one->of.motion) != 0) return 2;
+    }
+    for (int i = 0; i < s->particles.prescribed.n; i++) {
+        struct prescribed_setup *const one = &s->particles.prescribed.item[i];
+        if (read_course(s, &one->course, &one->of.motion) != 0) return 2;
     }
     return 0;
 }
 
 void case_surfaces_release(struct settings *s)
 {
-    for (int i = 0; i < s->particles.surfaces.n; i++)
+    for (int i = 0; i < s->particles.surfaces.n; i++) {
         triangles_free(s->particles.surfaces.item[i].triangles);
+        free(s->particles.surfaces.item[i].course.table);
+    }
+    for (int i = 0; i < s->particles.prescribed.n; i++)
+        free(s->particles.prescribed.item[i].course.table);
 }
 
 /* How many there are, the walls of a mesh counted as one. */
@@ -203,8 +224,11 @@ static int check_plane(const struct settings *s, const struct surface *one)
 }
 
 static int check_motion(const struct settings *s, const char *of, int i,
-                        const struct motion *m)
+                        const struct motion *m, const struct motion_course *c)
 {
+    if (c->repeat && c->file == NULL)
+        return settings_wrong(
+            s, of, "number %d: repeat is of a course, and there is none", i);
     if (m->until > 0.0 && m->until <= m->from)
         return settings_wrong(s, of,
                               "number %d moves until %g s, which is not "
@@ -228,7 +252,7 @@ static int check_driven(const struct settings *s, int i)
     if (vector_length(all[i].of.motion.spin) > 0.0 && !all[i].has_centre)
         return settings_wrong(s, prescribed,
                               "particle %d has a spin: it needs a centre", id);
-    return check_motion(s, prescribed, i, &all[i].of.motion);
+    return check_motion(s, prescribed, i, &all[i].of.motion, &all[i].course);
 }
 
 /* Attractions act between particles and the walls of the box only. */
@@ -254,7 +278,8 @@ int case_surfaces_check(struct settings *s)
         if (code != 0) return code;
         complete_surface(s, i, one);
         code = check_plane(s, &one->of);
-        if (code == 0) code = check_motion(s, list, i, &one->of.motion);
+        if (code == 0)
+            code = check_motion(s, list, i, &one->of.motion, &one->course);
     }
     for (int i = 0; i < s->particles.prescribed.n && code == 0; i++)
         code = check_driven(s, i);

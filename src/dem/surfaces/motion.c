@@ -8,7 +8,8 @@
 
 int motion_is_any(const struct motion *m)
 {
-    return m->carrier != NULL || vector_dot(m->velocity, m->velocity) > 0.0 ||
+    return m->carrier != NULL || m->table != NULL ||
+           vector_dot(m->velocity, m->velocity) > 0.0 ||
            vector_dot(m->spin, m->spin) > 0.0 ||
            (vector_dot(m->amplitude, m->amplitude) > 0.0 && m->frequency > 0.0);
 }
@@ -56,6 +57,7 @@ struct pose motion_pose(const struct motion *m, double t)
     const double s = moved(m, t), w = 2.0 * M_PI * m->frequency;
     const int on = motion_is_on(m, t);
     struct pose p;
+    double unused[3] = {0.0, 0.0, 0.0};
 
     memcpy(p.start, m->centre, sizeof p.start);
     for (int k = 0; k < 3; k++) {
@@ -65,6 +67,8 @@ struct pose motion_pose(const struct motion *m, double t)
             on ? m->velocity[k] + m->amplitude[k] * w * cos(w * s) : 0.0;
         p.spin[k] = on ? m->spin[k] : 0.0;
     }
+    if (m->table != NULL)
+        motion_table_add(m->table, s, p.centre, on ? p.velocity : unused);
     turn_about(m->spin, s, p.rotation);
     return p;
 }
@@ -76,7 +80,8 @@ double motion_speed(const struct motion *m, double reach)
                vector_length(m->carrier->pose.spin) * reach;
     return vector_length(m->velocity) +
            2.0 * M_PI * m->frequency * vector_length(m->amplitude) +
-           vector_length(m->spin) * reach;
+           vector_length(m->spin) * reach +
+           (m->table != NULL ? m->table->fastest : 0.0);
 }
 
 void motion_turn(const struct pose *p, const double start[3], double v[3])

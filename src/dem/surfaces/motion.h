@@ -5,11 +5,13 @@
  *   x(t) = c(t) + Q(omega s) (x_0 - c_0)                              (14.6)
  *
  * a rigid motion: the sum of a velocity, an oscillation and a rotation about an
- * axis through c. The position of a point is a function of time, so errors do
- * not accumulate from step to step.
+ * axis through c; and of the way of a table, if there is one. The position of a
+ * point is a function of time, so errors do not accumulate from step to step.
  */
 #ifndef DEM_SURFACES_MOTION_H
 #define DEM_SURFACES_MOTION_H
+
+#include "dem/surfaces/motion_table.h"
 
 /* A rigid body at one moment. */
 struct pose {
@@ -35,6 +37,7 @@ struct motion {
     double frequency;    /* [Hz] f */
     double centre[3];    /* [m] c_0, a point of the axis at time `from` */
     double spin[3];      /* [rad/s] omega */
+    const struct motion_table *table; /* borrowed; NULL: none */
 };
 
 struct pose motion_pose(const struct motion *m, double t);

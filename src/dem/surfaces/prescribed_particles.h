@@ -22,6 +22,7 @@ struct prescribed_particle {
 struct prescribed_setup {
     struct prescribed_particle of;
     int has_centre; /* [-] 1: of.motion.centre is given */
+    struct motion_course course;
 };
 
 struct prescribed_particles {

@@ -86,6 +86,7 @@ struct surface_setup {
     struct triangles *triangles; /* of the file */
     double scale;                /* [m] the unit of the file */
     int has_centre;              /* [-] 1: of.motion.centre is given */
+    struct motion_course course;
 };
 
 /* The only face of a shape is number 0, that of triangles the number of one. y
