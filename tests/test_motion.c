@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Walls and particles that move as prescribed. */
 #include <gsl/gsl_math.h>
+#include <omp.h>
 #include <stdlib.h>
 
+#include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/surface.h"
 #include "dem/surfaces/surfaces.h"
@@ -478,6 +480,70 @@ START_TEST(prescribed_particle_without_a_speed_is_held)
 }
 END_TEST
 
+/* A rough floor of 12 x 12 spheres that lie in a square, shaken and turned,
+ * from 0.02 to 0.2 s, and 36 that fall on it. */
+static struct particles *above_a_rough_floor(void)
+{
+    struct particles *const ps = particles_create(180);
+
+    for (int k = 0; k < 144; k++)
+        spheres_add(ps, 0.11 * (k % 12) - 0.6, -0.3 + 0.01 * (k % 7),
+                    0.11 * (k / 12) - 0.6, 0.1);
+    for (int k = 0; k < 36; k++) {
+        const int i = spheres_add(ps, 0.17 * (k % 6) - 0.42, -0.15,
+                                  0.17 * (k / 6) - 0.4, 0.08);
+        spheres_throw(ps, i, 0.1, -1.0, 0.05 * (k % 5));
+        ps->ey[i] = -g * ps->m[i];
+    }
+    return ps;
+}
+
+static const struct motion rough = {.from = 0.02,
+                                    .until = 0.2,
+                                    .amplitude = {0.0, 0.01, 0.0},
+                                    .frequency = 20.0,
+                                    .spin = {0.0, 0.5, 0.0}};
+
+/* Runs it with as many ranges, of one sphere each or of all. */
+static struct particles *on_a_rough_floor(int n, int threads)
+{
+    struct prescribed_particle *const all =
+        alloc_zeroed((size_t)n, sizeof *all);
+    struct dem_options o = with(NULL, 1e-4);
+    struct particles *const ps = above_a_rough_floor();
+    struct dem_report r;
+
+    for (int k = 0; k < n; k++)
+        all[k] = (struct prescribed_particle){
+            .id = k, .last = n == 1 ? 143 : 0, .motion = rough};
+    o.prescribed = all;
+    o.n_prescribed = n;
+    omp_set_num_threads(threads);
+    struct dem *const dem = started(ps, &o);
+    for (int k = 0; k < 30; k++)
+        ck_assert_int_eq(dem_run(dem, 100, &r), 0);
+    dem_free(dem);
+    free(all);
+    return ps;
+}
+
+/* To the bit; and in the end all of them are free. */
+START_TEST(a_range_of_prescribed_particles_moves_as_each_of_them_alone)
+{
+    struct particles *const one = on_a_rough_floor(1, _i + 1);
+    struct particles *const many = on_a_rough_floor(144, 1);
+    const size_t size = (size_t)one->n * sizeof(double);
+
+    ck_assert_mem_eq(one->id, many->id, (size_t)one->n * sizeof(int));
+    ck_assert_mem_eq(one->x, many->x, size);
+    ck_assert_mem_eq(one->vy, many->vy, size);
+    ck_assert_mem_eq(one->wz, many->wz, size);
+    ck_assert_double_ne(one->vy[spheres_place(one, 150)], -1.0);
+    particles_free(one);
+    particles_free(many);
+}
+END_TEST
+
 /* It acts on the others as a wall: (1 + e) V, although its mass is the same as
  * theirs. */
 START_TEST(prescribed_particle_repels_another_as_a_wall_does)
@@ -619,6 +685,8 @@ FACTS("motion")
     FACT_FOR_EACH(surface_accounts_for_force_torque_and_work, 2);
     FACT(prescribed_particle_is_free_and_then_circles);
     FACT(prescribed_particle_without_a_speed_is_held);
+    FACT_FOR_EACH(a_range_of_prescribed_particles_moves_as_each_of_them_alone,
+                  2);
     FACT(prescribed_particle_repels_another_as_a_wall_does);
     FACT_FOR_EACH(prescribed_particle_moves_alike_with_every_integrator, 3);
     FACT_FOR_EACH(released_prescribed_particle_keeps_its_energy, 3);

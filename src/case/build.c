@@ -253,7 +253,7 @@ struct simulation *build_for_run(const struct settings *s, int with_bed,
     if (*code == 0) {
         build_effects(s, sim);
         *code = case_bodies_add(s, sim);
-        if (*code == 0 && with_bed) case_population_start(sim);
+        if (*code == 0 && with_bed) *code = case_population_start(s, sim);
         if (*code == 0) return sim;
     }
     build_free(sim);

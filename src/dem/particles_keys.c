@@ -243,12 +243,17 @@ const struct key particles_keys[] = {
      OF(surface_setup, of.motion.until)},
 
     {"particles.prescribed", KEY_LIST, "", "", "",
-     "single particles with a prescribed motion", "LS Fig. 4.3", "",
+     "particles with a prescribed motion", "LS Fig. 4.3", "",
      LIST(prescribed, prescribed_setup),
      .divided = "its particles all move freely"},
     {"particles.prescribed.id", KEY_INT, "-", ">= 0", NULL,
      "number of the particle, in the order of creation, from 0", "", "",
      OF(prescribed_setup, of.id)},
+    {"particles.prescribed.last", KEY_INT, "-", ">= 0", "",
+     "number of the last of several, from id on, that move as one body, as the "
+     "spheres of a file that are a rough floor; left out: id alone",
+     "", "", OF(prescribed_setup, of.last),
+     .given = KEY_AT(prescribed_setup, has_last)},
     {"particles.prescribed.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
      "constant velocity", "", "", OF(prescribed_setup, of.motion.velocity)},
     {"particles.prescribed.amplitude", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",

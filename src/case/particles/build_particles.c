@@ -204,7 +204,7 @@ int build_particles_check(const struct settings *s)
     if (code == 0)
         code = s->particles.has_bed ? place_bed(s, sim, &o)
                                     : place_spheres(s, sim, &o);
-    if (code == 0) code = case_surfaces_add(s, sim);
+    if (code == 0) case_surfaces_tell_unseen(s);
     build_free(sim);
     return code;
 }
@@ -231,8 +231,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
     build_particles_limit(s, sim);
-    code = case_surfaces_add(s, sim);
-    if (code != 0) return code;
+    case_surfaces_tell_unseen(s);
     case_population_add(s, sim);
     sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;

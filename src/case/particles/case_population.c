@@ -446,10 +446,24 @@ void case_population_add(const struct settings *s, struct simulation *sim)
         l->sinks[i] = sink_of(s, &s->particles.sinks.item[i]);
 }
 
-void case_population_start(struct simulation *sim)
+/* The numbers of prescribed particles that come now are only sure if all find
+ * room. */
+int case_population_start(const struct settings *s, struct simulation *sim)
 {
-    if (sim->population != NULL)
-        population_insert(sim->population, sim->particles, sim->dem, sim->t);
+    const int before = sim->particles != NULL ? sim->particles->n : 0;
+
+    if (sim->population == NULL) return 0;
+    population_insert(sim->population, sim->particles, sim->dem, sim->t);
+    const long waiting = sim->population->totals.waiting;
+    if (waiting == 0 || interrupt_arrived()) return 0;
+    for (int k = 0; k < s->particles.prescribed.n; k++)
+        if (prescribed_last(&s->particles.prescribed.item[k].of) >= before)
+            return settings_wrong(
+                s, sources,
+                "%ld spheres find no room at the start, so that "
+                "particles.prescribed would number others",
+                waiting);
+    return 0;
 }
 
 /* --- during a run, and after it ------------------------------------------- */

@@ -38,8 +38,9 @@ int case_population_place(const struct settings *s, struct particles *ps,
  * borrows their distributions and lists. */
 void case_population_add(const struct settings *s, struct simulation *sim);
 
-/* Inserts what is due before the first step, so that the start has it. */
-void case_population_start(struct simulation *sim);
+/* Inserts what is due before the first step, so that the start has it. 0, or 2
+ * after a message. */
+int case_population_start(const struct settings *s, struct simulation *sim);
 
 /* Says which sources have spheres that are due and found no room. */
 void case_population_report_waiting(const struct simulation *sim);

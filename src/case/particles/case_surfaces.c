@@ -91,6 +91,39 @@ static int read_course(const struct settings *s, struct motion_course *c,
     return c->table == NULL;
 }
 
+/* How many particles there are at the start [-]. */
+static double number_at_start(const struct settings *s)
+{
+    double sum =
+        s->particles.has_bed ? s->particles.bed.count : s->particles.place.n;
+
+    for (int i = 0; i < s->particles.insert.n; i++) {
+        const struct insertion_options *const o =
+            &s->particles.insert.item[i].of;
+        if (insertion_at_once(o) && o->start <= 0.0) sum += (double)o->count;
+    }
+    return sum;
+}
+
+static int check_prescribed_exist(const struct settings *s)
+{
+    const double there = number_at_start(s);
+
+    for (int k = 0; k < s->particles.prescribed.n; k++) {
+        const int id = prescribed_last(&s->particles.prescribed.item[k].of);
+        if (there == 0.0)
+            return settings_wrong(s, prescribed,
+                                  "there is no particle %d: there is none at "
+                                  "the start",
+                                  id);
+        if (id >= there)
+            return settings_wrong(s, prescribed,
+                                  "there is no particle %d: they are 0 to %.0f",
+                                  id, there - 1.0);
+    }
+    return 0;
+}
+
 int case_surfaces_read(struct settings *s)
 {
     for (int i = 0; i < s->particles.surfaces.n; i++) {
@@ -103,7 +136,7 @@ int case_surfaces_read(struct settings *s)
         struct prescribed_setup *const one = &s->particles.prescribed.item[i];
         if (read_course(s, &one->course, &one->of.motion) != 0) return 2;
     }
-    return 0;
+    return check_prescribed_exist(s);
 }
 
 void case_surfaces_release(struct settings *s)
@@ -243,12 +276,16 @@ static int check_motion(const struct settings *s, const char *of, int i,
 static int check_driven(const struct settings *s, int i)
 {
     const struct prescribed_setup *const all = s->particles.prescribed.item;
-    const int id = all[i].of.id;
+    const int id = all[i].of.id, last = prescribed_last(&all[i].of);
 
+    if (all[i].has_last && all[i].of.last < id)
+        return settings_wrong(s, prescribed,
+                              "number %d: last = %d is before id = %d", i,
+                              all[i].of.last, id);
     for (int k = 0; k < i; k++)
-        if (all[k].of.id == id)
+        if (id <= prescribed_last(&all[k].of) && all[k].of.id <= last)
             return settings_wrong(s, prescribed, "particle %d is given twice",
-                                  id);
+                                  id > all[k].of.id ? id : all[k].of.id);
     if (vector_length(all[i].of.motion.spin) > 0.0 && !all[i].has_centre)
         return settings_wrong(s, prescribed,
                               "particle %d has a spin: it needs a centre", id);
@@ -396,26 +433,9 @@ int case_surfaces_place(const struct settings *s, struct particles *ps,
                                                                            : 0;
 }
 
-/* Prescribed particles must exist. */
-int case_surfaces_add(const struct settings *s, struct simulation *sim)
+void case_surfaces_tell_unseen(const struct settings *s)
 {
     if (are_unseen(s) && !s->quiet) fprintf(stderr, "%s: %s\n", list, unseen);
-    const int n =
-        s->particles.has_bed ? s->particles.bed.count : sim->particles->n;
-
-    for (int k = 0; k < s->particles.prescribed.n; k++) {
-        const int id = s->particles.prescribed.item[k].of.id;
-        if (n == 0)
-            return settings_wrong(s, prescribed,
-                                  "there is no particle %d: there is none at "
-                                  "the start",
-                                  id);
-        if (id >= n)
-            return settings_wrong(s, prescribed,
-                                  "there is no particle %d: they are 0 to %d",
-                                  id, n - 1);
-    }
-    return 0;
 }
 
 MODELS_KIND(case_surfaces_kind, surface_shapes, "surface",

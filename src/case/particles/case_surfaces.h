@@ -7,7 +7,8 @@
 #include "coupling/simulation.h"
 #include "dem/surfaces/surface.h"
 
-/* Reads the files of the surfaces, which the settings keep: 0, or 2 after one
+/* Reads the files of the surfaces and of prescribed particles, which the
+ * settings keep, and looks whether these particles exist: 0, or 2 after one
  * message. */
 int case_surfaces_read(struct settings *s);
 void case_surfaces_release(struct settings *s);
@@ -30,11 +31,13 @@ void case_surfaces_complete(const struct settings *s, struct simulation *sim,
                             struct dem_options *o);
 void case_surfaces_free(struct simulation *sim);
 
-/* Whether particles can start where they were placed, and whether prescribed
- * ones exist. 0, or 2 after a message. */
+/* Whether particles can start where they were placed. 0, or 2 after a message.
+ */
 int case_surfaces_place(const struct settings *s, struct particles *ps,
                         const struct dem_options *o);
-int case_surfaces_add(const struct settings *s, struct simulation *sim);
+
+/* A note if a fluid does not see them. */
+void case_surfaces_tell_unseen(const struct settings *s);
 
 /* --- case_walls.c --------------------------------------------------------- *
  * The boundary faces. Those that lie in a side of the smallest box around the

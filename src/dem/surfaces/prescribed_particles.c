@@ -17,28 +17,58 @@ prescribed_particles_create(const struct prescribed_particle *list, int n)
     struct prescribed_particles *const d = alloc_zeroed(1, sizeof *d);
 
     d->list = list;
-    d->n = n;
-    d->index = alloc_ints(n);
-    d->is_on = alloc_ints(n);
+    for (int k = 0; k < n; k++) {
+        d->n += prescribed_last(&list[k]) - list[k].id + 1;
+        if (prescribed_last(&list[k]) >= d->n_ids)
+            d->n_ids = prescribed_last(&list[k]) + 1;
+    }
+    d->range = alloc_ints(d->n);
+    d->is_on = alloc_ints(d->n);
+    d->found = alloc_zeroed((size_t)d->n, sizeof *d->found);
+    d->number = alloc_ints(d->n_ids);
+    for (int id = 0; id < d->n_ids; id++)
+        d->number[id] = -1;
+    for (int k = 0, q = 0; k < n; k++)
+        for (int id = list[k].id; id <= prescribed_last(&list[k]); id++) {
+            d->range[q] = k;
+            d->number[id] = q++;
+        }
     return d;
 }
 
 void prescribed_particles_free(struct prescribed_particles *d)
 {
     if (d == NULL) return;
-    free(d->index);
+    free(d->range);
     free(d->is_on);
+    free(d->number);
+    free(d->found);
     free(d);
 }
 
 void prescribed_particles_locate(struct prescribed_particles *d,
                                  const struct particles *ps)
 {
-    for (int k = 0; k < d->n; k++) {
-        d->index[k] = -1;
-        for (int i = 0; i < ps->n && d->index[k] < 0; i++)
-            if (ps->id[i] == d->list[k].id) d->index[k] = i;
+    d->n_found = 0;
+    for (int i = 0; i < ps->n; i++) {
+        const int id = ps->id[i], q = id < d->n_ids ? d->number[id] : -1;
+        if (q >= 0) d->found[d->n_found++] = (struct prescribed_place){i, q};
     }
+}
+
+/* The number in `found` of the first at or behind this index. */
+static int first_from(const struct prescribed_particles *d, int index)
+{
+    int lo = 0, hi = d->n_found;
+
+    while (lo < hi) {
+        const int middle = (lo + hi) / 2;
+        if (d->found[middle].index < index)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo;
 }
 
 /* Sets 1/m to nearly 0 and the outside acceleration to 0, so that no force
@@ -73,24 +103,23 @@ static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
     if (b->drag != NULL) bodies_load_drag(b, ps, i, i + 1);
 }
 
-static void set_velocity_of(const struct motion *m, struct bodies *b, int i,
-                            double t, double dt)
+/* For a step from one pose to the other in dt; dt = 0: the velocity now. */
+static void set_velocity_of(const struct pose *now, const struct pose *next,
+                            struct bodies *b, int i, double dt)
 {
-    const struct pose now = motion_pose(m, t);
     double *const v = b->motion[i].v, *const x = b->place[i].x;
 
     if (dt > 0.0) {
-        const struct pose next = motion_pose(m, t + dt);
         double start[3], to[3];
-        motion_origin(&now, x, start);
-        motion_place(&next, start, to);
+        motion_origin(now, x, start);
+        motion_place(next, start, to);
         for (int k = 0; k < 3; k++)
             v[k] = (to[k] - x[k]) / dt;
     } else {
-        motion_velocity(&now, x, v);
+        motion_velocity(now, x, v);
     }
     for (int k = 0; k < 3; k++)
-        b->motion[i].s[k] = b->place[i].R * now.spin[k];
+        b->motion[i].s[k] = b->place[i].R * now->spin[k];
 }
 
 /* Energy of translation and rotation, and of the added mass [J]. */
@@ -114,12 +143,6 @@ static double power_on(const struct row_motion *m, const struct row_load *load)
     return power;
 }
 
-static int owned_index(const struct prescribed_particles *d, int k, int begin,
-                       int end)
-{
-    return d->index[k] >= begin && d->index[k] < end;
-}
-
 double prescribed_particles_set_velocities(struct prescribed_particles *d,
                                            struct bodies *b,
                                            const struct particles *ps,
@@ -127,25 +150,32 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
                                            struct row_load *load, double t,
                                            double dt, double kick)
 {
+    struct pose now, next;
     double gained = 0.0;
+    int posed = -1; /* the range of which both are */
 
-    for (int k = 0; k < d->n; k++) {
-        const struct motion *const m = &d->list[k].motion;
-        const int i = d->index[k], on = motion_is_on(m, t);
+    for (int q = first_from(d, begin), last = first_from(d, end); q < last;
+         q++) {
+        const int i = d->found[q].index, number = d->found[q].number;
+        const struct motion *const m = &d->list[d->range[number]].motion;
+        struct row_load *const own = load != NULL ? &load[i - begin] : NULL;
+        const int on = motion_is_on(m, t);
 
-        if (!owned_index(d, k, begin, end)) continue;
+        if (on && posed != d->range[number]) {
+            posed = d->range[number];
+            now = motion_pose(m, t);
+            next = motion_pose(m, t + dt);
+        }
         if (on) {
             set_inverse_mass(b, ps, i);
             gained -= prescribed_particles_kinetic(b, ps, i);
-            set_velocity_of(m, b, i, t, dt);
+            set_velocity_of(&now, &next, b, i, dt);
             gained += prescribed_particles_kinetic(b, ps, i);
-        } else if (d->is_on[k]) {
-            if (load != NULL)
-                gained -= kick * power_on(&b->motion[i], &load[i - begin]);
-            restore_inverse_mass(b, ps, i,
-                                 load != NULL ? &load[i - begin] : NULL);
+        } else if (d->is_on[number]) {
+            if (own != NULL) gained -= kick * power_on(&b->motion[i], own);
+            restore_inverse_mass(b, ps, i, own);
         }
-        d->is_on[k] = on;
+        d->is_on[number] = on;
     }
     return gained;
 }
@@ -154,9 +184,9 @@ void prescribed_particles_fix_mass(const struct prescribed_particles *d,
                                    struct bodies *b, const struct particles *ps,
                                    int begin, int end)
 {
-    for (int k = 0; k < d->n; k++)
-        if (owned_index(d, k, begin, end) && d->is_on[k])
-            set_inverse_mass(b, ps, d->index[k]);
+    for (int q = first_from(d, begin), last = first_from(d, end); q < last; q++)
+        if (d->is_on[d->found[q].number])
+            set_inverse_mass(b, ps, d->found[q].index);
 }
 
 void prescribed_particles_restore_mass(const struct prescribed_particles *d,
@@ -164,7 +194,7 @@ void prescribed_particles_restore_mass(const struct prescribed_particles *d,
                                        const struct particles *ps, int begin,
                                        int end)
 {
-    for (int k = 0; k < d->n; k++)
-        if (owned_index(d, k, begin, end) && d->is_on[k])
-            restore_inverse_mass(b, ps, d->index[k], NULL);
+    for (int q = first_from(d, begin), last = first_from(d, end); q < last; q++)
+        if (d->is_on[d->found[q].number])
+            restore_inverse_mass(b, ps, d->found[q].index, NULL);
 }

@@ -1,8 +1,9 @@
-/* prescribed_particles.h -- single particles that move as prescribed.
+/* prescribed_particles.h -- particles that move as prescribed.
  *
  * Chapter "Walls".
  *
- * During its prescribed motion a particle moves as a point of a rigid body;
+ * During its prescribed motion a particle moves as a point of a rigid body,
+ * alone or with all of a range of ids;
  * before and after it is free. In contacts it acts like a wall: its 1/m is 0.
  * Each step begins at the present position of the particle, so that the state
  * of a run consists of its particles and the time.
@@ -14,22 +15,33 @@
 #include "dem/surfaces/motion.h"
 
 struct prescribed_particle {
-    int id; /* of the particle */
+    int id, last; /* [-] of the first, and of the last if it is larger */
     struct motion motion;
 };
+
+static inline int prescribed_last(const struct prescribed_particle *one)
+{
+    return one->last > one->id ? one->last : one->id;
+}
 
 /* As a case writes it. */
 struct prescribed_setup {
     struct prescribed_particle of;
-    int has_centre; /* [-] 1: of.motion.centre is given */
+    int has_centre, has_last; /* [-] 1: of.motion.centre, of.last are given */
     struct motion_course course;
 };
 
 struct prescribed_particles {
     const struct prescribed_particle *list; /* borrowed */
-    int n;
-    int *index; /* [-] where each is now, or -1 */
+    int n;                                  /* [-] particles of all ranges */
+    int *range;                             /* [-] that of each of them */
     int *is_on; /* [-] 1: it is prescribed in this step */
+    int n_ids;
+    int *number; /* [-] of each id among them, or -1 */
+    int n_found;
+    struct prescribed_place {
+        int index, number; /* [-] where it is now, rising, and which it is */
+    } * found;
 };
 
 struct prescribed_particles *
