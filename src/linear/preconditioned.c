@@ -83,13 +83,19 @@ static double preconditioned_jacobi_apply(void *matrix, const double *r,
     return rz;
 }
 
+static void divided_rows(int first, int last, const double *diag,
+                         const double *r, double beta, double *p)
+{
+    for (int i = first; i < last; i++)
+        p[i] = r[i] / diag[i] + beta * p[i];
+}
+
 static void preconditioned_jacobi_direction(const void *matrix, const double *r,
                                             double beta, double *p)
 {
     const struct csr *const A = matrix;
 
-    for (int i = 0; i < A->n; i++)
-        p[i] = r[i] / A->diag[i] + beta * p[i];
+    PARALLEL_RANGES(A->n, 1, divided_rows, A->diag, r, beta, p);
 }
 
 const struct preconditioned_kind preconditioned_jacobi = {
