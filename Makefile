@@ -24,7 +24,7 @@ LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 # Built into build/winnow-mpi only: see `distributed` below.
 RANKS := src/distributed/ranks
 SRC   := $(filter-out $(RANKS)/%,$(wildcard src/commands.c src/*/*.c src/*/*/*.c))
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/tell/equation_index_rows.o $B/src/output/pictures/programs.o
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/tell/equation_index_rows.o $B/src/output/pictures/programs.o $B/src/report/page_parts.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
@@ -59,6 +59,7 @@ bare-slow: $B/winnow
 	@sh tests/bare.sh $B
 view-slow: $B/winnow
 	@sh tests/view.sh $B
+	@sh tests/report.sh $B
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
@@ -88,6 +89,7 @@ style: $B/winnow
 cli: $B/winnow
 	@sh tests/table.sh $B tests/tables/cli.txt
 	@sh tests/table.sh $B tests/tables/advice.txt
+	@sh tests/table.sh $B tests/tables/report.txt
 kills: $B/winnow
 	@sh tests/table.sh $B tests/tables/resume.txt
 	@sh tests/kills.sh $B/winnow
@@ -243,6 +245,17 @@ $B/src/output/pictures/programs.c: $(wildcard src/output/pictures/*.gp) src/outp
 	    sed -e '/SPDX/d' -e 's/[\\"]/\\&/g' -e 's/.*/"&",/'; echo '0};'; \
 	done; ) >$@.new && mv $@.new $@
 $B/src/output/pictures/programs.o: $B/src/output/pictures/programs.c
+	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
+# The page of a report and, where they are installed, its libraries.
+JS    = /usr/share/javascript
+PLOTS = $(JS)/dygraphs/dygraph.min
+SCENE = $(JS)/three/three.min.js
+PARTS = page_html=src/report/page.html page_css=src/report/page.css page_js=src/report/page.js \
+        page_plots_css=$(PLOTS).css page_plots_js=$(PLOTS).js page_scene_js=$(SCENE)
+$B/src/report/page_parts.c: $(wildcard src/report/p*.* $(PLOTS).css $(PLOTS).js $(SCENE))
+	@mkdir -p $(@D)
+	@LC_ALL=C awk -f src/report/parts.awk $(PARTS) >$@.new && mv $@.new $@
+$B/src/report/page_parts.o: $B/src/report/page_parts.c
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints

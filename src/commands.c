@@ -4,8 +4,14 @@
 
 #include <stddef.h>
 
-const struct command *const commands[] = {&run_command,      &study_command,
-                                          &export_command,   &check_command,
-                                          &explain_command,  &list_command,
-                                          &list_new_command, &eval_command,
-                                          &command_status,   NULL};
+const struct command *const commands[] = {&run_command,
+                                          &study_command,
+                                          &export_command,
+                                          &check_command,
+                                          &explain_command,
+                                          &list_command,
+                                          &list_new_command,
+                                          &eval_command,
+                                          &command_status,
+                                          &report_command,
+                                          NULL};

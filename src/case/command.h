@@ -33,7 +33,7 @@ struct command {
 /* All of them, ended by NULL. */
 extern const struct command run_command, study_command, export_command,
     check_command, explain_command, list_command, list_new_command,
-    eval_command, command_status;
+    eval_command, command_status, report_command;
 extern const struct command *const commands[];
 
 #endif

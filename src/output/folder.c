@@ -144,7 +144,9 @@ static int folder_is_foreign(const struct folder *f, const char *name)
 {
     if (manifest_contents(name) == NULL || manifest_has(&f->old, name))
         return 0;
-    if (manifest_is_half(name) && manifest_is_of_run(f->here, name)) return 0;
+    if ((manifest_is_half(name) || strcmp(name, "report.html") == 0) &&
+        manifest_is_of_run(f->here, name))
+        return 0;
     if (f->fresh)
         fprintf(stderr,
                 "winnow: %s is not there, the list of the files of a run: "

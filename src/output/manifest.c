@@ -248,6 +248,7 @@ const char *const manifest_folders[] = {
 static const struct {
     const char *name, *holds;
 } ours[] = {{"./summary.json", "\"program\": \"winnow "},
+            {"./report.html", "<!-- report of winnow"},
             {"./history.csv", "time [s],"},
             {"./probes.csv", "time [s],"},
             {"./surfaces.csv", "time [s],"},

@@ -367,8 +367,10 @@ static int recorder_begin_summary(struct recorder *r, int resume)
     else if (folder_begin(r->folder) != 0)
         return 1;
     char *const path = folder_file(r->folder, "summary.json");
+    char *const page = folder_file(r->folder, "report.html"); /* by command */
     free(path);
-    return path == NULL || (!resume && recorder_begin(r) != 0);
+    free(page);
+    return path == NULL || page == NULL || (!resume && recorder_begin(r) != 0);
 }
 
 /* What writes from the start; non-zero after a message. */

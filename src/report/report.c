@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* report.c -- `winnow report`: a run, or several, as one page. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/number.h"
+#include "case/case_file.h"
+#include "case/command.h"
+#include "case/schema.h"
+#include "output/folder.h"
+#include "output/manifest.h"
+#include "report/page.h"
+#include "report/vtk_read.h"
+
+/* Of the page, of what is put in it as text, and of its picture [byte]. The
+ * lists of what was left out and the end of the page need no more than
+ * PAGE_END. */
+enum {
+    PAGE_MOST = 6000000,
+    PAGE_END = 100000,
+    TEXT_MOST = 200000,
+    PICTURE_MOST = 300000
+};
+
+long page_room(const struct page *p)
+{
+    return p->most - ftell(p->out);
+}
+
+static void page_put_lines(FILE *out, const char *text)
+{
+    char *const line = strdup(text);
+
+    for (char *at = line, *end; at != NULL; at = end) {
+        end = strchr(at, '\n');
+        if (end != NULL) *end++ = '\0';
+        text_put(out, at, TEXT_XML);
+        if (end != NULL) fputc('\n', out);
+    }
+    free(line);
+}
+
+void page_put_text(struct page *p, const char *name, const char *text)
+{
+    fprintf(p->out, "<pre hidden data-name=\"%s\">\n", name);
+    page_put_lines(p->out, text);
+    fputs("</pre>\n", p->out);
+}
+
+static void page_put_base64(FILE *out, const unsigned char *bytes, size_t n)
+{
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrst"
+                                "uvwxyz0123456789+/";
+
+    for (size_t i = 0; i < n; i += 3) {
+        const unsigned b = bytes[i], c = i + 1 < n ? bytes[i + 1] : 0,
+                       d = i + 2 < n ? bytes[i + 2] : 0;
+        fputc(digit[b >> 2], out);
+        fputc(digit[(b & 3) << 4 | c >> 4], out);
+        fputc(i + 1 < n ? digit[(c & 15) << 2 | d >> 6] : '=', out);
+        fputc(i + 2 < n ? digit[d & 63] : '=', out);
+    }
+}
+
+/* Numbers that a float does not hold are none, as nan is. */
+static int page_shows(double x)
+{
+    return x > -1e38 && x < 1e38;
+}
+
+void page_put_numbers(struct page *p, const struct page_numbers *of)
+{
+    double low = 0.0, high = 0.0;
+    int any = 0;
+    unsigned char *const bytes = alloc_zeroed(2 * of->n + 1, 1);
+
+    for (size_t i = 0; i < of->n; i++) {
+        const double x = of->value[i];
+        if (!page_shows(x)) continue;
+        low = !any || x < low ? x : low;
+        high = !any || x > high ? x : high;
+        any = 1;
+    }
+    for (size_t i = 0; i < of->n; i++) {
+        const double x = of->value[i];
+        const double part = high > low ? (x - low) / (high - low) : 0.0;
+        const int whole = page_shows(x)
+                              ? number_clamped(65534.0 * part + 0.5, 0, 65534)
+                              : 65535;
+        bytes[2 * i] = (unsigned char)(whole & 255);
+        bytes[2 * i + 1] = (unsigned char)(whole >> 8);
+    }
+    fprintf(p->out,
+            "<i hidden data-series=\"%s\" data-array=\"%s\" data-time=\"%.17g\""
+            " data-low=\"%.17g\" data-high=\"%.17g\"%s>",
+            of->series, of->name, of->time, low, high, of->more);
+    page_put_base64(p->out, bytes, 2 * of->n);
+    fputs("</i>\n", p->out);
+    free(bytes);
+}
+
+/* --- the files of a run --------------------------------------------------- */
+
+static void put_whole(struct page *p, const char *name)
+{
+    size_t length;
+    char *const text = vtk_read_text(p->folder, name, &length);
+
+    if (text != NULL && length > TEXT_MOST)
+        texts_add(&p->left, "%s is too long for the page", name);
+    else if (text != NULL)
+        page_put_text(p, name, text);
+    free(text);
+}
+
+/* The head, every so many of the other lines, and the last one. A line that is
+ * being written is left out. */
+static void page_put_table(struct page *p, const char *name, long most)
+{
+    size_t length;
+    char *const text = vtk_read_text(p->folder, name, &length);
+    long lines = 0, kept = 0, n = 0;
+
+    if (text == NULL) return;
+    for (const char *at = text; (at = strchr(at, '\n')) != NULL; at++)
+        lines++;
+    const long step = 1 + (long)length / most;
+    fprintf(p->out, "<pre hidden data-name=\"%s\" data-rows=\"%ld\">\n", name,
+            lines - 1);
+    for (char *at = text, *end; (end = strchr(at, '\n')) != NULL;
+         at = end + 1, n++) {
+        *end = '\0';
+        if (n > 0 && (n - 1) % step != 0 && n != lines - 1) continue;
+        text_put(p->out, at, TEXT_XML);
+        fputc('\n', p->out);
+        kept++;
+    }
+    fputs("</pre>\n", p->out);
+    if (step > 1)
+        texts_add(&p->left, "%ld of %ld rows of %s are in the page", kept - 1,
+                  lines - 1, name);
+    free(text);
+}
+
+static void put_picture(struct page *p)
+{
+    size_t length;
+    char *const bytes = vtk_read_text(p->folder, "bed.png", &length);
+
+    if (bytes != NULL && length > PICTURE_MOST)
+        texts_add(&p->left, "bed.png is too large for the page");
+    else if (bytes != NULL) {
+        fputs("<i hidden data-picture=\"bed.png\">", p->out);
+        page_put_base64(p->out, (const unsigned char *)bytes, length);
+        fputs("</i>\n", p->out);
+    }
+    free(bytes);
+}
+
+static void page_put_run(struct page *p, const char *dir, long room)
+{
+    p->most = ftell(p->out) + room;
+    fputs("<section hidden class=\"run\" data-folder=\"", p->out);
+    text_put(p->out, dir, TEXT_XML);
+    fprintf(p->out, "\" data-process=\"%ld\">\n", folder_process(dir));
+    put_whole(p, "summary.json");
+    put_whole(p, "case.cfg");
+    page_put_table(p, "history.csv", room / 4);
+    put_picture(p);
+    page_put_scene(p);
+    for (int i = 0; i < p->left.n; i++)
+        page_put_text(p, "left", p->left.text[i]);
+    texts_free(&p->left);
+    fputs("</section>\n", p->out);
+}
+
+/* What each key of a case means: path, meaning with its unit, source. */
+static void put_keys(FILE *out)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+
+    case_file_tables(tables);
+    fputs("<pre hidden id=\"keys\">\n", out);
+    SCHEMA_EACH (key, tables) {
+        text_put(out, key->path, TEXT_XML);
+        fputc('\t', out);
+        text_put(out, key->what, TEXT_XML);
+        fputc('\t', out);
+        text_put(out, strcmp(key->unit, "-") != 0 ? key->unit : "", TEXT_XML);
+        fputc('\t', out);
+        text_put(out, key->source, TEXT_XML);
+        fputc('\n', out);
+    }
+    fputs("</pre>\n", out);
+}
+
+/* --- the page ------------------------------------------------------------- */
+
+static void put_part(FILE *out, const char *const *line)
+{
+    for (; *line != NULL; line++)
+        fputs(*line, out);
+}
+
+static void put_runs(struct page *p, const int *folder, int n,
+                     const char *const *dir)
+{
+    put_keys(p->out);
+    for (int i = 0; i < n; i++) {
+        const long left = PAGE_MOST - PAGE_END - ftell(p->out);
+        long script = 0;
+
+        for (const char *const *line = page_js; *line != NULL; line++)
+            script += (long)strlen(*line);
+        p->folder = folder[i];
+        page_put_run(p, dir[i], (left - script) / (n - i));
+    }
+}
+
+/* The page as it stands in page.html, where @NAME is a part. */
+static void page_put_all(struct page *p, const int *folder, int n,
+                         const char *const *dir)
+{
+    static const struct {
+        const char *name;
+        const char *const *lines;
+    } part[] = {{"@plots_css\n", page_plots_css},
+                {"@css\n", page_css},
+                {"@plots_js\n", page_plots_js},
+                {"@scene_js\n", page_scene_js},
+                {"@js\n", page_js},
+                {"@runs\n", NULL}};
+    enum { PARTS = sizeof part / sizeof part[0] };
+
+    for (const char *const *line = page_html; *line != NULL; line++) {
+        int k = 0;
+        while (k < PARTS && strcmp(*line, part[k].name) != 0)
+            k++;
+        if (k == PARTS)
+            fputs(*line, p->out);
+        else if (part[k].lines != NULL)
+            put_part(p->out, part[k].lines);
+        else
+            put_runs(p, folder, n, dir);
+    }
+}
+
+/* The folder of a run, open; -1 after a message. */
+static int open_run(const char *dir)
+{
+    const int folder = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    struct manifest m = {0};
+    const int list =
+        folder < 0 ? -1
+                   : openat(folder, "manifest.txt",
+                            O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    int wrong = list < 0;
+
+    if (wrong)
+        fprintf(stderr, "winnow: %s is not the folder of a run: %s\n", dir,
+                folder < 0 ? strerror(errno) : "there is no manifest.txt");
+    else {
+        char *const path = file_join(dir, "manifest.txt");
+        wrong = manifest_read(&m, list, path) != 0;
+        free(path);
+        manifest_release(&m);
+        close(list);
+    }
+    if (!wrong) return folder;
+    if (folder >= 0) close(folder);
+    return -1;
+}
+
+static int page_write(const int *folder, int n, const char *const *dir)
+{
+    char *const path = file_join(dir[0], "report.html");
+    struct file *const f = file_create(path);
+    int code = 4;
+
+    if (f != NULL) {
+        struct page p = {.out = file_stream(f)};
+        page_put_all(&p, folder, n, dir);
+        if (file_commit(f) == 0) code = 0;
+    }
+    if (code == 0) printf("report %s\n", path);
+    free(path);
+    return code;
+}
+
+static int report_act(const struct command_line *l)
+{
+    int *const folder = alloc_ints(l->n_words);
+    int n = 0, code = 2;
+
+    while (n < l->n_words && (folder[n] = open_run(l->words[n])) >= 0)
+        n++;
+    if (n == l->n_words) code = page_write(folder, n, l->words);
+    while (n > 0)
+        close(folder[--n]);
+    free(folder);
+    return code;
+}
+
+const struct command report_command = {"report",
+                                       "DIR [DIR ...]",
+                                       "DIR/report.html, a page that shows the "
+                                       "run, finished or not, and beside it "
+                                       "those of further folders",
+                                       "",
+                                       1,
+                                       -1,
+                                       report_act};
