@@ -91,8 +91,7 @@ form_of() { # code command...
     *validate/* | 'sh chapters/tools/check.sh') ;;
     'sh figures/27/27-mueller.sh run'*) [ -z "$whole" ] || echo "${*% *} 2e-3" ;; # not 18 s
     xvfb-run*)
-        [ -z "$whole" ] || ! command -v xvfb-run >/dev/null ||
-            ! /usr/bin/python3 -c 'import vtkmodules, numpy' 2>/dev/null || echo "$*" ;;
+        [ -z "$whole" ] || ! command -v xvfb-run >/dev/null || ! command -v pvpython >/dev/null || echo "$*" ;;
     'build/winnow run'*)
         # shellcheck disable=SC2086 # words
         if [ "$code" != 0 ]; then echo "$*"

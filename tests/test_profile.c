@@ -115,7 +115,8 @@ END_TEST
 /* Velocity 2 where eps_s is 0.6, and 8 where it is 0.2, in two halves of the
  * depth: (0.6 * 2 + 0.2 * 8) / 0.8 = 3.5. In a second sample, eps_s is
  * doubled and the velocity 0.5 everywhere: the mean over time is (0.8 * 3.5 +
- * 1.6 * 0.5) / 2.4 = 1.5, the spread sqrt((0.8 * 2^2 + 1.6 * 1^2) / 2.4). */
+ * 1.6 * 0.5) / 2.4 = 1.5, the spread sqrt((0.8 * 2^2 + 1.6 * 1^2) / 2.4). A
+ * third, where diffusion has overshot to less than none, does not count. */
 START_TEST(a_weighted_mean_counts_what_is_there)
 {
     struct mesh *const m = mesh_create_box(&(struct box_spec){
@@ -131,6 +132,8 @@ START_TEST(a_weighted_mean_counts_what_is_there)
     free(text);
     eps_s[0] = 1.2, eps_s[1] = 0.4, u[1] = u[4] = 0.5;
     profile_add(p, 1.0, 1.0);
+    eps_s[0] = eps_s[1] = -0.1, u[1] = u[4] = 7.0;
+    profile_add(p, 2.0, 1.0);
     text = text_of(p);
     ck_assert_double_eq_tol(entry(text, 0, 1), 1.5, 2e-15);
     ck_assert_double_eq_tol(entry(text, 0, 2), sqrt(2.0), 2e-15);

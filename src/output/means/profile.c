@@ -139,12 +139,15 @@ static double seen(const struct profile *p, int i, double *weight)
     for (int j = 0; j < p->n_deep; j++)
         amount += probe_amount(&p->probe[i * p->n_deep + j], f->values,
                                f->components, f->component, f->weight, weight);
+    *weight = fmax(*weight, 0.0);
     amount = *weight > 0.0 ? amount / *weight : 0.0;
     *weight /= p->n_deep;
     return amount;
 }
 
-/* The sample at point i of the line, and its weight. */
+/* The sample at point i of the line, and its weight. Where a scheme of
+ * diffusion overshoots there are fewer grains than none, and their velocity has
+ * no weight. */
 static double profile_sampled(const struct profile *p, int i, double *weight)
 {
     const struct profile_field *const f = &p->field;
@@ -162,6 +165,7 @@ static double profile_sampled(const struct profile *p, int i, double *weight)
             amount += w * f->values[f->components * c + f->component];
             *weight += w;
         }
+    *weight = fmax(*weight, 0.0);
     return *weight > 0.0 ? amount / *weight : 0.0;
 }
 
