@@ -2,9 +2,12 @@
 #include "base/file.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -290,12 +293,13 @@ static long unpack(const struct input *in, double most, char *to)
 {
     char piece[1 << 14];
     z_stream z = {0};
-    long size = 0;
+    long size = 0, limit = LONG_MAX - 1;
     int code = inflateInit2(&z, 15 + 16); /* with the header of gzip */
 
-    while (code == Z_OK && (double)size <= most) {
+    number_long(floor(most), &limit); /* or as it is, for no limit */
+    while (code == Z_OK && size <= limit) {
         const size_t room =
-            to == NULL ? sizeof piece : (size_t)(most - (double)size) + 1;
+            to == NULL ? sizeof piece : (size_t)(limit - size) + 1;
         feed(&z, in, to == NULL ? piece : to + size, room);
         if (z.avail_in == 0) break;
         const unsigned before = z.avail_out;
@@ -305,7 +309,7 @@ static long unpack(const struct input *in, double most, char *to)
             code = inflateReset(&z);
     }
     inflateEnd(&z);
-    return code == Z_STREAM_END || (double)size > most ? size : -1;
+    return code == Z_STREAM_END || size > limit ? size : -1;
 }
 
 char *input_unpacked(const struct input *in, size_t *length, const char **why)

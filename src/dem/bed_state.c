@@ -155,7 +155,8 @@ static void histories_state(struct bed_histories *h, int count, int least,
     const size_t size = sizeof *h->list;
 
     state_begin(s, "contacts");
-    state_count(s, "count", &h->n, (int)fmin(INT_MAX, 100.0 * count + 100.0));
+    state_count(s, "count", &h->n,
+                number_clamped(100.0 * count + 100.0, 0, INT_MAX));
     if (s->loading && !s->failed) {
         free(h->list);
         h->list = alloc_zeroed((size_t)h->n, size);

@@ -186,7 +186,6 @@ static const struct key bubbles_keys[] = {
      "smallest diameter of a bubble that is counted", "", ""},
     {0}};
 
-extern const struct effect bubbles_effect;
 const struct effect bubbles_effect = {
     .name = "bubbles",
     .what = "bubbles of a bed, counted and measured",
