@@ -11,16 +11,15 @@
 # it was if a command that printed something prints nothing now.
 #
 # A file that begins with "# slow" is compared only if it is the only one. Its
-# first line keeps the revision it was made at and the processor time that it
-# took: "# slow, made at 1234abc in 12 s: reason", with a "+" after the revision if
-# what it depends on was changed since then. age names the slow ones whose numbers
-# may have moved: the files that their commands name are others than at that
-# revision, or the numbers that figures/short-runs.txt has of the rooms that their
-# programs reach. These short runs stand for the code of src, which changes every
-# day while few changes move a number; what moves longer runs only is not noticed.
-# Where the revision has no short runs, the code of the rooms is compared. Comments
-# and layout do not count, nor how a script finds its files and the program. moved runs those of them that took at most so many
-# seconds, and leaves out the ones that still print the same.
+# first line keeps the revision it was made at, with a "+" if what it depends on was
+# changed since, the processor time that it took, and a sum of what it depends on:
+# "# slow, made at 1234abc in 12 s of 3870412: reason". age names the slow ones of which
+# this sum is another now: that of their commands, of the files that these name, and of
+# the numbers that figures/short-runs.txt has of the rooms that their programs reach.
+# These short runs stand for the code of src, which changes every day while few changes
+# move a number; what moves longer runs only is not noticed. Of rooms that have no short
+# runs the code counts. Comments and layout do not. moved runs those of them that took at
+# most so many seconds, and leaves out the ones that still print the same.
 set -u
 winnow=build/winnow
 [ "${1:-}" = -w ] && winnow=$2 && shift 2
@@ -104,26 +103,19 @@ named() {
         grep -v -E '\.(svg|png)$' | sort -u
 }
 
-# Rooms of src that programs reach, through the rooms that these include.
+# Rooms of src that programs reach, through the rooms that these include, and the headers
+# of tests.
 reached() { # program.c...
-    headers=$(cat "$@" | sed -n 's|^#include "\(\.\./tests/\)\{0,1\}\([a-z_]*\.h\)".*|tests/\2|p')
-    {
-        # shellcheck disable=SC2086 # one word a file
-        grep -rhoE '^#include "[a-z]+/' "$@" $headers 2>/dev/null | sed 's|.*"|: |; s|/$||'
-        grep -roE '^#include "[a-z]+/' src |
-            sed 's|^src/\([a-z]*\)/.*"\([a-z]*\)/$|\1 \2|' | sort -u
-    } | awk '
-        $1 == ":" { room[$2] = 1; next }
-        { from[++n] = $1; to[n] = $2 }
-        END {
-            do {
-                more = 0
-                for (i = 1; i <= n; i++)
-                    if (from[i] in room && !(to[i] in room)) more = room[to[i]] = 1
-            } while (more)
-            for (r in room) print "src/" r
-        }'
-    echo "$headers"
+    [ $# -gt 0 ] || return 0
+    all=$(${CC:-gcc} -MM -MG -Isrc -Itests "$@" | grep -oE '(src/[a-z]+|tests/[a-z_]+\.h)' | sort -u)
+    before=
+    while [ "$all" != "$before" ]; do
+        before=$all
+        # shellcheck disable=SC2086 # one word a folder
+        all=$({ echo "$all" && grep -rhoE '^#include "[a-z]+/' $(echo "$all" | grep ^src) /dev/null |
+            sed 's|.*"|src/|; s|/$||'; } | sort -u)
+    done
+    echo "$all"
 }
 
 # What a transcript depends on: the files that its commands and their scripts name,
@@ -150,20 +142,14 @@ depends() {
     fi
 }
 
-made_at() { sed -n '1s/^# slow, made at \([0-9a-f]*+\{0,1\}\).*/\1/p' "$1"; }
-
-# The code in a text, without comments and layout.
-code() { # name <text
+# The code in a file, without comments.
+code() { # name
     case $1 in
-    *.c | *.h) ${CC:-gcc} -fpreprocessed -dD -E -P - 2>/dev/null ;;
-    *.txt) cat ;;
-    *.sh) sed '/^ *#/d; s|figures/[0-9]*/|figures/|g; s/"\$winnow"/winnow/g; /^set -/d; /here.sh"$/d
-        /^[a-z]*=$(mktemp -d)$/d; /^[a-z]*=$work$/d; /^trap /d; /^PATH=/d; /^top=/d; s| -w "$1"||' ;;
-    *) sed '/^ *#/d; s|figures/[0-9]*/|figures/|g' ;;
-    esac | tr -d '[:space:]' | cksum
+    *.c | *.h) ${CC:-gcc} -fpreprocessed -dD -E -P "$1" 2>/dev/null ;;
+    *.txt) cat "$1" ;;
+    *) sed '/^ *#/d' "$1" ;;
+    esac
 }
-
-short=figures/short-runs.txt
 
 # The numbers that short runs have of rooms; all but those left out for src alone.
 numbers_of() { # rooms, with :!src/ROOM for what is left out
@@ -178,67 +164,30 @@ numbers_of() { # rooms, with :!src/ROOM for what is left out
     /^\$ / { next }
     /^## / {
         shown = 0
-        for (i = 2; i <= NF; i++) {
-            if ($i in in_) shown = 1
-            if (all && !($i in out)) shown = 1
-        }
+        for (i = 2; i <= NF; i++) if ($i in in_ || (all && !($i in out))) shown = 1
     }
-    shown'
+    shown' figures/short-runs.txt 2>/dev/null
 }
 
-# The short runs of a revision. Those of one that had none yet may be known to be
-# those of the first that had any, by lines "# as at REVISION: parts".
-short_runs_of() { # revision rooms
-    git show "$1:$short" 2>/dev/null && return
-    known=$(sed -n "s/^# as at $1://p" $short)
-    [ -n "$known" ] || return
-    numbers_of "$2" <$short | sed -n 's/^## //p' | while read -r part; do
-        case $known in *" $part"*) ;; *) echo "$part" ;; esac
-    done | grep -q . && return 1
-    first=$(git log --diff-filter=A --format=%h -- $short | tail -n 1)
-    git show "$first:$short" 2>/dev/null
-}
-
-# The short runs tell nothing of rooms that they have no part of.
-told_by_short_runs() { # revision rooms
-    [ -f $short ] && short_runs_of "$1" "$2" >"$work/short" &&
-        [ -n "$(numbers_of "$2" <$short)" ]
-}
-
-same_short_runs() { # revision rooms
-    numbers_of "$2" <"$work/short" >"$work/then"
-    numbers_of "$2" <$short >"$work/today"
-    same "$work/then" "$work/today"
-}
-
-# unchanged FILE REVISION: what the file depends on is what it was then.
-unchanged() {
+# Sets sum to that of what the file depends on, and paths to the latter.
+sum_up() { # file
     paths=$(depends "$1")
-    rooms=$(echo "$paths" | grep -E '^(:!)?src')
-    if told_by_short_runs "$2" "$rooms"; then
-        same_short_runs "$2" "$rooms" || return
-        paths=$(echo "$paths" | grep -v -E '^(:!)?src|^$')
-        [ -n "$paths" ] || return 0
-    fi
+    numbers=$(numbers_of "$(echo "$paths" | grep -E '^(:!)?src')")
+    [ -z "$numbers" ] || paths=$(echo "$paths" | grep -v -E '^(:!)?src')
     # shellcheck disable=SC2086 # one word a file
-    git diff --name-only "$2" -- $paths >"$work/names" 2>/dev/null || return
-    while read -r name; do
-        known=$work/$2.$(echo "$name" | tr / +) # several transcripts ask for the same file
-        [ -e "$known" ] || same_code "$2" "$name" >"$known"
-        [ "$(cat "$known")" = same ] || return 1
-    done <"$work/names"
-}
-
-same_code() { # revision name
-    [ -f "$2" ] &&
-        [ "$({ git show "$1:$2" || git show "$1:$(echo "$2" | sed 's|^figures/[0-9]*/|figures/|')"; } 2>/dev/null |
-            code "$2")" = "$(code "$2" <"$2")" ] && echo same
+    sum=$({
+        echo "$numbers"
+        sed -n 's/^\$ //p' "$1"
+        git ls-files -- figures/none $paths | while read -r name; do [ ! -f "$name" ] || code "$name"; done
+    } | tr -d '[:space:]' | cksum | cut -d' ' -f1)
 }
 
 stamp() { # old new seconds
     revision=$(git rev-parse --short HEAD 2>/dev/null) || return
-    unchanged "$1" HEAD || revision=$revision+
-    sed -i "1s/^# slow\(, made at [0-9a-f]*+\{0,1\}\)\{0,1\}\( in [0-9]* s\)\{0,1\}/# slow, made at $revision in $3 s/" "$2"
+    sum_up "$1"
+    # shellcheck disable=SC2086 # one word a file
+    git diff --quiet HEAD -- figures/none $paths || revision=$revision+
+    sed -i "1s/^# slow[^:]*/# slow, made at $revision in $3 s of $sum/" "$2"
 }
 
 # Sets seconds to the processor time of all that was run so far. (In a pipe or in
@@ -260,11 +209,13 @@ still_prints() {
 }
 
 age() {
-    revision=$(made_at "$1")
+    revision=$(sed -n '1s/^# slow, made at \([0-9a-f]*+\{0,1\}\).*/\1/p' "$1")
+    sum_up "$1"
+    head -1 "$1" | grep -q " of $sum\(:\|$\)" && return
     [ "$most" = 0 ] || ! still_prints "$1" || return 0
     if [ -z "$revision" ]; then
         echo "$1: made at a revision that it does not name"
-    elif [ "${revision%+}" != "$revision" ] || ! unchanged "$1" "$revision"; then
+    else
         echo "$1: made at $revision, and what it depends on has changed"
     fi
 }
