@@ -5,7 +5,7 @@
 #define BLOCKS_H
 
 #include "base/alloc.h"
-#include "mesh/poly/poly_raw.h"
+#include "mesh/poly/poly.h"
 
 #include <check.h>
 #include <stdio.h>

@@ -5,8 +5,8 @@
 #define LINEAR_CASE_H
 
 #include "base/alloc.h"
-#include "linear/csr.h"
-#include "linear/preconditioned.h"
+#include "linear/matrix.h"
+#include "linear/solvers.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -80,36 +80,29 @@ rooms() {
     }' | wrong 'room includes one it may not know'
 }
 
-# An exported name begins with its module: its own file, a part of it ("--- magnus"),
-# or a header of its room that several files stand behind.
+# An exported name begins with a file of its room, or with a part of one ("--- magnus").
 names() {
-    parts=$(awk '/^\/[*] --- [a-z ]* -/ {
-        gsub(/^.* --- | -+ .*$/, ""); gsub(/ /, "_"); print FILENAME "/" $0 }' $modules)
     # shellcheck disable=SC2086
-    nm -A -g --defined-only $objects | awk -v headers="$headers" -v parts="$parts" '
-    BEGIN { # behind[room]: a pattern of its headers, those of its folders too
-        n = split(headers, h, " |\n")
+    parts=$(awk '/^\/[*] --- [a-z ]* -/ {
+        gsub(/^.* --- | -+ .*$/, ""); gsub(/ /, "_"); print FILENAME "/" $0 ".part" }' \
+        $modules $headers)
+    # shellcheck disable=SC2086
+    nm -A -g --defined-only $objects | awk -v files="$headers
+$modules
+$parts" '
+    BEGIN { # behind[room]: a pattern of its files and parts, those of its folders too
+        n = split(files, file, "\n")
         for (i = 1; i <= n; i++) {
-            m = split(h[i], part, "[/.]")
-            behind[part[2]] = behind[part[2]] part[m - 1] "|"
-        }
-        n = split(parts, h, "\n")
-        for (i = 1; i <= n; i++) { # src/room/file.c/part
-            word = h[i]
-            sub(/.*\//, "", word)
-            sub(/[.]c\/.*/, "", h[i])
-            sub(/^src\//, "", h[i])
-            inside[h[i]] = inside[h[i]] word "|"
+            m = split(file[i], part, "[/.]")
+            behind[part[2]] = behind[part[2]] "|" part[m - 1]
         }
     }
     { # build/.../src/room/[folder/]file.o:0000 T name
         path = $1
         sub(/^.*\/src\//, "", path)
-        n = split(path, part, "[/:]")
         if (path ~ /^(main|commands)[.]o/) next
-        sub(/\.o$/, "", part[n - 1])
-        sub(/\.o:.*/, "", path)
-        own = "^(" behind[part[1]] inside[path] part[n - 1] ")(s?_.*|s?)$"
+        n = split(path, part, "[/.]")
+        own = "^(" part[n - 1] behind[part[1]] ")(s?_.*|s?)$"
         if ($3 !~ own) print $1 " " $3
     }' | wrong 'exported name without its module'
 }

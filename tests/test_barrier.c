@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/fast/barrier.h"
+#include "dem/fast/neighbours.h"
 #include "facts.h"
 
 #include <omp.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/bicgstab.h"
+#include "linear/solvers.h"
 #include "linear/faces.h"
 
 #include "facts.h"

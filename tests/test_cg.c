@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/cg.h"
+#include "linear/solvers.h"
 
 #include "facts.h"
 #include "linear_case.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/cg_many.h"
+#include "linear/solvers.h"
 
-#include "linear/cg.h"
 #include "facts.h"
 #include "linear_case.h"
 

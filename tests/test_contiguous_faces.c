@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
-#include "linear/ldu.h"
+#include "linear/matrix.h"
 #include "linear/faces.h"
 #include "linear/reduce.h"
 

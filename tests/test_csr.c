@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/csr.h"
+#include "linear/matrix.h"
 
 #include "facts.h"
 #include "linear_case.h"

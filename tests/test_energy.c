@@ -9,7 +9,7 @@
 #include "dem/energy.h"
 #include "dem/fast/fast.h"
 #include "dem/integrator.h"
-#include "dem/limits.h"
+#include "dem/contact.h"
 #include "dem/reference.h"
 #include "dem/surfaces/surface.h"
 #include "dem/surfaces/prescribed_particles.h"

@@ -9,7 +9,6 @@
 #include "averaging/more/overlap.h"
 #include "base/alloc.h"
 #include "cloud.h"
-#include "mesh/poly/poly_raw.h"
 #include "facts.h"
 
 static const double ball = 4.0 / 3.0 * M_PI;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
-#include "linear/preconditioned.h"
+#include "linear/solvers.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/pressure_system.h"
+#include "fluid/systems.h"
 
 #include "facts.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/population/grain_table.h"
+#include "dem/population/insertion.h"
 #include "base/csv.h"
 
 #include "facts.h"

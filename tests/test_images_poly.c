@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "averaging/poly/gaussian_moments.h"
+#include "averaging/poly/facets.h"
 #include "base/vector.h"
 #include "facts.h"
 #include "blocks.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/inlets/formula.h"
-#include "fluid/wall_stress.h"
+#include "fluid/inlet_profile.h"
+#include "fluid/systems.h"
 #include "mesh/measures.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"

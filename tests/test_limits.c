@@ -2,7 +2,7 @@
 /* The limits of the step, and the accuracy of the suggested one. */
 #include <gsl/gsl_math.h>
 
-#include "dem/limits.h"
+#include "dem/contact.h"
 #include "facts.h"
 #include "spheres.h"
 
@@ -64,7 +64,7 @@ static double rebound(const struct contact_law *law, double e, double part,
     return kept;
 }
 
-/* The error that limits.h states: the largest of twenty phases and of ten
+/* The error that contact.h states: the largest of twenty phases and of ten
  * steps, since it matters where within steps a contact begins and ends. Five
  * thirds of the step break it for either law. */
 START_TEST(suggested_step_keeps_restitution)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/momentum_system.h"
+#include "fluid/systems.h"
 #include "fluid/piso.h"
 
 #include "base/alloc.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/multigrid/multigrid.h"
 
-#include "linear/cg.h"
+#include "linear/solvers.h"
 #include "facts.h"
 #include "linear_case.h"
 

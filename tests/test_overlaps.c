@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spheres that are in each other before time 0. */
-#include "dem/population/overlaps.h"
+#include "dem/population/insertion.h"
 #include "facts.h"
 #include "spheres.h"
 

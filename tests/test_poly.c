@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/measures.h"
 #include "fluid/fluid.h"
-#include "mesh/poly/poly_raw.h"
 #include "mesh/poly/poly.h"
 
 #include <gsl/gsl_math.h>

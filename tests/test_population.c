@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "dem/population/grain_table.h"
+#include "dem/population/insertion.h"
 #include "dem/population/population.h"
 #include "facts.h"
 #include "kept.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/cg_many.h"
+#include "linear/solvers.h"
 #include "linear/reduce.h"
 
 #include "base/parallel_ranges.h"

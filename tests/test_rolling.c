@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "dem/fast/neighbours.h"
-#include "dem/rolling.h"
+#include "dem/contact.h"
 #include "facts.h"
 #include "spheres.h"
 

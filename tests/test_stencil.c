@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/poly/poly.h"
-#include "averaging/kernel/stencil.h"
+#include "averaging/kernel/weights.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dem/surfaces/stl.h"
+#include "dem/surfaces/triangles.h"
 #include "facts.h"
 #include "scratch.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "dem/surfaces/near_faces.h"
+#include "dem/surfaces/surface_contacts.h"
 #include "dem/surfaces/triangles.h"
 #include "facts.h"
 #include "spheres.h"

@@ -3,7 +3,7 @@
 #include "base/vector.h"
 #include "facts.h"
 #include "fluid/deferred.h"
-#include "fluid/pressure_system.h"
+#include "fluid/systems.h"
 #include "manufactured.h"
 #include "pipe.h"
 

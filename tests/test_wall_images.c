@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/poly/wall_images.h"
+#include "averaging/poly/facets.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "mesh/poly/poly_raw.h"
+#include "mesh/poly/poly.h"
 
 /* Three points of a tetrahedron in ascending order, its cell, and its point
  * beyond. */

@@ -4,7 +4,7 @@
 #define WARPED_H
 
 #include "cloud.h"
-#include "mesh/poly/poly_raw.h"
+#include "mesh/poly/poly.h"
 
 #include <check.h>
 

@@ -54,6 +54,7 @@ function cut_item(file, k, n, above,    i, depth, code, all) {
             all = all " " code
             depth += gsub(/[{]/, "{", code) - gsub(/[}]/, "}", code)
             if (depth == 0 && code ~ /[;}] *$/) break
+            if (source[file, k + 1] == "" && all ~ /^ [A-Z_]+[(].*[)]$/) break
         }
     if (k < n && source[file, k + 1] ~ /^END_TEST/) k++
     last[file, i] = k

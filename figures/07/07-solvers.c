@@ -4,7 +4,7 @@
  *     sh figures/program.sh 07-solvers PART
  */
 #include "base/alloc.h"
-#include "linear/cg.h"
+#include "linear/solvers.h"
 #include "linear/chebyshev.h"
 #include "linear/multigrid/multigrid.h"
 #include "linear_case.h"

@@ -5,7 +5,7 @@
  */
 #include <stdio.h>
 
-#include "dem/rolling.h"
+#include "dem/contact.h"
 
 int main(void)
 {

@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include "base/clock.h"
-#include "dem/fast/barrier.h"
+#include "dem/fast/neighbours.h"
 
 enum { TIMES = 20000, SLEEPS = 200 };
 

@@ -18,7 +18,7 @@
 
 #include "base/model.h"
 #include "dem/particles.h"
-#include "linear/cg.h"
+#include "linear/solvers.h"
 #include "mesh/mesh.h"
 
 struct interpolation;

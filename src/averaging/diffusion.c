@@ -15,7 +15,7 @@
 #include "base/alloc.h"
 #include "base/model.h"
 #include "linear/chebyshev.h"
-#include "linear/csr.h"
+#include "linear/matrix.h"
 
 struct diffusion {
     const struct cell_of_particle *h; /* borrowed */

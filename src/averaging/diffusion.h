@@ -21,7 +21,7 @@
 
 #include "averaging/averaging.h"
 #include "base/model.h"
-#include "linear/csr.h"
+#include "linear/matrix.h"
 #include "mesh/mesh.h"
 
 extern const struct averaging_method diffusion_method;

@@ -17,8 +17,8 @@
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
 #include "base/number.h"
-#include "linear/cg_many.h"
-#include "linear/csr.h"
+#include "linear/solvers.h"
+#include "linear/matrix.h"
 #include "mesh/measures.h"
 
 enum { MAX_ITERATIONS = 1000 };

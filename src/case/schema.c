@@ -2,7 +2,7 @@
 #include "case/schema.h"
 
 #include "case/models.h"
-#include "fluid/boundary_condition.h"
+#include "fluid/boundary.h"
 #include "case/nearest.h"
 
 #include <stdio.h>

@@ -19,7 +19,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/particles_setup.h"
-#include "fluid/boundary_condition.h"
+#include "fluid/boundary.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh.h"
 #include "output/output_options.h"

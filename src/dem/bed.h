@@ -109,7 +109,7 @@ typedef void bed_put(void *to, int i, const double x[3], double d);
 int bed_each(const struct bed_options *bed, const struct dem_options *dem,
              bed_put *put, void *to);
 
-/* Lets ps settle, with a step of limits.h. Positive if a particle is lost,
+/* Lets ps settle, with a step of contact.h. Positive if a particle is lost,
  * negative after a message if the options do not fit (dem_create). A bed that
  * is not settled in time is not an error here: see r->settled. */
 int bed_settle(struct particles *ps, const struct bed_options *bed,

@@ -9,7 +9,7 @@
 #include "base/model.h"
 #include "base/thread_tuner.h"
 #include "base/vector.h"
-#include "dem/limits.h"
+#include "dem/contact.h"
 
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
 static const double settling_speed = 1.0; /* [m/s] that the step is made for */

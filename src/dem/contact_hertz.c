@@ -2,7 +2,7 @@
 #include "dem/contact_hertz.h"
 #include "dem/particles_setup.h"
 
-#include "dem/limits.h"
+#include "dem/contact.h"
 
 double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j)
 {

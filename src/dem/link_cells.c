@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/link_cells.h"
+#include "dem/box_domain.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,9 +7,9 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/crossing.h"
+#include "dem/dem.h"
 #include "dem/dem_method.h"
-#include "dem/rolling.h"
+#include "dem/contact.h"
 
 /* The contact of sphere a with sphere b, or with a wall if b is NULL. A wall is
  * placed like a sphere of the same radius behind it that does not move; its 1/R
@@ -96,7 +96,7 @@ static double inverse_rolling_inertia(const struct sphere *s)
     return 1.0 / (1.4 * s->m * s->R * s->R);
 }
 
-/* Rolling friction (rolling.h): the moment M [N m] on a. */
+/* Rolling friction (contact.h): the moment M [N m] on a. */
 static void rolling_friction(const struct contact *c, double k_t,
                              double angle[3], double dt, double M[3])
 {

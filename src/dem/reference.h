@@ -12,7 +12,7 @@
 
 #include "dem/dem_method.h"
 #include "dem/energy.h"
-#include "dem/link_cells.h"
+#include "dem/box_domain.h"
 
 extern const struct dem_method reference_all_pairs, reference_link_cells,
     reference_no_contacts;
@@ -35,7 +35,7 @@ struct sphere {
 struct history {
     int partner;          /* [-] a sphere, or -1 - w for wall w */
     double xi[3];         /* [m] tangential displacement */
-    double roll_angle[3]; /* [rad] theta (rolling.h) */
+    double roll_angle[3]; /* [rad] theta (contact.h) */
 };
 
 /* The histories of sphere i are list[start[i]] ... list[start[i + 1] - 1]. A

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* continuity.c -- the two forms of the mass balance, and its residual. */
-#include "fluid/pressure_system.h"
+#include "fluid/systems.h"
 
 #include <math.h>
 
-#include "linear/face_loops.h"
+#include "linear/faces.h"
 #include "fluid/piso.h"
 
 /* Sets the flux of solid volume through an inner face, by linear interpolation

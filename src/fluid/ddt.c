@@ -15,8 +15,8 @@
 
 #include "base/model.h"
 #include "base/parallel_ranges.h"
-#include "fluid/momentum_system.h"
-#include "fluid/time_scheme.h"
+#include "fluid/systems.h"
+#include "fluid/schemes.h"
 
 static const struct time_scheme *scheme(const struct fluid_options *o)
 {

@@ -17,7 +17,7 @@ struct fluid;
 struct deferred {
     double *reach; /* [m] from the centre of a cell to where the velocity of its
                       boundary face holds, 3 a boundary face
-                      (convection.h); NULL: to the middle */
+                      (schemes.h); NULL: to the middle */
     double *slope; /* [1/s] gradient of the velocity, 9 a cell */
     double *u_boundary; /* [m/s] the velocity on the boundary, 3 a face */
     double *off; /* [m] of where a link misses the middle; NULL for a mesh
@@ -52,7 +52,7 @@ void deferred_add_oblique_fluxes(struct fluid *fl);
 double *boundary_reach(const struct mesh *m, const struct boundary *b);
 
 /* The gradient of u, a velocity of all cells, with u_b on the boundary faces
- * (convection.h) [1/s]. */
+ * (schemes.h) [1/s]. */
 void boundary_reach_gradient(const struct fluid *fl, const double *u,
                              const double *u_b, double *slope);
 

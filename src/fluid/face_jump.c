@@ -42,10 +42,9 @@
 #include <stddef.h>
 
 #include "base/vector.h"
-#include "linear/face_loops.h"
-#include "fluid/momentum_system.h"
+#include "linear/faces.h"
+#include "fluid/systems.h"
 #include "fluid/piso.h"
-#include "fluid/pressure_system.h"
 
 void face_jump_bias_upwind(int first, int last, struct fluid *fl)
 {

@@ -9,7 +9,7 @@
 #include "base/parallel_ranges.h"
 #include "base/vector.h"
 #include "fluid/face_jump.h"
-#include "fluid/momentum_system.h"
+#include "fluid/systems.h"
 #include "fluid/piso.h"
 #include "linear/reduce.h"
 

@@ -26,10 +26,9 @@
 #include "base/model.h"
 #include "base/state.h"
 #include "fluid/boundary.h"
-#include "fluid/convection.h"
+#include "fluid/schemes.h"
 #include "fluid/hooks.h"
-#include "fluid/time_scheme.h"
-#include "linear/cg.h"
+#include "linear/solvers.h"
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };

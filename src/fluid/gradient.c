@@ -8,7 +8,7 @@
  * consistent with both gradients. With equal forces it is the linear mean. A
  * pressure jump by inertia is added.
  */
-#include "fluid/pressure_system.h"
+#include "fluid/systems.h"
 
 #include <stddef.h>
 
@@ -16,7 +16,7 @@
 #include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
-#include "linear/face_loops.h"
+#include "linear/faces.h"
 
 /* The gradient of p along S that balances the drag in cell c at face f, times
  * the area, is drag_explicit_part - drag_implicit_part phi: [N/m] and [kg/(m^3

@@ -11,7 +11,7 @@
 #ifndef FLUID_HOOKS_H
 #define FLUID_HOOKS_H
 
-#include "linear/cg.h"
+#include "linear/solvers.h"
 
 struct fluid;
 

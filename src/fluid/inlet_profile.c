@@ -9,7 +9,6 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "fluid/inlets/formula.h"
 #include "mesh/measures.h"
 
 /* --- uniform ---------------------------------------------------------------

@@ -7,7 +7,7 @@
 #ifndef FLUID_INLET_PROFILE_H
 #define FLUID_INLET_PROFILE_H
 
-#include "fluid/boundary_condition.h"
+#include "fluid/boundary.h"
 
 struct inlet_profile {
     MODEL_MEMBERS;    /* base/model.h */
@@ -37,5 +37,26 @@ double inlet_profile_face_mean(const struct mesh *m, int f,
 /* Mean of a parabolic profile, zero at both ends of a channel 0 .. 1, over the
  * interval a .. b, divided by its mean over the channel [-]. */
 double inlet_profile_parabola_mean(double a, double b);
+
+/* --- formula -------------------------------------------------------------- */
+
+/* Formulas of x, y, z and t that a case writes.
+ *
+ * Numbers, pi, + - * / ^, parentheses, and the functions abs, sqrt, exp, log,
+ * sin, cos, tan, sinh, cosh, tanh, erf, min(a, b), max(a, b). A formula is
+ * translated once into steps on a stack; to evaluate it is a loop over them. */
+
+struct formula;
+
+/* Translates a formula; NULL if it is wrong, and `wrong` then says what and
+ * where. */
+struct formula *formula_create(const char *text, char *wrong, int room);
+void formula_free(struct formula *f);
+
+/* The value of the formula at x [m] and t [s]. */
+double formula_value(const struct formula *f, const double x[3], double t);
+
+/* 1 if t stands in it. */
+int formula_varies(const struct formula *f);
 
 #endif

@@ -11,12 +11,12 @@
  * is minus the sum of the row. Where phi satisfies continuity the subtracted
  * term is zero; where it does not (mixture form), `defect` is its coefficient.
  */
-#include "fluid/momentum_system.h"
+#include "fluid/systems.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "linear/face_loops.h"
+#include "linear/faces.h"
 #include "linear/reduce.h"
 #include "fluid/deferred.h"
 #include "fluid/face_jump.h"

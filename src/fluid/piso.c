@@ -5,8 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "fluid/momentum_system.h"
-#include "fluid/pressure_system.h"
+#include "fluid/systems.h"
 #include "linear/reduce.h"
 
 /* Change of the total momentum by the subtracted term u times the residual of

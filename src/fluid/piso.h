@@ -71,7 +71,7 @@ void ddt_begin(struct fluid *fl);
 void ddt_renew_flux(struct fluid *fl);
 void ddt_end(struct fluid *fl);
 
-/* What follows of a gain of momentum, of 1 [-]: see time_scheme.h. */
+/* What follows of a gain of momentum, of 1 [-]: see schemes.h. */
 double ddt_pending(const struct fluid *fl);
 
 /* 1 if the step has outer iterations or a two-step scheme: convected mass and

@@ -16,17 +16,16 @@
  * term with phi_old is the time derivative at the face itself: in a steady flow
  * it cancels, and the solution does not depend on the time step.
  */
-#include "fluid/pressure_system.h"
+#include "fluid/systems.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "base/vector.h"
-#include "linear/face_loops.h"
+#include "linear/faces.h"
 #include "linear/reduce.h"
 #include "fluid/deferred.h"
 #include "fluid/face_jump.h"
-#include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 
 /* Sets the coefficients of the cells that their faces use, once a step: the

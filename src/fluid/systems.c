@@ -12,8 +12,7 @@
 #include "linear/faces.h"
 #include "fluid/deferred.h"
 #include "fluid/face_jump.h"
-#include "fluid/momentum_system.h"
-#include "fluid/pressure_system.h"
+#include "fluid/systems.h"
 
 static int systems_has(const struct fluid *fl, enum boundary_kind kind)
 {

@@ -2,7 +2,7 @@
 /* velocity.c -- the velocity from the momentum equation: predictor, corrector,
  * and the residual of the equation.
  */
-#include "fluid/momentum_system.h"
+#include "fluid/systems.h"
 
 #include <math.h>
 #include <stddef.h>

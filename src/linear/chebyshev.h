@@ -17,7 +17,7 @@
 #ifndef LINEAR_CHEBYSHEV_H
 #define LINEAR_CHEBYSHEV_H
 
-#include "linear/csr.h"
+#include "linear/matrix.h"
 
 struct chebyshev {
     const struct chebyshev_loop *loop;

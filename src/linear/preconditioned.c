@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/preconditioned.h"
+#include "linear/solvers.h"
 
 #include <stddef.h>
 
 #include "base/parallel_ranges.h"
-#include "linear/csr.h"
+#include "linear/matrix.h"
 #include "linear/reduce.h"
 
 struct preconditioned preconditioned_create(int n, int n_links,

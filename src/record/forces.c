@@ -19,7 +19,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/surfaces.h"
-#include "fluid/wall_stress.h"
+#include "fluid/systems.h"
 #include "mesh/measures.h"
 #include "output/table.h"
 #include "record/profiles.h"

@@ -11,10 +11,9 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "dem/link_cells.h"
 #include "dem/materials.h"
 #include "dem/surfaces/surfaces.h"
-#include "dem/surfaces/near_faces.h"
+#include "dem/surfaces/surface_contacts.h"
 #include "output/series.h"
 
 /* The contacts of a moment, found anew. */

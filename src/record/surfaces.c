@@ -15,7 +15,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "dem/surfaces/surfaces.h"
-#include "fluid/wall_stress.h"
+#include "fluid/systems.h"
 #include "mesh/measures.h"
 #include "output/pictures/picture.h"
 #include "output/series.h"

@@ -14,9 +14,8 @@
  */
 #include "base/vector.h"
 #include "fluid/face_jump.h"
-#include "fluid/momentum_system.h"
+#include "fluid/systems.h"
 #include "fluid/piso.h"
-#include "fluid/pressure_system.h"
 #include "resolved/mark.h"
 #include "resolved/solid_bodies.h"
 

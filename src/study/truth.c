@@ -5,7 +5,7 @@
 
 #include "base/alloc.h"
 #include "tell/equations.h"
-#include "fluid/inlets/formula.h"
+#include "fluid/inlet_profile.h"
 #include "study/plan.h"
 
 #include <ctype.h>

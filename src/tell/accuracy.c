@@ -4,8 +4,7 @@
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
 #include "base/text.h"
-#include "fluid/convection.h"
-#include "fluid/time_scheme.h"
+#include "fluid/schemes.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

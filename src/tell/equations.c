@@ -15,7 +15,7 @@
 #include "dem/attraction.h"
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
-#include "dem/limits.h"
+#include "dem/contact.h"
 #include "resolved/body_numbers.h"
 
 /* A function of one to seven numbers as the value of an equation whose inputs

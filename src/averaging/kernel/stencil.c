@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/kernel/stencil.h"
+#include "averaging/kernel/weights.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>

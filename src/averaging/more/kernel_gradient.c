@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "averaging/kernel/stencil.h"
+#include "averaging/kernel/weights.h"
 #include "base/alloc.h"
 #include "base/vector.h"
 

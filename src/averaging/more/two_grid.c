@@ -18,7 +18,7 @@
 
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/kernel/stencil.h"
+#include "averaging/kernel/weights.h"
 #include "averaging/poly/facets.h"
 #include "base/alloc.h"
 #include "base/number.h"

@@ -7,8 +7,8 @@
  *         V_c N(x_i - x_c; b^2 / 2 + M_c) over the sum of that      (21.6)
  *
  * N is the normal density of that covariance and M_c that of the cell itself,
- * the mean of r r^T over it (gaussian_moments.h). The images themselves are
- * described in wall_images.h.
+ * the mean of r r^T over it (facets.h). The images themselves are
+ * described in facets.h.
  *
  * Near flat walls the field of a uniform bed is then uniform. Near other walls
  * the heights of the cells are scaled until it is: each cell has one height,
@@ -21,7 +21,7 @@
 
 #include "averaging/averaging.h"
 #include "averaging/kernel/weights.h"
-#include "averaging/poly/gaussian_moments.h"
+#include "averaging/poly/facets.h"
 #include "base/alloc.h"
 #include "base/vector.h"
 

@@ -7,7 +7,7 @@
  * than that wall is within 3 h of the cell. So facets are looked for as far as
  * three times the reach.
  */
-#include "averaging/poly/wall_images.h"
+#include "averaging/poly/facets.h"
 
 #include <math.h>
 #include <stdlib.h>

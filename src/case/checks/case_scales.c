@@ -16,7 +16,7 @@
 #include "case/checks/case_memory.h"
 #include "case/particles/case_population.h"
 #include "dem/dem_method.h"
-#include "dem/limits.h"
+#include "dem/contact.h"
 
 /* Particles that are inserted later count as if they were there. */
 static void add_inserted(const struct settings *s, struct case_scales *k)

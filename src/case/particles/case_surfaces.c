@@ -13,7 +13,7 @@
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
 #include "case/models.h"
-#include "dem/surfaces/stl.h"
+#include "dem/surfaces/triangles.h"
 #include "dem/surfaces/surface.h"
 #include "dem/surfaces/surfaces.h"
 

@@ -9,7 +9,7 @@
 #include "coupling/effects.h"
 #include "dem/attraction.h"
 #include "dem/dem_method.h"
-#include "dem/link_cells.h"
+#include "dem/box_domain.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -35,7 +35,7 @@ struct chunk_contacts {
     int *owner, *partner;
     int *list_index;       /* [-] its index in the neighbour list */
     double *xi[3];         /* [m] xi, x y z */
-    double *roll_angle[3]; /* [rad] theta (rolling.h); NULL without it */
+    double *roll_angle[3]; /* [rad] theta (contact.h); NULL without it */
 };
 
 /* The history of a touching pair while the lists are rebuilt; for a wall

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/interrupt.h"
-#include "dem/fast/chunk_step.h"
+#include "dem/fast/neighbours.h"
 
 /* Number of steps for which contacts are chosen ahead. */
 static const double steps_ahead = 12.0;

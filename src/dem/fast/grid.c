@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/fast/grid.h"
+#include "dem/fast/neighbours.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -15,11 +15,59 @@
 #ifndef DEM_FAST_NEIGHBOURS_H
 #define DEM_FAST_NEIGHBOURS_H
 
-#include "dem/fast/barrier.h"
-#include "dem/surfaces/prescribed_particles.h"
-#include "dem/fast/grid.h"
+#include "dem/attraction.h"
 #include "dem/fast/chunk.h"
+#include "dem/particles.h"
+#include "dem/surfaces/prescribed_particles.h"
 #include "dem/surfaces/surfaces.h"
+
+/* --- barrier -------------------------------------------------------------- */
+
+/* A barrier for the threads of a team.
+ *
+ * OpenMP's own barrier spins for a long time: this is fast on an idle machine,
+ * but on a busy one each wait can last until the scheduler takes the processor
+ * away, and a particle step has two barriers. This barrier spins for a
+ * fraction of a millisecond and then sleeps. */
+
+struct barrier;
+
+struct barrier *barrier_create(void);
+void barrier_free(struct barrier *b);
+
+/* Returns when as many threads as `team` have called it. */
+void barrier_wait(struct barrier *b, int team);
+
+/* --- grid ----------------------------------------------------------------- */
+
+/* Particles sorted into cells, and the pairs found there.
+ *
+ * The cells are as wide as the largest distance of a pair in the neighbour
+ * list, so that the partners of a particle are in its own cell and the 26
+ * around it. The particles are numbered cell by cell, with the longest
+ * direction of the box as the slowest index: particles that are close in space
+ * are then close in memory. */
+
+struct grid;
+
+struct grid *grid_create(int capacity, const struct box_domain *box);
+void grid_free(struct grid *g);
+
+/* Finds the order of the particles with cells of at least `reach` [m]: the
+ * particle at order[i] belongs to place i. Borrowed; until the next call. */
+const int *grid_order(struct grid *g, const struct particles *ps, double reach);
+
+/* Fills the neighbour list of a chunk with pairs and walls closer than skin
+ * [m]. The bodies are in the order of grid_order. */
+void grid_find(const struct grid *g, struct chunk *s, const struct bodies *b,
+               double skin);
+
+/* 1 if particle i owns its pair with j: the particle with the smaller index
+ * does or, where the slowest direction is periodic, the one from which the
+ * index of the other is reached in fewer steps upward. */
+int grid_owns(const struct grid *g, int i, int j, int n);
+
+/* --- neighbours ----------------------------------------------------------- */
 
 struct neighbours {
     struct particles *ps; /* borrowed */
@@ -100,5 +148,36 @@ struct energy neighbours_energy(const struct neighbours *nb);
 /* The first pair that crossed in the last drift of dt [s]: each particle that
  * moved by more than the smallest radius is compared with all. */
 struct dem_crossing neighbours_crossing(const struct neighbours *nb, double dt);
+
+/* --- chunk step ----------------------------------------------------------- */
+
+/* One time step of the chunks of a thread.
+ *
+ * A chunk is processed in blocks of particles: first the contacts that a block
+ * owns, then its motion, while the data are still in the cache. Particles that
+ * receive loads from chunks of other threads move after all threads have
+ * computed their loads. The order of all sums is the same for any number of
+ * threads. */
+
+struct step_parameters {
+    const struct contact_constants *constants;
+    const struct attraction *attractions;
+    int n_attractions;
+    int prescribed; /* [-] 1: prescribed particles move */
+    double t;       /* [s] time of the positions, for them */
+    int budget;     /* [-] 1: of energy (energy.h) */
+    double dt; /* [s] step of the tangential displacements; 0: loads alone */
+    double kick, drift; /* [s] step of the velocities, and of the positions */
+    double from; /* [-] of the kick, from where on the budget counts it */
+};
+
+/* Computes loads and motion. Every thread of the team calls it; it ends with a
+ * barrier. */
+void chunk_step_load_and_move(struct neighbours *nb,
+                              const struct step_parameters *by);
+
+/* Computes the motion alone, from the present loads; called by all threads,
+ * too. */
+void chunk_step_move(struct neighbours *nb, const struct step_parameters *by);
 
 #endif

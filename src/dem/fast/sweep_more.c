@@ -7,7 +7,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-#include "dem/rolling.h"
+#include "dem/contact.h"
 
 /* --- the energy budget of the contacts ------------------------------------
  *
@@ -19,7 +19,7 @@
  * mean of the spring's force before and F_t after, and what the spring loses
  *
  * The dashpots' forces, and those of friction, are kept apart from the others:
- * their work is known after the kick (chunk_energy.c). What goes into friction
+ * their work is known after the kick (chunk_step.c). What goes into friction
  * and is neither stored nor slides off is released by the spring, as it softens
  * (hertz), turns or parts.
  */
@@ -134,7 +134,7 @@ void sweep_budget(struct chunk *s, const struct sweep_buffers *c,
     }
 }
 
-/* --- rolling friction (rolling.h) ------------------------------------------
+/* --- rolling friction (contact.h) ------------------------------------------
  */
 
 /* The moment M [N m] of one contact on its owner. */

@@ -13,9 +13,10 @@
 
 #include <stdio.h>
 
+#include "base/file.h"
+#include "dem/bed.h"
 #include "dem/box_domain.h"
 #include "dem/particles.h"
-#include "dem/bed.h"
 #include "dem/population/sizes.h"
 
 /* One sphere of a list. */
@@ -80,5 +81,47 @@ long insertion_count_due(struct insertion *in, double t);
  * outside a periodic direction. */
 void insertion_move(struct insertion_sphere *list, long n, const double by[3],
                     const struct box_domain *box);
+
+/* --- overlaps ------------------------------------------------------------- */
+
+/* Spheres that overlap before time 0.
+ *
+ * A contact stores k delta^2 / 2, so spheres that overlap strongly at the
+ * start separate at high speed. Such a case is either refused, or the spheres
+ * are moved apart first: each overlapping pair along its line of centres, each
+ * sphere by half of the overlap, repeatedly for all pairs and walls until no
+ * overlap is left. */
+
+/* An overlap of more than this part of the mean diameter of the two is too deep
+ * for a start [-]. */
+#define OVERLAPS_MAX 0.01
+
+struct overlap {
+    int i, j;     /* [-] indices; j = -1: none */
+    double depth; /* [-] over the mean diameter of the two */
+};
+
+/* The deepest of all pairs, nearest images. */
+struct overlap overlaps_deepest(const struct particles *ps,
+                                const struct box_domain *box);
+
+/* Moves spheres apart until no overlap is deeper than OVERLAPS_MAX. Returns
+ * the number of rounds, or -1 if `most` rounds were not sufficient. */
+int overlaps_relax(struct particles *ps, const struct box_domain *box,
+                   int most);
+
+/* --- grain table ---------------------------------------------------------- */
+
+/* Grains from files, of other programs too.
+ *
+ * A dump of LAMMPS or LIGGGHTS: of several snapshots the last. Or a data file
+ * of theirs, with atoms of the style sphere. Or a table with a line of names
+ * (base/csv.h). All have columns x, y, z [m] and one of d, diameter, radius, r
+ * [m], in any order, among others. Or rows x y z d alone. What a file says of
+ * its columns, units and number of grains must agree with its rows. */
+
+/* The list in a file, to be freed; NULL after a message. */
+struct insertion_sphere *grain_table_read(const char *path, long *n);
+struct insertion_sphere *grain_table_parse(const struct input *in, long *n);
 
 #endif

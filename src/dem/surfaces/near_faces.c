@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/surfaces/near_faces.h"
+#include "dem/surfaces/surface_contacts.h"
 
 #include <math.h>
 #include <stdlib.h>

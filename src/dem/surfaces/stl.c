@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/surfaces/stl.h"
+#include "dem/surfaces/triangles.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -14,7 +14,6 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "base/vector.h"
-#include "dem/surfaces/triangles.h"
 
 enum { HEAD = 80, RECORD = 50, WORD = 64, MOST = 50000000 };
 

@@ -14,9 +14,8 @@
 #include "case/case_steps.h"
 #include "coupling/coupling.h"
 #include "dem/dem_method.h"
-#include "dem/limits.h"
-#include "fluid/momentum_system.h"
-#include "fluid/pressure_system.h"
+#include "dem/contact.h"
+#include "fluid/systems.h"
 
 /* --- the partition -------------------------------------------------------- */
 

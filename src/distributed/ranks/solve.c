@@ -8,9 +8,8 @@
 
 #include "base/alloc.h"
 #include "fluid/face_jump.h"
-#include "fluid/momentum_system.h"
+#include "fluid/systems.h"
 #include "fluid/piso.h"
-#include "fluid/pressure_system.h"
 
 _Static_assert(sizeof(PetscScalar) == sizeof(double),
                "PETSc of real numbers in double precision is needed: "

@@ -25,10 +25,9 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "fluid/fluid.h"
-#include "fluid/momentum_system.h"
+#include "fluid/systems.h"
 #include "fluid/piso.h"
-#include "fluid/pressure_system.h"
-#include "linear/face_loops.h"
+#include "linear/faces.h"
 
 /* --- faces whose middle the link of their cells misses
  *

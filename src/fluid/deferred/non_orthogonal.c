@@ -8,10 +8,9 @@
 #include <math.h>
 
 #include "base/vector.h"
-#include "linear/face_loops.h"
-#include "fluid/momentum_system.h"
+#include "linear/faces.h"
+#include "fluid/systems.h"
 #include "fluid/piso.h"
-#include "fluid/pressure_system.h"
 
 /* The pressure gradient that balances the momentum equation of a cell [Pa/m]
  * with the present velocities of its neighbours. */

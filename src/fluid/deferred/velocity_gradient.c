@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/convection.h"
+#include "fluid/schemes.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -10,7 +10,7 @@
  * so that - binds looser than ^, as on paper: -x^2 is -(x^2), and 2^3^2 is
  * 2^(3^2).
  */
-#include "fluid/inlets/formula.h"
+#include "fluid/inlet_profile.h"
 
 #include <ctype.h>
 #include <gsl/gsl_math.h>

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "linear/csr.h"
+#include "linear/matrix.h"
 
 /* A gap below this fraction of a cell's area is not treated as a wall [-]. */
 static const double small_gap = 0.02;

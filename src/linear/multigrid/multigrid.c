@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"
-#include "linear/csr.h"
+#include "linear/matrix.h"
 #include "linear/multigrid/level_matrix.h"
 #include "linear/multigrid/graph.h"
 #include "linear/reduce.h"

@@ -14,7 +14,7 @@
 #ifndef LINEAR_MULTIGRID_MULTIGRID_H
 #define LINEAR_MULTIGRID_MULTIGRID_H
 
-#include "linear/preconditioned.h"
+#include "linear/solvers.h"
 
 struct multigrid;
 

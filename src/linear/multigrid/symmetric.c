@@ -20,7 +20,7 @@
 
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"
-#include "linear/multigrid/symmetric.h"
+#include "linear/multigrid/level_matrix.h"
 #include "linear/reduce.h"
 
 enum {

@@ -7,7 +7,7 @@
  * stages. The rows near the ends of the chunk of a thread, which the next
  * thread reads, are computed first. The numbers are those of stage by stage.
  */
-#include "linear/multigrid/symmetric.h"
+#include "linear/multigrid/level_matrix.h"
 
 #include <omp.h>
 #include <stddef.h>

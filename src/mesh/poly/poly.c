@@ -15,7 +15,6 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "mesh/poly/poly_raw.h"
 
 /* --- the mesh --------------------------------------------------------------
  */

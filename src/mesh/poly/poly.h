@@ -52,4 +52,124 @@ void locate_create(struct mesh *m, double slack);
 int locate_from(const struct mesh *m, int begin, const double x[3],
                 double offset[3]);
 
+/* --- poly file ------------------------------------------------------------ */
+
+/* The words and numbers of one file of an OpenFOAM mesh.
+ *
+ * A file is a header in braces and a list, N ( ... ), between comments. Each
+ * function reads the next item. The first error is reported on stderr with
+ * file and line; then `failed` is set and every further item reads as 0. */
+
+enum { POLY_WORD = 128 };
+
+struct poly_file {
+    char path[1024];
+    const char *text; /* all of the file, borrowed from those that were read */
+    struct inputs *own; /* where it is, if it is not kept */
+    char *unpacked;     /* or made of it; NULL: it is not packed */
+    long size;          /* [byte] */
+    long at;            /* [-] the next character */
+    int line;           /* [-] counted from 1 */
+    int failed;
+    int is_binary;     /* [-] 1: lists of numbers are bytes in brackets */
+    int is_compact;    /* [-] 1: faces are where each begins, and all corners */
+    int label, scalar; /* [byte] of a whole number and of a real one there */
+    int in_bytes;      /* [-] 1: within such a list */
+    long same; /* [-] where the number of a list of equal ones is, N{0}; or 0 */
+};
+
+/* Reads the file dir/name, or dir/name.gz, and its header. */
+void poly_file_open(struct poly_file *p, struct inputs **files, const char *dir,
+                    const char *name);
+void poly_file_close(struct poly_file *p);
+
+/* The next word, which ends before a blank or a sign; each of the signs ( ) { }
+ * ; is a word of its own, and a text in quotes is one. */
+void poly_file_word(struct poly_file *p, char word[POLY_WORD]);
+void poly_file_expect(struct poly_file *p, const char *word);
+int poly_file_int(struct poly_file *p);
+/* The brackets around the n numbers of a list, which are words or bytes, or of
+ * whole numbers one in braces for all. */
+void poly_file_begin(struct poly_file *p, int n);
+void poly_file_end(struct poly_file *p, int n);
+/* The number of entries of a list: no more than the file can contain with
+ * `least` characters or more each, and such that four times it is an int. With
+ * 0 the caller limits it, as N{0} has one number for all entries. */
+int poly_file_count(struct poly_file *p, int least);
+double poly_file_real(struct poly_file *p);
+
+/* Reports an error at the present line and sets `failed`. */
+void poly_file_wrong(struct poly_file *p, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* --- poly raw ------------------------------------------------------------- */
+
+/* A mesh as stored in OpenFOAM's five files, and its geometry. */
+
+enum { POLY_RAW_PATCHES = 10000 };
+
+/* A patch of the file. */
+struct poly_part {
+    char name[64], type[64], other[64];
+    int first, n;
+    int line;           /* [-] of the file */
+    int periodic_index; /* [-] of a cyclic patch: its period as in mesh.h, else
+                           0 */
+};
+
+/* The contents of the files, and the quantities derived from them. */
+struct poly_raw {
+    struct inputs **files; /* borrowed; NULL: nothing is kept */
+    int n_points, n_faces, n_inner, n_cells, n_parts;
+    double *point;          /* [m] 3 each */
+    int *start, *corner;    /* [-] the points of face f */
+    int *owner, *neighbour; /* [-] as in the files */
+    double *middle, *area;  /* [m], [m^2] of each face, 3 each */
+    double *V, *centre;     /* [m^3], [m] of each cell */
+    int *number;            /* [-] the new number of a cell */
+    struct poly_part *part; /* n_parts of them */
+};
+
+/* Reads the files in dir; non-zero after one message. */
+int poly_raw_read(struct poly_raw *r, const char *dir);
+
+/* Only the patches. */
+int poly_raw_read_parts(struct poly_raw *r, const char *dir);
+
+/* Computes the middles and areas of the faces, and the volumes and centres of
+ * the cells; non-zero after one message if a face has no area, or a cell is not
+ * closed or has no positive volume. */
+int poly_raw_measure(struct poly_raw *r, const char *dir);
+double poly_raw_warp(const struct poly_raw *r);
+
+void poly_raw_release(struct poly_raw *r);
+
+/* Creates the mesh; NULL after one message. The points and corners of the raw
+ * mesh move to the new one; the raw mesh must still be released. */
+struct mesh *poly_build(struct poly_raw *r, const char *dir);
+struct mesh_shape *poly_shape_create(struct poly_raw *r);
+
+/* The numbering of a mesh from files.
+ *
+ * Data should lie in memory in the order in which loops use them. Cells that
+ * are numbered in rows, as in a block, keep their numbers, and cells that can
+ * be numbered in rows are (poly_order.c); the faces are then sorted by the
+ * difference of the numbers of their cells, which gives contiguous ranges
+ * (linear/faces.h). Otherwise neighbouring cells receive close
+ * numbers, and the faces are sorted by owner.
+ */
+
+/* Sets r->number. If the cells can be numbered in rows, these numbers are used;
+ * otherwise either the files' own numbers or a breadth-first numbering from the
+ * first cell, whichever gives neighbouring cells closer numbers. */
+void poly_number_cells(struct poly_raw *r);
+
+/* The order of n inner faces, from the lower number of their cells and the
+ * difference of both; the caller frees it. */
+int *poly_face_order(int n, int n_cells, const int *least, const int *distance);
+
+/* The boundary faces without the cyclic ones, patch after patch, in the order
+ * of the cells; the caller frees the list. */
+int *poly_boundary_order(const struct poly_raw *r);
+
 #endif

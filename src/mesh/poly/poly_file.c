@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/poly_file.h"
+#include "mesh/poly/poly.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/poly_raw.h"
+#include "mesh/poly/poly.h"
 
 #include <stdlib.h>
 #include <string.h>

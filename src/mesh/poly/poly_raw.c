@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mesh/poly/poly_raw.h"
+#include "mesh/poly/poly.h"
 
 #include <limits.h>
 #include <math.h>
@@ -9,7 +9,6 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "mesh/poly/poly_file.h"
 
 void poly_raw_release(struct poly_raw *r)
 {

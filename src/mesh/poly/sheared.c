@@ -6,13 +6,12 @@
  * determinant 1. The mesh is built as if its points and faces came from files;
  * a periodic direction is a pair of cyclic patches.
  */
-#include "mesh/poly/poly_raw.h"
+#include "mesh/poly/poly.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "base/alloc.h"
-#include "mesh/poly/poly.h"
 
 /* The point at a corner of the cells. */
 static int point_at(const int n[3], int i, int j, int k)

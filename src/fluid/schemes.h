@@ -1,20 +1,51 @@
-/* convection.h -- the face velocity of convected momentum.
- * Chapter "Averaged flow".
- *
- * u_f = weight u_owner + (1 - weight) u_neighbour + beyond
- *
- * A scheme computes the weight of the owner from the flux and the linear weight
- * of the face; this weight is used in the matrix. A scheme that uses more than
- * the two cells has a second, explicit part, which is computed from the
- * velocities known so far and added to the right-hand side (deferred
- * correction).
- * Chapter "The flow, verified".
- */
-#ifndef FLUID_CONVECTION_H
-#define FLUID_CONVECTION_H
+/* schemes.h -- the schemes of the time derivative and of convection. */
+#ifndef FLUID_SCHEMES_H
+#define FLUID_SCHEMES_H
 
 #include "base/model.h"
 #include "mesh/mesh.h"
+
+/* --- time scheme ---------------------------------------------------------- */
+
+/* Schemes for the time derivative of momentum.
+ *
+ *   dt d(eps u)/dt = now (eps u)^(n+1) - old (eps u)^n + older (eps u)^(n-1)
+ *
+ * The weights satisfy now - old + older = 0, so that a constant has no
+ * derivative. A scheme also gives the factor of extrapolation for quantities
+ * that lag by a step, such as the convecting flux: x + ahead (x - x_older). */
+
+struct time_weights {
+    double now, old, older; /* [-] */
+    double ahead;           /* [-] */
+};
+
+struct time_scheme {
+    MODEL_MEMBERS;   /* base/model.h */
+    int time_levels; /* [-] number of old time levels: 1 or 2 */
+    /* [-] of a gain of 1 in a step, what the steps after it add, all as long,
+     * without a force: the sum of (older / now)^n. */
+    double pending;
+    /* r: this step over the one before it; 0 where there is none. */
+    struct time_weights (*weights)(double r /* [-] */);
+};
+
+/* All schemes, ended by NULL, the default first; NULL for an unknown name. */
+extern const struct time_scheme time_scheme_euler, time_scheme_bdf2;
+extern const struct time_scheme *const time_schemes[];
+const struct time_scheme *time_scheme_named(const char *name);
+
+/* --- convection ----------------------------------------------------------- */
+
+/* The face velocity of convected momentum. Chapter "Averaged flow".
+ *
+ * u_f = weight u_owner + (1 - weight) u_neighbour + beyond
+ *
+ * A scheme computes the weight of the owner from the flux and the linear
+ * weight of the face; this weight is used in the matrix. A scheme that uses
+ * more than the two cells has a second, explicit part, which is computed from
+ * the velocities known so far and added to the right-hand side (deferred
+ * correction). */
 
 /* The input of a scheme for faces 0 .. n - 1. */
 struct convection_faces {
