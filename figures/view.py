@@ -4,11 +4,12 @@
     xvfb-run -a -s -noreset pvpython figures/view.py DIR PICTURE.png [time=S] [field=NAME]
     xvfb-run -a -s -noreset pvpython figures/view.py DIR FILM.avi    [field=NAME] [rate=N]
 
-Left: the particles by speed, resolved bodies, surfaces of walls, and the box.
-Right, if there is a fluid: a slice through its middle, by void fraction, or by
-speed where there are no grains in it. Up is against gravity, and one looks along
-the thinnest of the other two directions. A film has all states that were written;
-a name that ends in .avi, .ogv or in .png with a film=1 (a picture a state).
+First: the particles by speed or by colour=NAME, resolved bodies, surfaces of walls,
+and the box. Beside it, or below it in a wide box, if there is a fluid: a slice through
+its middle, by void fraction, or by speed where there are no grains in it; show=solids
+or show=slice leaves one of the two. Up is against gravity, and one looks along the
+thinnest of the other two directions. A film has all states that were written, or those
+from=S on; its name ends in .avi, .ogv or in .png with a film=1 (a picture a state).
 Debian: apt-get install paraview xvfb
 """
 import math
@@ -16,9 +17,10 @@ import os
 import re
 import sys
 
-from paraview import simple as pv
+from paraview import servermanager, simple as pv
 
-KINDS = ("fluid", "particles", "bodies", "body_surfaces", "surfaces")
+UNITS = {"speed": " [m/s]", "velocity": " [m/s]", "diameter": " [m]", "pressure": " [Pa]"}
+KINDS = ("fluid", "particles", "bodies", "body_clumps", "body_surfaces", "surfaces")
 
 
 def wrong(message):
@@ -30,10 +32,12 @@ def asked(words):
     """DIR, the picture, and the options, each a name = value."""
     files = [w for w in words if "=" not in w]
     options = dict(w.split("=", 1) for w in words if "=" in w)
-    unknown = set(options) - {"time", "field", "rate", "size", "film"}
+    unknown = set(options) - {"time", "field", "rate", "size", "film", "from", "colour",
+                              "show"}
     if len(files) != 2 or unknown:
         wrong("usage: pvpython view.py DIR PICTURE.png|FILM.avi [time=S] "
-              "[field=NAME] [rate=N] [size=WIDTHxHEIGHT] [film=1]")
+              "[field=NAME] [colour=NAME] [show=solids|slice] [rate=N] "
+              "[size=WIDTHxHEIGHT] [film=1] [from=S]")
     return files[0], files[1], options
 
 
@@ -114,10 +118,14 @@ def speed_of(source, association):
     return speed
 
 
+def letter_of(view):
+    return max(9, round(view.ViewSize[1] / 40))
+
+
 def shade(display, source, association, name, view, times):
     """Colours by a field with one scale for all times, and a bar that says it."""
     low, high = math.inf, -math.inf
-    for time in {times[0], times[len(times) // 2], times[-1]}:
+    for time in times[::1 + len(times) // 12] + times[-1:]:
         source.UpdatePipeline(time)
         data = source.PointData if association == "POINTS" else source.CellData
         if name not in data.keys():
@@ -131,12 +139,18 @@ def shade(display, source, association, name, view, times):
     table.ApplyPreset("Viridis (matplotlib)", True)
     table.RescaleTransferFunction(low, high if high > low else low + 1.0)
     bar = pv.GetScalarBar(table, view)
-    bar.Title = name.replace("_", " ") + (" [m/s]" if "velocity" in name or
-                                          name == "speed" else "")
+    bar.Title = name.replace("_", " ") + UNITS.get(name, "")
     bar.ComponentTitle = ""
     bar.RangeLabelFormat = "%.2g"
+    bar.AddRangeLabels = 1
+    bar.DrawTickMarks = bar.DrawTickLabels = 0
+    bar.HorizontalTitle = 1
+    bar.Orientation = "Horizontal"
     bar.WindowLocation = "Any Location"
-    bar.Position = [0.78, 0.1]
+    bar.Position, bar.ScalarBarLength = [0.2, 0.03], 0.6
+    letter = letter_of(view)
+    bar.TitleFontSize = bar.LabelFontSize = letter
+    bar.ScalarBarThickness = letter // 2
     bar.TitleColor = bar.LabelColor = [0.2, 0.2, 0.2]
     display.SetScalarBarVisibility(view, True)
 
@@ -169,6 +183,10 @@ def outline(box, view):
     display.DiffuseColor = display.AmbientColor = [0.4, 0.4, 0.4]
 
 
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
 def new_view(size, box, up, along, turn):
     """A view that shows all of the box: from the front, turned a little if deep."""
     view = pv.CreateView("RenderView")
@@ -181,8 +199,7 @@ def new_view(size, box, up, along, turn):
     size_of = math.sqrt(sum((box[k + 1] - box[k]) ** 2 for k in (0, 2, 4))) or 1.0
     toward = [0.0, 0.0, 0.0]
     toward[along] = 1.0
-    side = [up[1] * toward[2] - up[2] * toward[1], up[2] * toward[0] - up[0] * toward[2],
-            up[0] * toward[1] - up[1] * toward[0]]
+    side = cross(up, toward)
     if turn:
         toward = [0.9 * t + 0.35 * s + 0.27 * u for t, s, u in zip(toward, side, up)]
     view.CameraFocalPoint = middle
@@ -191,16 +208,36 @@ def new_view(size, box, up, along, turn):
     return view
 
 
-def solids(found, view, times):
+def bodies(found, view):
+    """Outlines, and a sphere for each body that has none."""
+    colour = [0.85, 0.45, 0.2]
+    outlined = set()
+    for kind in ("body_surfaces", "body_clumps"):
+        if kind in found:
+            found[kind].UpdatePipeline()
+            data = servermanager.Fetch(found[kind])
+            data = data.GetBlock(0) if data.IsA("vtkMultiBlockDataSet") else data
+            of = (data.GetCellData() if kind == "body_surfaces"
+                  else data.GetPointData()).GetArray("body")
+            outlined |= {int(of.GetTuple1(i)) for i in range(of.GetNumberOfTuples())}
+    for kind in ("bodies", "body_clumps"):
+        if kind not in found:
+            continue
+        alone = "".join("*(id!=%d)" % i for i in outlined) if kind == "bodies" else ""
+        source = pv.Calculator(Input=found[kind], AttributeType="Point Data",
+                               ResultArrayName="diameter", Function="diameter" + alone)
+        display = spheres(source, view)
+        display.ColorArrayName = ["POINTS", ""]
+        display.DiffuseColor = display.AmbientColor = colour
+    if "body_surfaces" in found:
+        plain(found["body_surfaces"], view, colour)
+
+
+def solids(found, view, times, colour):
     if "particles" in found:
         speed = speed_of(found["particles"], "Point Data")
-        shade(spheres(speed, view), speed, "POINTS", "speed", view, times)
-    if "body_surfaces" in found:
-        plain(found["body_surfaces"], view, [0.85, 0.45, 0.2])
-    elif "bodies" in found:
-        display = spheres(found["bodies"], view)
-        display.ColorArrayName = ["POINTS", ""]
-        display.DiffuseColor = display.AmbientColor = [0.85, 0.45, 0.2]
+        shade(spheres(speed, view), speed, "POINTS", colour, view, times)
+    bodies(found, view)
     if "surfaces" in found:
         plain(found["surfaces"], view, [0.6, 0.6, 0.65], 0.25)
 
@@ -219,6 +256,26 @@ def slice_of(found, field, box, along, view, times):
     shade(pv.Show(cut, view, "GeometryRepresentation"), cut, "CELLS", field, view, times)
 
 
+def fit(view, box):
+    """The box fills the view above the bar."""
+    toward = [p - f for p, f in zip(view.CameraPosition, view.CameraFocalPoint)]
+    side = cross(view.CameraViewUp, toward)
+    corners = [[box[i], box[2 + j], box[4 + k]] for i in (0, 1) for j in (0, 1)
+               for k in (0, 1)]
+    across = []
+    for direction in (side, cross(toward, side)):
+        length = math.sqrt(sum(x * x for x in direction)) or 1.0
+        along = [sum(x * d for x, d in zip(c, direction)) / length for c in corners]
+        across.append(max(along) - min(along))
+    width, height = view.ViewSize
+    bar = 5 * letter_of(view)
+    scale = 1.06 * max(across[0] / 2 * height / width, across[1] / 2 * height / (height - bar))
+    view.CameraParallelScale = scale
+    for place in ("CameraPosition", "CameraFocalPoint"):
+        setattr(view, place, [x - bar / height * scale * d / length for x, d in
+                              zip(getattr(view, place), cross(toward, side))])
+
+
 def main():
     folder, picture, options = asked(sys.argv[1:])
     if os.path.splitext(picture)[1] not in (".png", ".avi", ".ogv"):
@@ -229,38 +286,43 @@ def main():
     up, box = upward(text), bounds_of(found, text)
     along = across(box, up)
     width, height = map(int, options.get("size", "1280x800").split("x"))
-    flow = "fluid" in found
-    only = flow and len(found) == 1
+    wanted = options.get("show")
+    flow = "fluid" in found and wanted != "solids"
+    only = flow and (len(found) == 1 or wanted == "slice")
     count = 2 if flow and not only else 1
-    size = [width // count, height]
     thin = [box[2 * k + 1] - box[2 * k] for k in range(3)]
+    tall = max(range(3), key=lambda k: abs(up[k]))
+    wide = thin[3 - tall - along] > 1.5 * thin[tall]
+    size = [width, height // count] if wide else [width // count, height]
     views = []
     if not only:
         views.append(new_view(size, box, up, along, thin[along] > 0.3 * max(thin)))
-        solids(found, views[-1], times)
+        solids(found, views[-1], times, options.get("colour", "speed"))
         outline(box, views[-1])
     if flow:
         views.append(new_view(size, box, up, along, False))
         slice_of(found, options.get("field"), box, along, views[-1], times)
+        bodies(found, views[-1])
         outline(box, views[-1])
     layout = pv.CreateLayout("picture")
     layout.AssignView(0, views[0])
     if count == 2:
-        layout.SplitHorizontal(0, 0.5)
+        (layout.SplitVertical if wide else layout.SplitHorizontal)(0, 0.5)
         layout.AssignView(2, views[1])
     layout.SetSize(width, height)
     scene = pv.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
+    first = sum(t < float(options.get("from", "-inf")) for t in times)
     wanted = float(options.get("time", times[-1]))
     scene.AnimationTime = min(times, key=lambda t: abs(t - wanted))
     for view in views:
-        pv.ResetCamera(view)
-        view.CameraParallelScale *= 0.88
+        fit(view, box)
     if picture.endswith(".png") and "film" not in options:
         pv.SaveScreenshot(picture, layout, ImageResolution=[width, height])
     else:
         pv.SaveAnimation(picture, layout, ImageResolution=[width, height],
-                         FrameRate=int(options.get("rate", 10)))
+                         FrameRate=int(options.get("rate", 10)),
+                         FrameWindow=[first, len(times) - 1])
 
 
 main()

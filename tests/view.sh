@@ -63,7 +63,8 @@ reader.Update()
 size = reader.GetOutput().GetDimensions()
 rgb = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
 rgb = rgb.reshape(size[1], size[0], 3)
-left = rgb[:, :int(0.76 * size[0]) // (2 if sys.argv[2] == "two" else 1)] # beside the bar
+up = rgb[::-1] # VTK's first row is the lowest
+left = up[:int(0.84 * size[1]), :size[0] // (2 if sys.argv[2] == "two" else 1)] # above the bar
 ink = left.min(axis=2) < 250
 rows, columns = ink.any(axis=1).nonzero()[0], ink.any(axis=0).nonzero()[0]
 colour = rgb.max(axis=2) - rgb.min(axis=2) > 40
@@ -87,7 +88,7 @@ for name in grains bodies flow one; do
     }
 done
 look grains one 'ink > 0.01 && colour > 0.005 && tall > 1.9 && tall < 2.1 && kinds > 50'
-look bodies two 'orange > 0.003 && colour > 0.05 && tall > 1.5'
+look bodies two 'orange > 0.01 && colour > 0.05 && tall > 1.5'
 look flow one 'ink > 0.1 && colour > 0.1 && kinds > 10'
 look one two 'colour > 0.03 && tall > 1.5'
 xvfb-run -a -s -noreset pvpython figures/view.py "$work/bodies" "$work/film.png" film=1 field=pressure >"$work/said" 2>&1

@@ -5,8 +5,8 @@
  * velocity, spin, and the force and torque of the fluid in the last step; and
  * the quaternion of its orientation, if one of them is a clump or a surface.
  * bodies.pvd: the same, to look at; each ball of a clump as a point in
- * body_clumps.pvd, triangles of closed surfaces and blocks in
- * body_surfaces.pvd. Sums in history.csv.
+ * body_clumps.pvd, triangles of closed surfaces, boxes and cylinders in
+ * body_surfaces.pvd, once if no body moves. Sums in history.csv.
  */
 #include "record/recorder_part.h"
 
@@ -23,6 +23,7 @@
 #include "resolved/among/among_grains.h"
 #include "resolved/among/surroundings.h"
 #include "resolved/body_exit.h"
+#include "resolved/shapes/shapes.h"
 
 struct record {
     const struct simulation *sim;
@@ -338,18 +339,23 @@ static void outlines_release(void *record)
 }
 
 /* Balls are shown of what consists of them, not the points of a surface. */
-static int balls_of(const struct body_outline *o)
+static int balls_of(const struct body_shape *shape)
 {
-    return o->n_triangles == 0 ? o->n_balls : 0;
+    const struct body_outline *const o = shape->outline;
+    return o != NULL && o->n_triangles == 0 ? o->n_balls : 0;
+}
+
+static int triangles_of(const struct body_shape *shape)
+{
+    return shape->outline != NULL ? shape->outline->n_triangles
+                                  : block_triangles_count(shape);
 }
 
 static void outlines_count(struct outlines *r)
 {
     for (int i = 0; i < r->bodies->ps->n; i++) {
-        const struct body_outline *const o = r->bodies->shape[i].outline;
-        if (o == NULL) continue;
-        r->n_balls += balls_of(o);
-        r->n_triangles += o->n_triangles;
+        r->n_balls += balls_of(&r->bodies->shape[i]);
+        r->n_triangles += triangles_of(&r->bodies->shape[i]);
     }
 }
 
@@ -372,7 +378,7 @@ static void outlines_make_room(struct outlines *r)
 static void *outlines_create(const struct recorder_view *v, int *failed)
 {
     const struct solid_bodies *const b = bodies_of_run(v->sim);
-    if (b == NULL || b->turn == NULL) return NULL;
+    if (b == NULL) return NULL;
     struct outlines *const r = alloc_zeroed(1, sizeof *r);
     r->bodies = b;
     outlines_count(r);
@@ -384,6 +390,21 @@ static void *outlines_create(const struct recorder_view *v, int *failed)
     return r;
 }
 
+/* The triangles of a body where it is, nine numbers each. */
+static void outlines_put_triangles(const struct body_shape *shape,
+                                   const double at[3], double *x)
+{
+    const struct body_outline *const o = shape->outline;
+
+    if (o == NULL) {
+        block_triangles_put(shape, at, (double(*)[3][3])x);
+        return;
+    }
+    for (int c = 0; c < 9 * o->n_triangles; c++)
+        x[c] = at[c % 3] +
+               vector_dot(shape->turn[c % 3], o->corner[c / 9][c / 3 % 3]);
+}
+
 /* Where the balls and the triangles are now. */
 static void outlines_place(struct outlines *r)
 {
@@ -393,21 +414,17 @@ static void outlines_place(struct outlines *r)
     for (int i = 0; i < ps->n; i++) {
         const struct body_shape *const shape = &r->bodies->shape[i];
         const double at[3] = {ps->x[i], ps->y[i], ps->z[i]};
-        if (shape->outline == NULL) continue;
-        for (int k = 0; k < balls_of(shape->outline); k++, ball++) {
+        for (int k = 0; k < balls_of(shape); k++, ball++) {
             const struct body_ball b = body_shape_ball(shape, k);
             for (int e = 0; e < 3; e++)
                 r->x[e][ball] = at[e] + b.at[e];
             r->d[ball] = 2.0 * b.R;
             r->of_ball[ball] = i;
         }
-        for (int t = 0; t < shape->outline->n_triangles; t++, triangle++) {
-            for (int c = 0; c < 9; c++)
-                r->corner[9 * triangle + c] =
-                    at[c % 3] + vector_dot(shape->turn[c % 3],
-                                           shape->outline->corner[t][c / 3]);
-            r->of_triangle[triangle] = i;
-        }
+        const int n = triangles_of(shape);
+        if (n > 0) outlines_put_triangles(shape, at, &r->corner[9 * triangle]);
+        for (int t = 0; t < n; t++)
+            r->of_triangle[triangle++] = i;
     }
 }
 
@@ -433,7 +450,10 @@ static int outlines_add_surfaces(struct outlines *r, double t)
 static int outlines_add(void *record, double t)
 {
     struct outlines *const r = record;
+    const struct series *const any =
+        r->clumps != NULL ? r->clumps : r->surfaces;
 
+    if (any == NULL || (!r->bodies->moves && series_count(any) > 0)) return 0;
     outlines_place(r);
     return (r->clumps != NULL && add_clumps(r, t) != 0) ||
            (r->surfaces != NULL && outlines_add_surfaces(r, t) != 0);

@@ -17,17 +17,13 @@
 
 /* --- body surface --------------------------------------------------------- */
 
-/* Sides of the prism in place of a cylinder: it is thinner by 1.2e-3 of the
- * radius in between. */
-enum { SIDES = 64 };
-
 static struct triangles *triangles_of_block(const double centre[3],
                                             const struct body_shape *shape)
 {
-    const int n = block_triangles_count(shape, SIDES);
+    const int n = block_triangles_count(shape);
     double(*const t)[3][3] = alloc_zeroed((size_t)n, sizeof *t);
 
-    block_triangles_put(shape, SIDES, centre, t);
+    block_triangles_put(shape, centre, t);
     struct triangles *const made = triangles_create(n, t);
     free(t);
     return made;

@@ -106,11 +106,11 @@ static void block_outline_set_moments(struct block *b)
 static void set_surface(struct block *b)
 {
     struct body_outline *const o = &b->outline;
-    const int n = block_triangles_count(&b->shape, SIDES);
+    const int n = block_triangles_count(&b->shape);
     const double centre[3] = {0.0, 0.0, 0.0};
 
     b->corner = alloc_zeroed((size_t)n, sizeof *b->corner);
-    block_triangles_put(&b->shape, SIDES, centre, b->corner);
+    block_triangles_put(&b->shape, centre, b->corner);
     for (int c = 0; c < 3 * n; c++) {
         double *const x = b->corner[c / 3][c % 3];
         block_outline_turn(b->Q, x);
@@ -191,17 +191,17 @@ static void corner_of(const double centre[3], double e[3][3],
 }
 
 static void put_cylinder(const double centre[3], const struct body_shape *shape,
-                         int sides, double (*t)[3][3])
+                         double (*t)[3][3])
 {
     const double R = shape->half[0], L = shape->half[1];
     double e[3][3];
 
     frame_of(shape->axis, e);
-    for (int s = 0; s < sides; s++) {
+    for (int s = 0; s < SIDES; s++) {
         double(*const own)[3][3] = &t[4 * s];
         double q[4][3];
         for (int v = 0; v < 4; v++) {
-            const double a = 2.0 * M_PI * (s + (v == 1 || v == 2)) / sides;
+            const double a = 2.0 * M_PI * (s + (v == 1 || v == 2)) / SIDES;
             const double at[3] = {R * cos(a), R * sin(a), v < 2 ? -L : L};
             corner_of(centre, e, at, q[v]);
         }
@@ -215,16 +215,18 @@ static void put_cylinder(const double centre[3], const struct body_shape *shape,
     }
 }
 
-int block_triangles_count(const struct body_shape *shape, int sides)
+int block_triangles_count(const struct body_shape *shape)
 {
-    return shape->kind == BODY_BOX ? 12 : 4 * sides;
+    return shape->kind == BODY_BOX        ? 12
+           : shape->kind == BODY_CYLINDER ? 4 * SIDES
+                                          : 0;
 }
 
-void block_triangles_put(const struct body_shape *shape, int sides,
-                         const double centre[3], double (*t)[3][3])
+void block_triangles_put(const struct body_shape *shape, const double centre[3],
+                         double (*t)[3][3])
 {
     if (shape->kind == BODY_BOX)
         put_box(centre, shape->half, t);
     else
-        put_cylinder(centre, shape, sides, t);
+        put_cylinder(centre, shape, t);
 }

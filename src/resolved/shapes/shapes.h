@@ -18,17 +18,17 @@ struct body_outline *block_outline_create(const struct body_shape *block,
 
 /* The surface of a box or a cylinder as triangles.
  *
- * A cylinder becomes a prism whose corners lie on it: with `sides` of them it
- * is thinner by 1 - cos(pi / sides) of the radius in between.
+ * A cylinder becomes a prism of 64 sides whose corners lie on it: it is thinner
+ * by 1.2e-3 of the radius in between.
  */
 
-/* How many triangles there are: 12, or 4 a side of the prism. */
-int block_triangles_count(const struct body_shape *shape, int sides);
+/* How many triangles there are; 0 for other shapes. */
+int block_triangles_count(const struct body_shape *shape);
 
 /* Their corners [m] around the centre; t has room for all. The normals of a
  * box and of the ends of a cylinder may be inward. */
-void block_triangles_put(const struct body_shape *shape, int sides,
-                         const double centre[3], double (*t)[3][3]);
+void block_triangles_put(const struct body_shape *shape, const double centre[3],
+                         double (*t)[3][3]);
 
 /* Spheres that are one body.
  *
