@@ -41,7 +41,8 @@ struct scene {
     int tall;     /* 0: the cube; else so many above each other, between a floor
                      and a roof that let the fluid slip */
     double width; /* [-] bandwidth in cells */
-    double cap;   /* [-] of pcm on eps_s; 0: none */
+    double gradient_width; /* [-] that of gradients at particles; 0: none */
+    double cap;            /* [-] of pcm on eps_s; 0: none */
     double gravity[3];
     double fed; /* [1/s] spheres inserted a second, 3000 at most; 0: none */
     double
@@ -124,13 +125,14 @@ static inline void create_fluid(struct simulation *sim, const struct scene *s)
 static inline void create_coupling(struct simulation *sim,
                                    const struct scene *s)
 {
-    const struct averaging_options ao = {.bandwidth =
-                                             s->width * s->size / s->cells,
-                                         .scheme = s->scheme,
-                                         .steps = 3,
-                                         .tolerance = 1e-13,
-                                         .cap = s->cap,
-                                         .fields = 4};
+    const struct averaging_options ao = {
+        .bandwidth = s->width * s->size / s->cells,
+        .scheme = s->scheme,
+        .steps = 3,
+        .tolerance = 1e-13,
+        .cap = s->cap,
+        .gradient_bandwidth = s->gradient_width * s->size / s->cells,
+        .fields = 4};
     const struct coupling_options co = {
         .law = drag_law_named(s->drag),
         .treatment = s->treatment,

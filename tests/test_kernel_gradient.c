@@ -86,6 +86,8 @@ START_TEST(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row)
     struct kernel_gradient *const s = kernel_gradient_create(h, 0.25);
     kernel_gradient_find(s, 2, f, X);
     ck_assert_double_eq_tol(X[0], -0.7, 1e-12);
+    ck_assert_double_eq_tol(
+        kernel_gradient_row(0.1, 0.25, 0.0, 0.07, 0.0, -0.07), -0.7, 1e-14);
     for (int j = 1; j < 6; j++)
         ck_assert_double_eq_tol(X[j], 0.0, 1e-12);
     kernel_gradient_free(s);

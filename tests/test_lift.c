@@ -120,6 +120,32 @@ START_TEST(ls_5_6_who_lags_goes_to_the_faster_side)
 }
 END_TEST
 
+/* With a gradient bandwidth the curl is that of a Gaussian: a wave of wave
+ * number k has k exp(-(k b)^2 / 4) of it, where differences of the cells have
+ * sin(k h) / h. The kernel ends at 3 b and is a sum over cells. */
+START_TEST(ew18_b_6_the_lift_of_a_wave_is_damped_as_the_kernel)
+{
+    const double slip = 0.02, b = 1.25; /* [m/s], [-] cells */
+    struct scene s = still();
+    s.saffman = 1;
+    s.gradient_width = _i ? b : 0.0;
+    struct simulation *const sim = in_shear(&s, 0.0, slip);
+    const double h = s.size / s.cells, k = 2.0 * M_PI / s.size;
+    double F[3], curl[3] = {0.0, 0.0, 0.0};
+
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        sim->fluid->u[3 * c] = sin(k * sim->mesh->centre[3 * c + 1]);
+    act(sim);
+    curl[2] = -cos(k * sim->particles->y[0]) *
+              (_i ? k * exp(-0.25 * gsl_pow_2(k * b * h)) : sin(k * h) / h);
+    const double w[3] = {slip, 0.0, 0.0};
+    saffman_lift(s.rho, s.mu, s.d, w, curl, F);
+    ck_assert_double_eq_tol(sim->particles->ey[0] / F[1], 1.0,
+                            _i ? 2e-3 : 1e-12);
+    discard(sim);
+}
+END_TEST
+
 /* --- Magnus --------------------------------------------------------------- */
 
 /* (pi/8) rho d^3 w x Omega of Rubinow and Keller where Re is small; LS 5.7 with
@@ -280,6 +306,7 @@ FACTS("lift")
     FACT(ls_5_6_vector_form_is_the_printed_one);
     FACT(ls_5_6_meis_factor_starts_at_one_and_is_nearly_continuous);
     FACT_FOR_EACH(ls_5_6_who_lags_goes_to_the_faster_side, 4);
+    FACT_FOR_EACH(ew18_b_6_the_lift_of_a_wave_is_damped_as_the_kernel, 2);
     FACT(ls_5_7_slow_spin_is_rubinow_and_keller);
     FACT(ls_5_7_the_coefficient_of_a_fast_spin_levels_off);
     FACT_FOR_EACH(ls_5_7_backspin_lifts_and_the_fluids_own_turn_does_not, 2);

@@ -10,6 +10,7 @@
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/interpolation.h"
+#include "averaging/more/kernel_gradient.h"
 #include "base/alloc.h"
 #include "base/model.h"
 #include "base/number.h"
@@ -17,9 +18,10 @@
 struct averaging {
     const struct averaging_method *method;
     struct cell_of_particle *cells;
-    void *state;                 /* of the method */
-    int fields;                  /* [-] largest number in one call */
-    struct averaging_wall *wall; /* NULL: there is none */
+    void *state;                      /* of the method */
+    int fields;                       /* [-] largest number in one call */
+    struct averaging_wall *wall;      /* NULL: there is none */
+    struct kernel_gradient *gradient; /* NULL: not by a kernel */
     struct averaging_report report;
 };
 
@@ -36,6 +38,12 @@ const struct key averaging_keys[] = {
     {"averaging.interpolation", KEY_NAME, "", "", "same",
      "how fields are interpolated to the particles", "XS11 3.9", "",
      AT(interpolation), .models = interpolations},
+    {"averaging.gradient_bandwidth", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
+     "the curl of the flow at a particle comes from the derivative of a "
+     "Gaussian of this bandwidth; without it, from the gradients in the cells",
+     "EW18 B.4-B.10", "effects.saffman|effects.magnus|effects.fluid_torque",
+     AT(gradient_bandwidth),
+     .divided = "a kernel reaches over the edge of a part"},
     KEY_END};
 
 const struct key averaging_bandwidth_keys[] = {
@@ -101,6 +109,8 @@ struct averaging *averaging_create(const struct averaging_method *method,
     a->method = full.method = averaging_variant(method, mesh);
     a->fields = full.fields;
     a->cells = cell_of_particle_create(mesh, ps);
+    if (full.gradient_bandwidth > 0.0)
+        a->gradient = kernel_gradient_create(a->cells, full.gradient_bandwidth);
     a->state = a->method->create(a->cells, &full);
     if (a->state != NULL) return a;
     averaging_free(a);
@@ -111,6 +121,7 @@ void averaging_free(struct averaging *a)
 {
     if (a == NULL) return;
     if (a->state != NULL) a->method->free(a->state);
+    kernel_gradient_free(a->gradient);
     cell_of_particle_free(a->cells);
     free(a);
 }
@@ -169,6 +180,14 @@ void averaging_gather(struct averaging *a, int m, const double *field,
     assert(a->report.lost == 0 && a->cells->n == a->cells->ps->n);
     a->method->gather(a->state, m, averaging_extended(a, m, field), q,
                       &a->report);
+}
+
+int averaging_gradient(struct averaging *a, int m, const double *field,
+                       double *X)
+{
+    if (a->gradient == NULL) return 0;
+    kernel_gradient_find(a->gradient, m, averaging_extended(a, m, field), X);
+    return 1;
 }
 
 void averaging_set_wall(struct averaging *a, struct averaging_wall *wall)

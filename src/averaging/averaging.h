@@ -44,7 +44,9 @@ struct averaging_options {
         int n;
         const struct averaging_region *item; /* borrowed during create */
     } regions;
-    double cap;                /* [-] on eps_s, pcm only [none] */
+    double cap; /* [-] on eps_s, pcm only [none] */
+    double
+        gradient_bandwidth; /* [m] of averaging_gradient, of the case [none] */
     double own[MODEL_NUMBERS]; /* of the keys that the method alone reads */
     int fields;  /* [-] largest number of fields in one call [8] */
     void *parts; /* of a mesh that is a part of another one, borrowed [none] */
@@ -101,6 +103,13 @@ void averaging_spread(struct averaging *, int m, const double *q,
                       double *field);
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
+
+/* The gradient of m fields at the particles by the derivative of a Gaussian
+ * [EW18 B.4-B.10] (more/kernel_gradient.h), where the options have a
+ * gradient_bandwidth; else returns 0 and leaves X. X[3 * (m * i + k) + j] is
+ * d field_k / d x_j at particle i. */
+int averaging_gradient(struct averaging *a, int m, const double *field,
+                       double *X);
 
 /* Tells the averaging that there are solids inside the mesh, borrowed; and the
  * field that is to be interpolated, with values inside these solids: without

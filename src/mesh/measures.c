@@ -222,21 +222,42 @@ struct mesh_quality mesh_quality(const struct mesh *m)
     return q;
 }
 
+/* The slabs of direction k [m]. A direction with a single cell has no links. */
+static void slabs_of_box(const struct box *b, int k, double *widest,
+                         double *narrowest)
+{
+    const double *const e = b->edge[k];
+
+    *widest = 0.0;
+    *narrowest = INFINITY;
+    for (int i = 0; i < b->n[k] && b->n[k] > 1; i++) {
+        *widest = fmax(*widest, e[i + 1] - e[i]);
+        *narrowest = fmin(*narrowest, e[i + 1] - e[i]);
+    }
+}
+
+double mesh_widest_link(const struct mesh *m)
+{
+    double most = 0.0, narrowest;
+
+    for (int f = 0; f < m->n_internal && m->box.n[0] == 0; f++)
+        most = fmax(most, vector_length(&m->d[3 * f]));
+    for (int k = 0; k < 3 && m->box.n[0] > 0; k++) {
+        double widest;
+        slabs_of_box(&m->box, k, &widest, &narrowest);
+        most = fmax(most, widest);
+    }
+    return most;
+}
+
 /* The widest slab of one direction and the narrowest of another cross in a
- * cell. A direction with a single cell has no links. */
+ * cell. */
 static double longest_in_box(const struct box *b)
 {
     double widest[3], narrowest[3], most = 1.0;
 
-    for (int k = 0; k < 3; k++) {
-        const double *const e = b->edge[k];
-        widest[k] = 0.0;
-        narrowest[k] = INFINITY;
-        for (int i = 0; i < b->n[k] && b->n[k] > 1; i++) {
-            widest[k] = fmax(widest[k], e[i + 1] - e[i]);
-            narrowest[k] = fmin(narrowest[k], e[i + 1] - e[i]);
-        }
-    }
+    for (int k = 0; k < 3; k++)
+        slabs_of_box(b, k, &widest[k], &narrowest[k]);
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++)
             if (j != k) most = fmax(most, widest[k] / narrowest[j]);

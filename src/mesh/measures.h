@@ -54,4 +54,8 @@ struct mesh_quality mesh_quality(const struct mesh *m);
  * is where that is, -1 in a box, whose cells have no numbers in an outline. */
 double mesh_longest_cell(const struct mesh *m, int *cell);
 
+/* The largest distance of a cell from a neighbour [m], also of an outline; 0
+ * for a single cell. */
+double mesh_widest_link(const struct mesh *m);
+
 #endif

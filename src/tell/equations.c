@@ -9,6 +9,7 @@
 
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
+#include "averaging/more/kernel_gradient.h"
 #include "coupling/drag.h"
 #include "coupling/drag_laws/factor.h"
 #include "coupling/effects/forces.h"
@@ -257,6 +258,7 @@ EQUATION_OF_5(drag_di_felice_force)
 EQUATION_OF_1(drag_di_felice_exponent)
 EQUATION_OF_5(drag_beetstra_force)
 EQUATION_OF_2(drag_beetstra_factor)
+EQUATION_OF_6(kernel_gradient_row)
 
 static double sphere_cd(const double *x)
 {
@@ -328,6 +330,11 @@ static const struct equation equations_ew18[] = {
      "(24 eps^2) (1 / eps + 3 eps (1 - eps) + 8.4 Re^-0.343) / (1 + 10^(3 (1 - "
      "eps)) Re^(-0.5 - 2 (1 - eps)))",
      "eps [-], Re [-]", "g", "-", EQUATION_BY(drag_beetstra_factor)},
+    {"EW18:B.7", "slope at a particle in a row of three cells, by a kernel",
+     "X = sum w r (phi - phi_i) / sum w r^2, r = {-h, 0, h} - x, w = "
+     "exp(-r^2 / b^2), phi_i = sum w phi / sum w",
+     "h [m], b [m], x [m], phi_1 [-], phi_2 [-], phi_3 [-]", "X", "1/m",
+     EQUATION_BY(kernel_gradient_row)},
     {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
 
 /* Every drag law by its name. */

@@ -10,6 +10,9 @@
 
 static const double kernel_gradient_reach = 3.0; /* [-] of b */
 
+/* [-] number of particles above which a second thread is faster */
+enum { KERNEL_GRADIENT_MANY = 64 };
+
 struct kernel_gradient {
     const struct cell_of_particle *h; /* borrowed */
     struct stencil *near;
@@ -97,6 +100,23 @@ static void kernel_gradient_find_one(const struct kernel_weights *v,
     vector_solve(A, B, X);
 }
 
+double kernel_gradient_row(double h, double b, double x, double phi_1,
+                           double phi_2, double phi_3)
+{
+    static const int offset[3] = {-1, 0, 1};
+    const double field[3] = {phi_1, phi_2, phi_3};
+    double r[9] = {0.0}, w[3], A[6], X[3];
+    const struct kernel_weights row = {1, 3, offset, r, w};
+
+    for (int e = 0; e < 3; e++) {
+        r[3 * e] = (e - 1) * h - x;
+        w[e] = exp(-r[3 * e] * r[3 * e] / (b * b));
+    }
+    find_matrix(&row, A);
+    kernel_gradient_find_one(&row, A, 1, 0, field, X);
+    return X[0];
+}
+
 /* 1 if no link leads along direction k. */
 static int kernel_gradient_is_flat(const struct mesh *m, int k)
 {
@@ -137,23 +157,29 @@ static void drop_flat_directions(const struct kernel_gradient *s, double A[6])
             if (s->flat[j]) A[kernel_gradient_place(j, k)] = 0.0;
 }
 
-/* [EW18 B.6] for all particles, from particle to particle. */
+/* [EW18 B.6] for all particles, from particle to particle; each thread has its
+ * own weights. */
 void kernel_gradient_find(const struct kernel_gradient *s, int m,
                           const double *field, double *X)
 {
     const struct cell_of_particle *const h = s->h;
-    struct kernel_weights v = {.r = alloc_doubles(3 * s->near->largest),
-                               .w = alloc_doubles(s->near->largest)};
 
-    for (int i = 0; i < h->n; i++) {
-        double A[6];
-        v.cell = h->cell[i];
-        collect_weights(s, i, &v);
-        find_matrix(&v, A);
-        drop_flat_directions(s, A);
-        for (int k = 0; k < m; k++)
-            kernel_gradient_find_one(&v, A, m, k, field, &X[3 * (m * i + k)]);
+#pragma omp parallel if (h->n > KERNEL_GRADIENT_MANY)
+    {
+        struct kernel_weights v = {.r = alloc_doubles(3 * s->near->largest),
+                                   .w = alloc_doubles(s->near->largest)};
+#pragma omp for schedule(static)
+        for (int i = 0; i < h->n; i++) {
+            double A[6];
+            v.cell = h->cell[i];
+            collect_weights(s, i, &v);
+            find_matrix(&v, A);
+            drop_flat_directions(s, A);
+            for (int k = 0; k < m; k++)
+                kernel_gradient_find_one(&v, A, m, k, field,
+                                         &X[3 * (m * i + k)]);
+        }
+        free(v.r);
+        free(v.w);
     }
-    free(v.r);
-    free(v.w);
 }

@@ -31,4 +31,9 @@ void kernel_gradient_free(struct kernel_gradient *s);
 void kernel_gradient_find(const struct kernel_gradient *s, int m,
                           const double *field, double *X);
 
+/* The slope at x [m] from the middle of the second of three cells of width h
+ * [m] in a row, by a kernel of bandwidth b [m] [EW18 B.7]. */
+double kernel_gradient_row(double h, double b, double x, double phi_1,
+                           double phi_2, double phi_3);
+
 #endif

@@ -21,6 +21,7 @@
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
 #include "dem/integrator.h"
+#include "mesh/measures.h"
 
 /* Of direction k the name of its two sides, and that of both at once. */
 static const char *validate_side_of(int k, int i)
@@ -316,6 +317,23 @@ static int check_second_grid(const struct settings *s)
                           b, cells, most_cells);
 }
 
+/* A slope needs cells on both sides of the particle. */
+static int check_gradient_bandwidth(const struct settings *s)
+{
+    const double b = s->averaging.gradient_bandwidth;
+
+    if (b == 0.0) return 0;
+    struct mesh *const m = case_mesh_outline(s);
+    const double widest = mesh_widest_link(m);
+    mesh_free(m);
+    if (b >= widest * (1.0 - 1e-9))
+        return check_width(s, KEY_OF(s, averaging.gradient_bandwidth), b);
+    return settings_wrong(s, KEY_OF(s, averaging.gradient_bandwidth),
+                          "%g m is less than the widest cell, %g m: too few "
+                          "cells for a slope",
+                          b, widest);
+}
+
 static int case_averaging_check_given(const struct settings *s)
 {
     const struct averaging_options *const o = &s->averaging;
@@ -341,6 +359,7 @@ static int case_averaging_check(const struct settings *s)
     int code = case_averaging_check_given(s);
 
     if (code == 0) code = check_widths(s);
+    if (code == 0) code = check_gradient_bandwidth(s);
     return code != 0 ? code : check_second_grid(s);
 }
 

@@ -22,11 +22,12 @@
  * The lift forces and the torque of the fluid need it. The gradient in the
  * cells is that of the case (fluid.gradient), and the interpolation to the
  * particles the adjoint of the averaging, as for the other derivatives of the
- * flow.
+ * flow. With averaging.gradient_bandwidth it is found at the particles
+ * themselves, by the derivative of a kernel [EW18 B.6].
  */
 struct vorticity {
     double *u_b;      /* [m/s] at the boundary, 3 a face */
-    double *gradient; /* [1/s] of u, 9 a cell */
+    double *gradient; /* [1/s] of u, 9 a cell; by a kernel: 9 a particle */
     double *curl;     /* [1/s] 3 a cell */
     double *at;       /* [1/s] interpolated to the particles, 3 each */
 };
@@ -39,7 +40,9 @@ static struct vorticity *vorticity_create(struct simulation *sim,
     struct vorticity *const v = alloc_zeroed(1, sizeof *v);
 
     v->u_b = alloc_doubles(3 * (m->n_faces - m->n_internal));
-    v->gradient = alloc_doubles(9 * m->n_cells);
+    v->gradient = alloc_doubles(9 * (m->n_cells > sim->particles->capacity
+                                         ? m->n_cells
+                                         : sim->particles->capacity));
     v->curl = alloc_doubles(3 * m->n_cells);
     v->at = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, name, "1/s", v->at, 3);
@@ -60,20 +63,29 @@ static void vorticity_free(void *memory)
     free(v);
 }
 
+/* curl u of n gradients; d u_k/d x_j is at 3 k + j of each. */
+static void vorticity_curl(int n, const double *gradient, double *curl)
+{
+    for (int i = 0; i < n; i++) {
+        const double *const g = &gradient[9 * i];
+        curl[3 * i] = g[7] - g[5];
+        curl[3 * i + 1] = g[2] - g[6];
+        curl[3 * i + 2] = g[3] - g[1];
+    }
+}
+
 static void vorticity_update(void *memory, struct simulation *sim)
 {
     struct vorticity *const v = memory;
     const struct fluid *const fl = sim->fluid;
 
+    if (averaging_gradient(sim->averaging, 3, fl->u, v->gradient)) {
+        vorticity_curl(sim->particles->n, v->gradient, v->at);
+        return;
+    }
     fluid_boundary_velocity(fl, v->u_b);
     boundary_reach_gradient(fl, fl->u, v->u_b, v->gradient);
-    for (int c = 0; c < fl->mesh->n_cells; c++) {
-        const double *const g =
-            &v->gradient[9 * c]; /* d u_k/d x_j at 3 k + j */
-        v->curl[3 * c] = g[7] - g[5];
-        v->curl[3 * c + 1] = g[2] - g[6];
-        v->curl[3 * c + 2] = g[3] - g[1];
-    }
+    vorticity_curl(fl->mesh->n_cells, v->gradient, v->curl);
     averaging_gather(sim->averaging, 3, v->curl, v->at);
 }
 
