@@ -19,11 +19,10 @@
 #include "base/vector.h"
 #include "coupling/effects.h"
 #include "output/series.h"
-#include "resolved/bodies_effect.h"
+#include "resolved/solid_bodies.h"
 #include "resolved/among/among_grains.h"
-#include "resolved/among/surroundings.h"
-#include "resolved/body_exit.h"
 #include "resolved/shapes/shapes.h"
+#include "resolved/body_motion.h"
 
 struct record {
     const struct simulation *sim;

@@ -19,7 +19,6 @@
 #include "mesh/measures.h"
 #include "output/pictures/picture.h"
 #include "output/series.h"
-#include "output/pictures/outline.h"
 
 /* --- forces and torques on them ------------------------------------------- */
 
