@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "base/text.h"
 #include "case/command.h"
+#include "case/nearest.h"
 
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tell/check.h"
+#include "tell/equations.h"
 
 #include "facts.h"
 #include "capture.h"

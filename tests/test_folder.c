@@ -4,6 +4,7 @@
 #include "scratch.h"
 
 #include "base/file.h"
+#include "output/manifest.h"
 
 #include <sys/wait.h>
 

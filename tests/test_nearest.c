@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/text.h"
+#include "case/nearest.h"
 #include "facts.h"
 
 #include <stddef.h>

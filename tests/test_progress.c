@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "record/recorder.h"
+#include "record/progress.h"
 
 #include "facts.h"
 #include "capture.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/pictures/picture.h"
+#include "output/pictures/slice.h"
+#include "output/pictures/outline.h"
 
 #include "facts.h"
 

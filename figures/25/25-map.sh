@@ -1,7 +1,7 @@
 #!/bin/sh
 # The map of what each choice buys, a table: of each committed study the choice that it is
 # about, and by its first measure the error of the case as it stands, and the cheapest
-# variant that is surely within 5, 1 and 0.1 %, with its time over that of the case as it
+# variant that is certainly within 5, 1 and 0.1 %, with its time over that of the case as it
 # stands.
 #
 #   25-map.sh figures/25/25-NAME.txt ...
@@ -10,14 +10,14 @@ awk '
     # "0.42 s, error 0.8 % +- 0.1 %: step=1e-3": the time, the error, the variant.
     function take(rest) {
         cost = rest + 0
-        error = rest ~ /error/ ? rest : "they are compared with it"
-        sub(/^.*error /, "", error)
+        error = rest ~ /, (error|difference) / ? rest : "the reference itself"
+        sub(/^.*, (error|difference) /, "", error)
         sub(/:.*/, "", error)
         sub(/^[^:]*: /, "", rest)
         return rest
     }
     function cell(i) {
-        if (!found[i]) return stands ~ /compared/ ? "none but itself" : "none"
+        if (!found[i]) return stands ~ /itself/ ? "none but itself" : "none"
         return words[i] (standing ? sprintf("; %.2f", found[i] / standing) : "")
     }
     function put() {
@@ -68,7 +68,7 @@ awk '
     /^for .* %: / {
         n++
         rest = $0; sub(/^for [^:]*: /, "", rest)
-        if (rest ~ /^none/) next
+        if (rest ~ /^none of/) next
         words[n] = take(rest)
         found[n] = cost
     }

@@ -11,6 +11,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "case/scan.h"
 
 static const char source_default[] = "default";
 

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "output/manifest.h"
 
 #include <assert.h>
 #include <dirent.h>

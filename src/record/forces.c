@@ -22,6 +22,7 @@
 #include "fluid/systems.h"
 #include "mesh/measures.h"
 #include "output/table.h"
+#include "record/profiles.h"
 
 enum { EACH = 15, SURFACE_LOADS_EACH = 6 };
 

@@ -91,6 +91,7 @@ struct measure {
     char text[MEASURE_NAME]; /* as it was given */
     char file[MEASURE_NAME]; /* of the run's folder */
     char name[MEASURE_NAME]; /* of the column, or path in the summary */
+    char field[16];          /* of a probe or a profile; "" of others */
     int column;              /* of the table; -1: by name */
     double from, to;         /* [s] or [m] along the first column */
 };

@@ -4,9 +4,10 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "record/history.h"
-#include "base/text.h"
+#include "case/nearest.h"
+#include "record/profiles.h"
 #include "record/recorder_part.h"
-#include "output/summary.h"
+#include "case/resume/read_summary.h"
 #include "study/plan.h"
 
 #include <math.h>
@@ -163,11 +164,15 @@ static int measure_locate(struct measure *m, const struct settings *s)
         if (m->column > s->output.probes.n)
             return measure_refuse(m,
                                   "output.probes of the case has not so many");
+        snprintf(m->field, sizeof m->field, "%s",
+                 s->output.probes.item[m->column - 1].field);
     } else if (profile >= 0) {
         if (profile >= s->output.profiles.n)
             return measure_refuse(
                 m, "output.profiles of the case has not so many");
         profiles_name(&s->output, profile, name);
+        snprintf(m->field, sizeof m->field, "%s",
+                 s->output.profiles.item[profile].field);
         snprintf(m->file, MEASURE_NAME, "profiles/%s.csv", name);
         m->column = 1;
         if (m->how == MEASURE_LAST) m->how = MEASURE_CURVE;

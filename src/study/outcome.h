@@ -89,8 +89,8 @@ void outcomes_free(struct outcomes *o);
  * last three do not approach each other, or the truth is no extrapolation. */
 double outcomes_fitted_order(const struct outcomes *o, int variant, int m);
 
-/* By two standard errors: 1 if the error is surely within the limit; if it is
- * larger than chance explains; if chance explains the difference of two. */
+/* By two standard errors: 1 if the error is certainly within the limit; if it
+ * is larger than chance explains; if chance explains the difference of two. */
 int outcome_is_within(const struct finding *f, double limit);
 int outcome_is_resolved(const struct finding *f);
 int outcome_is_chance(const struct finding *a, const struct finding *b);
@@ -98,6 +98,17 @@ int outcome_is_chance(const struct finding *a, const struct finding *b);
 /* 1 if two variants cost the same, as far as can be told: up to two standard
  * errors of the difference, and times up to a tenth. */
 int outcome_costs_the_same(const struct outcome *a, const struct outcome *b);
+
+/* Words for pictures and pages, to be freed: what the keys of a choice mean;
+ * the values of a variant but for one choice (-1: all), "pcm, 1e-3"; a measure,
+ * "mean height, mean from 0.2 s on"; and what it is compared with. */
+char *words_choice(const struct choice *c);
+char *words_variant(const struct choices *c, int variant, int but);
+char *words_measure(const struct measure *m);
+char *words_truth(const struct outcomes *o, int m);
+
+/* Between models there are differences, and errors from what is right. */
+const char *words_error(const struct truth *t);
 
 /* What a study writes and says:
  *

@@ -8,6 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "output/pictures/gnuplot.h"
 #include "output/pictures/picture.h"
 
 #include <gsl/gsl_sort.h>
@@ -51,20 +52,14 @@ static int next_line(const struct outcomes *o, int m, int first)
     return first;
 }
 
-/* cost, error [%], its lower and upper end (two standard errors), value of the
- * axis. */
+/* cost, error [%], its lower and upper end (two standard errors). */
 static void picture_put_point(const struct outcomes *o, int m, int v, FILE *out)
 {
     const struct finding *const f = &o->variant[v].of[m];
     const double low = fmax(f->error - 2.0 * f->uncertainty, 1e-2 * f->error);
-    const struct choices *const c = &o->plan->choices;
 
-    fprintf(out, "%.8g %.8g %.8g %.8g ", o->variant[v].cost, 100.0 * f->error,
+    fprintf(out, "%.8g %.8g %.8g %.8g\n", o->variant[v].cost, 100.0 * f->error,
             100.0 * low, 100.0 * (f->error + 2.0 * f->uncertainty));
-    text_put(out,
-             o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]),
-             TEXT_DATA);
-    fputc('\n', out);
 }
 
 /* 1 if the variant costs more than the last of the front, and is better by more
@@ -112,11 +107,12 @@ static double median_order(const struct outcomes *o, int m, int first)
 static int picture_put_line(const struct outcomes *o, int m, int first,
                             FILE *out)
 {
-    char *const label = choices_label(&o->plan->choices, first, o->axis);
+    char *const label = words_variant(&o->plan->choices, first, o->axis);
     const double order = median_order(o, m, first);
     struct texts title = {0};
 
-    texts_add(&title, "%s", label[0] != '\0' ? label : "error");
+    texts_add(&title, "%s",
+              label[0] != '\0' ? label : words_error(&o->plan->truth[m]));
     if (isfinite(order))
         texts_add(&title, "%s, order %.2g", title.text[0], order);
     const char *const last = title.text[title.n - 1];
@@ -135,6 +131,9 @@ static int picture_put_line(const struct outcomes *o, int m, int first,
 /* What a panel has to hold. */
 struct panel {
     int m, front, lines;  /* [-] measure; part of the data; lines */
+    int labels;           /* [-] how many have been placed */
+    double (*label)[2];   /* [px] their middles, */
+    const char **text;    /* and the values of the axis that they are */
     double x_low, x_high; /* ends of its axes: cost */
     double y_low, y_high; /* [%] and error */
 };
@@ -151,6 +150,99 @@ static void find_ranges(const struct outcomes *o, struct panel *p)
         p->y_low = fmin(p->y_low, error / 2.0);
         p->y_high = fmax(p->y_high, 1.6 * (error + 200.0 * f->uncertainty));
     }
+}
+
+/* --- labels beside the points ----------------------------------------------
+ */
+
+/* [px] A panel's plot, a letter, a point, about: letters may be narrower. */
+static const double plot_wide = 480.0, plot_high = 255.0;
+static const double letter_wide = 7.6, letter_high = 15.0, point = 9.0;
+
+/* The place of a point in a panel, from its lower left corner. */
+static void place_of(const struct outcomes *o, const struct panel *p, int v,
+                     double at[2])
+{
+    at[0] = plot_wide * log(o->variant[v].cost / p->x_low) /
+            log(p->x_high / p->x_low);
+    at[1] = plot_high * log(100.0 * o->variant[v].of[p->m].error / p->y_low) /
+            log(p->y_high / p->y_low);
+}
+
+static int is_near(const double a[2], const double b[2], double x, double y)
+{
+    return fabs(a[0] - b[0]) < x && fabs(a[1] - b[1]) < y;
+}
+
+/* 1 if a text fits there beside all points and labels. */
+static int is_free(const struct outcomes *o, const struct panel *p,
+                   const double at[2], double wide)
+{
+    double other[2];
+
+    if (at[0] < 0.5 * wide || at[1] < 0.5 * letter_high ||
+        at[1] > plot_high - 0.5 * letter_high)
+        return 0;
+    for (int v = 0; v < o->n; v++) {
+        if (!is_shown(o, p->m, v)) continue;
+        place_of(o, p, v, other);
+        if (is_near(at, other, 0.5 * (wide + point),
+                    0.5 * (letter_high + point)))
+            return 0;
+    }
+    for (int i = 0; i < p->labels; i++)
+        if (is_near(at, p->label[i],
+                    0.5 * (wide + letter_wide * (double)strlen(p->text[i])),
+                    letter_high))
+            return 0;
+    return 1;
+}
+
+/* Finds a place for the label of a variant: above, below, or none. */
+static void place_label(const struct outcomes *o, struct panel *p, int v)
+{
+    static const double way[][2] = {{1, 1},   {-1, -1},  {1, -1},  {-1, 1},
+                                    {0, 1.4}, {0, -1.4}, {1.3, 0}, {-1.3, 0}};
+    const struct choice *const axis = &o->plan->choices.of[o->axis];
+    const char *const text =
+        choices_value(&o->plan->choices, v, axis->key.text[0]);
+    const double wide = letter_wide * (double)strlen(text);
+    double at[2], to[2];
+
+    place_of(o, p, v, at);
+    for (int i = 0; i < 8; i++) {
+        to[0] = at[0] + way[i][0] * 0.5 * (wide + point);
+        to[1] = at[1] + way[i][1] * 0.5 * (letter_high + point);
+        if (!is_free(o, p, to, wide)) continue;
+        memcpy(p->label[p->labels], to, sizeof to);
+        p->text[p->labels++] = text;
+        return;
+    }
+}
+
+/* The labels of a panel, a part of the data: their middles in the units of the
+ * axes, and their texts; those of the first line where points are many. */
+static void put_labels(const struct outcomes *o, struct panel *p, FILE *out)
+{
+    const int all = points(o, p->m, -1) <= 12;
+
+    p->label = alloc_zeroed((size_t)o->n, sizeof *p->label);
+    p->text = alloc_zeroed((size_t)o->n, sizeof *p->text);
+    for (int v = 0; v < o->n && o->axis >= 0; v++)
+        if (is_shown(o, p->m, v) &&
+            (all || is_on(o, next_line(o, p->m, -1), v)))
+            place_label(o, p, v);
+    fputs("\n\n", out);
+    for (int i = 0; i < p->labels; i++) {
+        fprintf(
+            out, "%.8g %.8g ",
+            p->x_low * pow(p->x_high / p->x_low, p->label[i][0] / plot_wide),
+            p->y_low * pow(p->y_high / p->y_low, p->label[i][1] / plot_high));
+        text_put(out, p->text[i], TEXT_DATA);
+        fputc('\n', out);
+    }
+    free(p->label);
+    free(p->text);
 }
 
 /* The data of all panels; *longest is the length of the longest title. Returns
@@ -171,54 +263,88 @@ static int picture_put_data(const struct outcomes *o, struct panel *panel,
             panel[n].lines++;
             parts++;
         }
-        find_ranges(o, &panel[n++]);
+        find_ranges(o, &panel[n]);
+        put_labels(o, &panel[n], out);
+        parts += panel[n++].labels > 0;
     }
     return n;
 }
 
-static void put_title(const struct plan *p, int m, FILE *out)
+/* A line of the script: NAME = 'TEXT'. The text is freed. */
+static void picture_put_words(const char *name, int i, char *text, FILE *out)
 {
-    struct texts title = {0};
-    const char *const text = texts_add(&title, "%s against %s",
-                                       p->measure[m].text, p->truth[m].text);
+    fprintf(out, i > 0 ? "%s[%d] = " : "%s = ", name, i);
+    text_put(out, text, TEXT_GNUPLOT);
+    fputc('\n', out);
+    free(text);
+}
 
-    text_put(out, strlen(text) > 60 ? p->measure[m].text : text, TEXT_GNUPLOT);
-    texts_free(&title);
+static void put_panel(const struct outcomes *o, int i, const struct panel *of,
+                      FILE *out)
+{
+    const struct truth *const t = &o->plan->truth[of->m];
+
+    fprintf(out,
+            "front[%d] = %d; lines[%d] = %d; labels[%d] = %d\n"
+            "x_low[%d] = %.4g; x_high[%d] = %.4g; y_low[%d] = %.4g; "
+            "y_high[%d] = %.4g\n",
+            i, of->front, i, of->lines, i, of->labels, i, of->x_low, i,
+            of->x_high, i, of->y_low, i, of->y_high);
+    fprintf(out, "errors[%d] = '%s %s '\n", i, words_error(t),
+            t->kind == TRUTH_FINEST ? "from" : "against");
+    picture_put_words("titles", i, words_measure(&o->plan->measure[of->m]),
+                      out);
+    picture_put_words("references", i, words_truth(o, of->m), out);
+}
+
+/* What differs from line to line, and along them; returns the longest title. */
+static int put_meanings(const struct outcomes *o, int longest, FILE *out)
+{
+    const struct choices *const c = &o->plan->choices;
+    int n = 0;
+
+    fprintf(out, "array differ[%d]\ndiffer[1] = along = ''\n", c->n);
+    for (int i = 0; i < c->n; i++) {
+        char *const words = words_choice(&c->of[i]);
+        const int before = i == o->axis ? 19 : 0; /* "beside the points: " */
+        const int length = before + (int)strlen(words);
+
+        if (c->of[i].n > 1 && length > longest) longest = length;
+        if (c->of[i].n < 2)
+            free(words);
+        else if (i == o->axis)
+            picture_put_words("along", 0, words, out);
+        else
+            picture_put_words("differ", ++n, words, out);
+    }
+    fprintf(out, "meanings = %d\n", n);
+    return longest;
 }
 
 static void put_variables(const struct outcomes *o, int n,
                           const struct panel *panel, int longest, FILE *out)
 {
+    static const char *const arrays[] = {
+        "front", "lines",  "labels", "x_low",  "x_high",
+        "y_low", "y_high", "errors", "titles", "references"};
     const struct plan *const p = o->plan;
     int most = 0;
 
-    fprintf(out,
-            "panels = %d\narray front[%d]; array lines[%d]; array points[%d]\n"
-            "array x_low[%d]; array x_high[%d]; array y_low[%d]\n"
-            "array y_high[%d]; array titles[%d]\n",
-            n, n, n, n, n, n, n, n, n);
+    fprintf(out, "panels = %d\n", n);
+    for (int k = 0; k < 10; k++)
+        fprintf(out, "array %s[%d]\n", arrays[k], n);
     for (int i = 0; i < n; i++) {
-        const struct panel *const of = &panel[i];
-        fprintf(out, "front[%d] = %d; lines[%d] = %d; points[%d] = %d\n", i + 1,
-                of->front, i + 1, of->lines, i + 1,
-                o->axis >= 0 ? points(o, of->m, -1) : 0);
-        fprintf(out,
-                "x_low[%d] = %.4g; x_high[%d] = %.4g; y_low[%d] = %.4g; "
-                "y_high[%d] = %.4g\ntitles[%d] = ",
-                i + 1, of->x_low, i + 1, of->x_high, i + 1, of->y_low, i + 1,
-                of->y_high, i + 1);
-        put_title(p, of->m, out);
-        fputc('\n', out);
-        if (of->lines > most) most = of->lines;
+        put_panel(o, i + 1, &panel[i], out);
+        if (panel[i].lines > most) most = panel[i].lines;
     }
-    fprintf(out, "most = %d; longest = %d\ntitle = ", most, longest);
-    text_put(out, p->title, TEXT_GNUPLOT);
-    fputs("\ncost = ", out);
-    text_put(out,
-             plan_cost_is_processor(p) ? "processor time of a run [s]"
-                                       : p->cost.text,
-             TEXT_GNUPLOT);
-    fputc('\n', out);
+    longest = put_meanings(o, longest, out);
+    fprintf(out, "most = %d; longest = %d\n", most, longest);
+    picture_put_words("title", 0, strdup(p->title), out);
+    picture_put_words("cost", 0,
+                      plan_cost_is_processor(p)
+                          ? strdup("processor time of a run [s]")
+                          : words_measure(&p->cost),
+                      out);
 }
 
 /* Non-zero after a message; *panels is how many there are. */
@@ -230,7 +356,7 @@ static int write_script(const struct outcomes *o, int *panels)
 
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
-    fputs("# cost, error [%], its ends at two standard errors, axis\n"
+    fputs("# cost, error [%], its ends at two standard errors; labels\n"
           "$data << END\n",
           out);
     *panels = picture_put_data(o, panel, &longest, out);

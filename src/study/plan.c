@@ -3,7 +3,7 @@
 
 #include "base/number.h"
 #include "case/case_file.h"
-#include "base/text.h"
+#include "case/nearest.h"
 #include "case/schema.h"
 #include "case/source.h"
 

@@ -5,7 +5,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "output/summary.h"
+#include "case/resume/read_summary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -210,8 +210,10 @@ static void put_table(const struct outcomes *o, FILE *out)
 
     fputs("| variant | processor [s]", out);
     if (other) put_page(" | ", p->cost.text, "", out);
-    for (int m = 0; m < p->n_measures; m++)
-        put_page(" | ", p->measure[m].text, " | error | order", out);
+    for (int m = 0; m < p->n_measures; m++) {
+        put_page(" | ", p->measure[m].text, " | ", out);
+        fprintf(out, "%s | order", words_error(&p->truth[m]));
+    }
     fputs(" |\n| --- | ---:", out);
     for (int i = 0; i < 3 * p->n_measures + other; i++)
         fputs(" | ---:", out);
@@ -293,7 +295,8 @@ static int is_reference_as_cheap(const struct outcomes *o, int m, int v)
             outcome_costs_the_same(stands, &o->variant[v]));
 }
 
-/* The cheapest variant whose error is surely within the limit; -1 if none. */
+/* The cheapest variant whose error is certainly within the limit; -1 if none.
+ */
 static int cheapest_within(const struct outcomes *o, int m, double limit)
 {
     char *const in = alloc_zeroed((size_t)o->n, 1);
@@ -308,7 +311,20 @@ static int cheapest_within(const struct outcomes *o, int m, double limit)
 
 /* --- in words ------------------------------------------------------------- */
 
-/* "0.42 s, error 0.8 %, fluid.step=1e-3". */
+/* "error 0.8 % +- 0.1 %". */
+static void put_error(const struct outcomes *o, int v, int m, FILE *out)
+{
+    const struct finding *const f = &o->variant[v].of[m];
+    char text[NUMBER_LENGTH];
+
+    fprintf(out, "%s %s %%", words_error(&o->plan->truth[m]),
+            number_rounded(100.0 * f->error, 3, text));
+    if (f->uncertainty > 0.0)
+        fprintf(out, " +- %s %%",
+                number_rounded(100.0 * f->uncertainty, 2, text));
+}
+
+/* "0.42 s, error 0.8 %: fluid.step=1e-3". */
 static void put_advised(const struct outcomes *o, int v, int m, FILE *out)
 {
     const struct finding *const f = &o->variant[v].of[m];
@@ -316,17 +332,38 @@ static void put_advised(const struct outcomes *o, int v, int m, FILE *out)
 
     fprintf(out, "%s%s, ", number_rounded(o->variant[v].cost, 3, text),
             plan_cost_is_processor(o->plan) ? " s" : "");
-    if (!isfinite(f->error)) { /* the finest has no other to be compared with */
-        fprintf(out, "which the others are compared with: %s",
-                o->variant[v].label);
-        return;
+    if (isfinite(f->error))
+        put_error(o, v, m, out);
+    else /* the finest has no other to be compared with */
+        fputs("the reference", out);
+    put_page(": ", o->variant[v].label, "", out);
+}
+
+/* Why none is certainly within the limit, which holds for smaller ones too. */
+static void put_beyond(const struct outcomes *o, int m, double limit, FILE *out)
+{
+    const struct finding *const reference = &o->variant[o->n - 1].of[m];
+    const double own =
+        o->plan->truth[m].kind == TRUTH_FINEST ? reference->uncertainty : 0.0;
+    double least = INFINITY;
+    int nearest = 0;
+    char text[NUMBER_LENGTH];
+
+    for (int v = 0; v < o->n; v++) {
+        const struct finding *const f = &o->variant[v].of[m];
+        if (!(f->error + 2.0 * f->uncertainty < least)) continue;
+        least = f->error + 2.0 * f->uncertainty;
+        nearest = v;
     }
-    fprintf(out, "error %s %%", number_rounded(100.0 * f->error, 3, text));
-    if (f->uncertainty > 0.0)
-        fprintf(out, " +- %s %%",
-                number_rounded(100.0 * f->uncertainty, 2, text));
-    fputs(": ", out);
-    text_put(out, o->variant[v].label, TEXT_PAGE);
+    fprintf(out, "- no variant is certainly within %g %%: ", 100.0 * limit);
+    if (2.0 * own > limit)
+        fprintf(out, "the reference's own standard error is %s %%\n",
+                number_rounded(100.0 * own, 3, text));
+    else {
+        fputs("the nearest has the ", out);
+        put_error(o, nearest, m, out);
+        fputc('\n', out);
+    }
 }
 
 /* Why there is no error of any variant; NULL if there is one. */
@@ -350,7 +387,8 @@ static const char *nothing_known(const struct outcomes *o, int m)
                : "where it was measured the truth is unknown, or 0";
 }
 
-/* A line for each limit, and one for the variant that the case itself is. */
+/* A line for each limit that a variant is within, one for the first that none
+ * is, and one for the variant that the case itself is. */
 static void put_lines(const struct outcomes *o, int m, FILE *out)
 {
     const int standing = o->standing;
@@ -358,11 +396,12 @@ static void put_lines(const struct outcomes *o, int m, FILE *out)
     for (int i = 0; i < LIMITS; i++) {
         const int v = cheapest_within(o, m, limits[i]);
 
+        if (v < 0) {
+            put_beyond(o, m, limits[i], out);
+            break;
+        }
         fprintf(out, "- for %g %%: ", 100.0 * limits[i]);
-        if (v >= 0)
-            put_advised(o, v, m, out);
-        else
-            fputs("none of these is surely within it", out);
+        put_advised(o, v, m, out);
         fputc('\n', out);
     }
     if (standing < 0 || !isfinite(o->variant[standing].cost)) return;
@@ -397,12 +436,22 @@ static void put_times(const struct outcomes *o, int m, FILE *out)
             of->text);
 }
 
+/* "mean_height, against method=diffusion, the finest". */
+static void put_compared(const struct outcomes *o, int m, FILE *out)
+{
+    const int finest = o->plan->truth[m].kind == TRUTH_FINEST;
+
+    put_page("", o->plan->measure[m].text, ", against ", out);
+    put_page("", finest ? o->variant[o->n - 1].label : o->plan->truth[m].text,
+             finest ? ", the finest" : "", out);
+}
+
 void report_advice(const struct outcomes *o, FILE *out)
 {
     for (int m = 0; m < o->plan->n_measures; m++) {
         if (o->plan->truth[m].kind == TRUTH_NONE) continue;
-        put_page("", o->plan->measure[m].text, ", against ", out);
-        put_page("", o->plan->truth[m].text, ":\n", out);
+        put_compared(o, m, out);
+        fputs(":\n", out);
         put_times(o, m, out);
         const char *const why = nothing_known(o, m);
         if (why != NULL) {
@@ -430,8 +479,8 @@ static int write_page(const struct outcomes *o)
     put_page("# ", p->title, "\n\n", out);
     put_page("Case ", p->case_file, "; ", out);
     for (int m = 0; m < p->n_measures; m++) {
-        put_page(m > 0 ? ", " : "", p->measure[m].text, " against ", out);
-        put_page("", p->truth[m].text, "", out);
+        fputs(m > 0 ? "; " : "", out);
+        put_compared(o, m, out);
     }
     fprintf(out, ".\nSeeds: %d; repetitions: %d, the least counts. %s\n\n",
             p->seeds, p->times, same_costs);

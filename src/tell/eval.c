@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* eval.c -- `winnow eval`: one equation at a time. */
-#include "tell/check.h"
+#include "tell/equations.h"
 
 #include "case/command.h"
-#include "base/text.h"
+#include "case/nearest.h"
 
 #include <math.h>
 #include <stdio.h>

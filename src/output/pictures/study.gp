@@ -8,7 +8,7 @@
 wide = panels > 2 ? 2 : 1
 rows = (panels + wide - 1) / wide
 size_x = 130.0 + 8.0 * (longest > 56 ? longest : 56)
-size_y = 400.0 + 27.0 * (most + 1)
+size_y = 490.0 + 27.0 * (most + 1 + meanings + (along ne ''))
 if (ARG1 eq 'png') {
     set terminal pngcairo size 2*wide*size_x, 2*rows*size_y font 'Sans,16' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'
 } else {
@@ -33,16 +33,16 @@ set pointsize 0.9
 
 # The marks of an axis: decades; 1, 2, 5 of each where there are few of them; more where
 # the range is narrow.
-marks = '1 2 5 1.2 1.5 3 4 2.5 6 8'
+marks = '1 2 5 3 1.5 1.2 4 2.5 6 8'
 first(low) = floor(log10(low))
 last(high) = ceil(log10(high))
 every(low, high) = last(high) - first(low) > 8 ? 2 : 1
-many(low, high) = high < 6 * low ? 10 : last(high) - first(low) <= 3 ? 3 : 1
+many(low, high) = high < 3 * low ? 10 : high < 6 * low ? 5 : last(high) - first(low) <= 3 ? 3 : 1
 set multiplot layout rows, wide title title noenhanced
 set xlabel cost noenhanced
-set ylabel 'error [%]'
 do for [p = 1:panels] {
-    set title titles[p] font ',15' noenhanced offset 0,-0.5
+    set title titles[p]."\n".errors[p].references[p] font ',15' noenhanced offset 0,-0.5
+    set ylabel word(errors[p], 1).' [%]'
     set xrange [x_low[p] : x_high[p]]
     set yrange [y_low[p] : y_high[p]]
     set xtics () ; set ytics ()
@@ -53,10 +53,12 @@ do for [p = 1:panels] {
         do for [i = 1:many(y_low[p], y_high[p])] { set ytics add (10.0**d * word(marks, i)) }
     }
     f = front[p]
-    # The values of the axis stand beside the points: once, where lines are many.
-    plot $data index f using 1:2 with steps linecolor rgb '#cccccc' linewidth 6 dashtype 1 title 'least error for the cost', \
-        for [i = 1:lines[p]] $data index f+i using 1:($4 > $3 ? $2 : NaN):3:4 with yerrorbars linetype i dashtype 1 pointsize 0 notitle, \
+    plot NaN with lines linetype nodraw title ' ', \
+        $data index f using 1:2 with steps linecolor rgb '#cccccc' linewidth 6 dashtype 1 title 'least '.word(errors[p], 1).' for the cost', \
+        for [i = 1:meanings] NaN with lines linetype nodraw title differ[i].(i < meanings ? ';' : ':'), \
+        for [i = 1:lines[p]] $data index f+i using 1:($4 > $3 ? $2 : NaN):3:4 with yerrorbars linetype i dashtype 1 pointtype 0 notitle, \
         for [i = 1:lines[p]] $data index f+i using 1:2 with linespoints linetype i title columnheader(1), \
-        for [i = 1:(points[p] > 12 ? 1 : lines[p])] $data index f+i using 1:2:5 with labels left offset 0.8,0.6 font ',13' textcolor rgb '#444444' noenhanced notitle
+        for [i = 1:(along ne '')] NaN with lines linetype nodraw title 'beside the points: '.along, \
+        for [i = 1:(labels[p] > 0)] $data index f+lines[p]+1 using 1:2:3 with labels center font ',13' textcolor rgb '#444444' noenhanced notitle
 }
 unset multiplot

@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangles.h"
+#include "resolved/shapes/triangle_tree.h"
 
 #include <math.h>
 #include <stdlib.h>
