@@ -3,10 +3,11 @@
 """Moments of a run side by side, drawn by VTK without a screen.
 
     xvfb-run -a /usr/bin/python3 figures/14/scene.py out/chute PNG \\
-        X,Y,Z speed:MOST|id:ID WIDTH HEIGHT ZOOM TIME...
+        X,Y,Z speed:MOST|id:ID|ARRAY:MOST WIDTH HEIGHT ZOOM TIME...
 
-Spheres by speed up to MOST m/s, or one of them red; walls grey; seen from the
-direction X,Y,Z. Debian: apt-get install python3-vtk9 xvfb
+Spheres by speed up to MOST m/s, or one of them red; walls grey, or without
+spheres by an array of their faces; a panel for each of several, with commas
+between; seen from the direction X,Y,Z. Debian: apt-get install python3-vtk9 xvfb
 """
 import os
 import sys
@@ -36,6 +37,15 @@ def opened(folder, name, seconds):
     return reader
 
 
+def viridis(top):
+    colours = vtkColorTransferFunction()  # viridis: lighter is larger
+    for k, (r, g, b) in enumerate(((0.267, 0.005, 0.329), (0.229, 0.322, 0.546),
+                                   (0.128, 0.567, 0.551), (0.369, 0.789, 0.383),
+                                   (0.993, 0.906, 0.144))):
+        colours.AddRGBPoint(0.25 * top * k, r, g, b)
+    return colours
+
+
 def spheres(points, shown, number):
     value = vtkArrayCalculator()
     value.SetInputConnection(points.GetOutputPort())
@@ -56,26 +66,28 @@ def spheres(points, shown, number):
     glyph.SetScaleModeToScaleByScalar()
     glyph.SetColorModeToColorByScalar()
     top = float(number) if shown == "speed" else 1.0
-    colours = vtkColorTransferFunction()  # viridis: lighter is larger
-    for k, (r, g, b) in enumerate(((0.267, 0.005, 0.329), (0.229, 0.322, 0.546),
-                                   (0.128, 0.567, 0.551), (0.369, 0.789, 0.383),
-                                   (0.993, 0.906, 0.144))):
-        colours.AddRGBPoint(0.25 * top * k, r, g, b)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(glyph.GetOutputPort())
-    mapper.SetLookupTable(colours)
+    mapper.SetLookupTable(viridis(top))
     mapper.SetScalarRange(0.0, top)
     actor = vtkActor()
     actor.SetMapper(mapper)
     return actor
 
 
-def walls(reader):
+def walls(reader, array, most):
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(reader.GetOutputPort())
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
+    if array not in ("speed", "id"):
+        mapper.ScalarVisibilityOn()
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray(array)
+        mapper.SetLookupTable(viridis(float(most)))
+        actor.GetProperty().LightingOff()
+        return actor
     actor.GetProperty().SetColor(0.6, 0.6, 0.62)
     actor.GetProperty().SetOpacity(0.45)
     actor.GetProperty().EdgeVisibilityOn()
@@ -96,21 +108,24 @@ def look(renderer, towards, bounds, zoom):
 
 def main():
     folder, png, towards, colour, width, height, zoom = sys.argv[1:8]
-    times = [float(t) for t in sys.argv[8:]]
+    panels = [(float(t), *c.split(":"))
+              for c in colour.split(",") for t in sys.argv[8:]]
     towards = [float(x) for x in towards.split(",")]
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetSize(int(width) * len(times), int(height))
+    window.SetSize(int(width) * len(panels), int(height))
     window.SetMultiSamples(8)
     bounds = None
-    for i, time in enumerate(times):
+    for i, (time, shown, most) in enumerate(panels):
         renderer = vtkRenderer()
         renderer.SetBackground(1, 1, 1)
-        renderer.SetViewport(i / len(times), 0, (i + 1) / len(times), 1)
+        renderer.SetViewport(i / len(panels), 0, (i + 1) / len(panels), 1)
         if os.path.exists(os.path.join(folder, "surfaces.pvd")):
-            renderer.AddActor(walls(opened(folder, "surfaces", time)))
-        renderer.AddActor(spheres(opened(folder, "particles", time),
-                                  *colour.split(":")))
+            renderer.AddActor(walls(opened(folder, "surfaces", time), shown,
+                                    most))
+        if shown in ("speed", "id"):
+            renderer.AddActor(spheres(opened(folder, "particles", time), shown,
+                                      most))
         text = vtkTextActor()
         text.SetInput(f"{time:g} s")
         text.GetTextProperty().SetColor(0, 0, 0)

@@ -3,8 +3,10 @@
  *
  * DIR/surfaces.csv has a row with each row of history.csv: of each surface the
  * force and the torque, as means since the row before, and the work that it has
- * done so far. DIR/surfaces.pvd shows them as polygons, DIR/walls.pvd the faces
- * at the boundary with what the fluid does to them.
+ * done so far; after them the volume that each one that wears has lost.
+ * DIR/surfaces.pvd shows them as polygons, those that wear with the depth and
+ * the stresses of each face as means since the picture before; DIR/walls.pvd
+ * the faces at the boundary with what the fluid does to them.
  */
 #include "record/recorder_part.h"
 
@@ -14,6 +16,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/vector.h"
 #include "dem/surfaces/surfaces.h"
 #include "fluid/systems.h"
 #include "mesh/measures.h"
@@ -45,6 +48,9 @@ static struct table *surface_table_create_table(const struct simulation *sim,
     for (int c = 0; c < EACH * sim->n_surfaces; c++)
         table_head_add(&head, "%s_%s", sim->surface_names[c / EACH],
                        what[c % EACH]);
+    for (int s = 0; s < sim->n_surfaces; s++)
+        if (dem_surface_wear(sim->dem, s) != NULL)
+            table_head_add(&head, "%s_worn [m^3]", sim->surface_names[s]);
     return folder_table(folder, "surfaces.csv", &head);
 }
 
@@ -66,7 +72,7 @@ static void *surface_table_create(const struct recorder_view *v, int *failed)
     t->sim = v->sim;
     t->t = -1.0;
     t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
-    t->row = alloc_doubles(1 + EACH * v->sim->n_surfaces);
+    t->row = alloc_doubles(1 + (EACH + 1) * v->sim->n_surfaces);
     t->table = surface_table_create_table(v->sim, v->folder);
     *failed = t->table == NULL;
     return t;
@@ -87,9 +93,20 @@ static void surface_table_visit(void *part, struct state *s)
     state_end(s);
 }
 
+static double total_worn(const struct simulation *sim, int s)
+{
+    const struct wear_face *const face = dem_surface_wear(sim->dem, s);
+    double sum = 0.0;
+
+    for (int f = 0; f < wear_faces(&sim->surfaces[s]); f++)
+        sum += face[f].worn;
+    return sum;
+}
+
 static int surface_table_add_row(void *part)
 {
     struct surface_table *const t = part;
+    double *worn = &t->row[1 + EACH * t->sim->n_surfaces];
     const double passed = t->t >= 0.0 ? t->sim->t - t->t : 0.0;
     const double per = passed > 0.0 ? 1.0 / passed : 0.0;
 
@@ -104,6 +121,8 @@ static int surface_table_add_row(void *part)
         }
         row[6] = now.work;
         t->before[s] = now;
+        if (dem_surface_wear(t->sim->dem, s) != NULL)
+            *worn++ = total_worn(t->sim, s);
     }
     return table_add(t->table, t->row);
 }
@@ -123,7 +142,34 @@ struct surface_fields {
     struct folder *folder;       /* borrowed */
     struct series *series;
     struct outline outline;
+    int wears;                      /* [-] 1: one of them does */
+    int n_faces;                    /* [-] of all */
+    struct wear_face *before;       /* of each face, at the picture before */
+    double t;                       /* [s] of that; negative: there is none */
+    int room;                       /* [-] polygons that these have room for: */
+    double *depth, *normal, *shear; /* [m], [Pa], [Pa] */
 };
+
+/* The faces of those that do not wear have none of it. */
+static void begin_wear(struct surface_fields *p)
+{
+    const struct simulation *const sim = p->sim;
+
+    p->t = -1.0;
+    for (int s = 0; s < sim->n_surfaces; s++) {
+        p->n_faces += wear_faces(&sim->surfaces[s]);
+        p->wears |= dem_surface_wear(sim->dem, s) != NULL;
+    }
+    if (p->wears)
+        p->before = alloc_zeroed((size_t)p->n_faces, sizeof *p->before);
+}
+
+static void free_values(struct surface_fields *p)
+{
+    free(p->depth);
+    free(p->normal);
+    free(p->shear);
+}
 
 static void surface_fields_release(void *part)
 {
@@ -131,6 +177,8 @@ static void surface_fields_release(void *part)
 
     series_free(p->series);
     outline_release(&p->outline);
+    free(p->before);
+    free_values(p);
     free(p);
 }
 
@@ -143,6 +191,7 @@ static void *surface_fields_create(const struct recorder_view *v, int *failed)
     p->last = v->whole;
     p->folder = v->folder;
     p->series = recorder_series(v, "surfaces");
+    begin_wear(p);
     *failed = p->series == NULL;
     return p;
 }
@@ -188,26 +237,100 @@ static int put_section(void *part)
     return file_commit(f);
 }
 
-/* Writes them once, if none of them moves. */
+static void make_room(struct surface_fields *p, int n)
+{
+    free_values(p);
+    p->depth = alloc_doubles(n);
+    p->normal = alloc_doubles(n);
+    p->shear = alloc_doubles(n);
+    p->room = n;
+}
+
+static double area_of(const struct outline *o, int polygon)
+{
+    const int first = polygon > 0 ? o->end[polygon - 1] : 0;
+    double a[3], b[3], cross[3], sum[3] = {0.0, 0.0, 0.0};
+
+    for (int i = first + 1; i + 1 < o->end[polygon]; i++) {
+        vector_between(&o->x[3L * i], &o->x[3L * first], a);
+        vector_between(&o->x[3L * (i + 1)], &o->x[3L * first], b);
+        vector_cross(a, b, cross);
+        vector_along(sum, 0.5, cross, sum);
+    }
+    return vector_length(sum);
+}
+
+/* Of one face, which is drawn as the polygons from `from` to `to`. */
+static void take_face(struct surface_fields *p, const struct wear_face *now,
+                      struct wear_face *before, double per_time, int from,
+                      int to)
+{
+    double area = 0.0;
+
+    for (int i = from; i < to; i++)
+        area += area_of(&p->outline, i);
+    for (int i = from; i < to; i++) {
+        p->depth[i] = now->worn / area;
+        p->normal[i] = per_time / area * (now->normal - before->normal);
+        p->shear[i] = per_time / area * (now->shear - before->shear);
+    }
+    *before = *now;
+}
+
+/* The arrays of all polygons as they are drawn, at time t [s]. */
+static void take_wear(struct surface_fields *p, double t)
+{
+    static const struct wear_face none = {0};
+    const struct outline *const o = &p->outline;
+    const double per_time = p->t >= 0.0 && t > p->t ? 1.0 / (t - p->t) : 0.0;
+    struct wear_face *before = p->before;
+    int polygon = 0;
+
+    if (o->n_polygons > p->room) make_room(p, o->n_polygons);
+    for (int s = 0; s < p->sim->n_surfaces; s++) {
+        const struct surface *const one = &p->sim->surfaces[s];
+        const struct wear_face *const face = dem_surface_wear(p->sim->dem, s);
+        for (int f = 0; f < wear_faces(one); f++) {
+            int end = polygon + (one->triangles != NULL);
+            while (end < o->n_polygons && o->of[end] == s &&
+                   one->triangles == NULL)
+                end++;
+            take_face(p, face != NULL ? &face[f] : &none, before++, per_time,
+                      polygon, end);
+            polygon = end;
+        }
+    }
+    p->t = t;
+}
+
+/* Writes them once, if none of them moves or wears. */
 static int surface_fields_add(void *part, double t)
 {
     struct surface_fields *const p = part;
     const struct outline *const o = &p->outline;
 
-    if (series_count(p->series) > 0 && !surface_fields_any_moves(p->sim))
+    if (series_count(p->series) > 0 && !p->wears &&
+        !surface_fields_any_moves(p->sim))
         return 0;
     surface_fields_draw(p, t);
+    if (p->wears) take_wear(p, t);
     const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
                                        o->corner, o->end};
-    const struct vtk_array of = {
-        .name = "surface", .components = 1, .ints = o->of};
-    return series_add_polygons(p->series, &shape, t, 1, &of);
+    const struct vtk_array of[] = {
+        {.name = "surface", .components = 1, .ints = o->of},
+        {.name = "worn_depth", .components = 1, .values = p->depth},
+        {.name = "normal_stress", .components = 1, .values = p->normal},
+        {.name = "shear_stress", .components = 1, .values = p->shear}};
+    return series_add_polygons(p->series, &shape, t, p->wears ? 4 : 1, of);
 }
 
 static void surface_fields_visit(void *part, struct state *s)
 {
     struct surface_fields *const p = part;
     series_state(p->series, s);
+    if (!p->wears) return;
+    state_real(s, "t", "s", &p->t);
+    wear_state(p->before, p->n_faces, s);
 }
 
 const struct recorder_part recorder_surfaces = {.create = surface_fields_create,

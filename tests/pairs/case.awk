@@ -244,6 +244,8 @@ function put_surface() {
         put("amplitude = [0.0, 2e-4, 0.0]; frequency = 100.0; from = 2e-4;")
     if (is("surface", "turning"))
         put("spin = [0.0, 10.0, 0.0]; until = 1e-3;")
+    if (is("surface", "cylinder stl turning"))
+        put("hardness = 1e8; cutting = 0.5; archard = 0.02;")
     put((is("materials", "pairs several") ? "material = \"felt\"; " : "") "} );")
 }
 

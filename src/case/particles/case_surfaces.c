@@ -215,6 +215,19 @@ static int case_surfaces_check_name(const struct settings *s, int i)
     return case_materials_check_name(s, list, all[i].material);
 }
 
+static int check_wear(const struct settings *s, int i)
+{
+    static const char *const keys[] = {"cutting", "archard"};
+    const struct surface *const one = &s->particles.surfaces.item[i].of;
+
+    for (int k = 0; k < 2 && !(one->wear.hardness > 0.0); k++)
+        if (settings_item_has(s, list, i, keys[k]))
+            return settings_wrong(s, list,
+                                  "%s has %s, but no hardness [Pa] to wear by",
+                                  one->name, keys[k]);
+    return 0;
+}
+
 /* Each key belongs to the shapes that read it, and a direction has a length. */
 static int case_surfaces_check_shape(const struct settings *s, int i)
 {
@@ -312,6 +325,7 @@ int case_surfaces_check(struct settings *s)
         struct surface_setup *const one = &s->particles.surfaces.item[i];
         code = case_surfaces_check_name(s, i);
         if (code == 0) code = case_surfaces_check_shape(s, i);
+        if (code == 0) code = check_wear(s, i);
         if (code != 0) return code;
         complete_surface(s, i, one);
         code = check_plane(s, &one->of);

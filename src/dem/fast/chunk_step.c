@@ -258,6 +258,8 @@ void chunk_step_load_and_move(struct neighbours *nb,
         if (by->budget) chunk_end_budget(&nb->chunks[s].energy);
     }
     neighbours_barrier(nb);
+    if (nb->surfaces != NULL && mine.first == 0 && mine.last > 0)
+        surfaces_wear(nb->surfaces, by->dt);
     for (int s = mine.first; s < mine.last; s++) {
         load_and_move_chunk(nb, s, by, 1);
         chunk_step_count(nb, s, by);

@@ -186,8 +186,10 @@ static void surface_contact_points_gather(struct surface_contact_points *t,
         const struct surface_hit h = surface_nearest_moved(
             &scene->surface[face->surface], face->face, p, x);
         if (h.r >= b->place[own->owner].R) continue;
-        struct surface_contact_point one = {
-            .owner = own->owner, .surface = face->surface, .r = h.r};
+        struct surface_contact_point one = {.owner = own->owner,
+                                            .surface = face->surface,
+                                            .face = face->face,
+                                            .r = h.r};
         memcpy(one.n, h.n, sizeof one.n);
         memcpy(one.q, h.q, sizeof one.q);
         motion_velocity(p, h.q, one.v);

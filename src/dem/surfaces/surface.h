@@ -13,6 +13,7 @@
 #include "dem/particles.h"
 #include "dem/surfaces/motion.h"
 #include "dem/surfaces/triangles.h"
+#include "dem/surfaces/wear.h"
 
 /* the descriptor of a shape that a surface can have.
  *
@@ -67,11 +68,12 @@ const char *surface_wrong_radius(const struct surface *s);
 struct surface {
     const char *name; /* borrowed */
     const struct surface_shape *shape;
-    int material;              /* [-] number of it */
-    double point[3];           /* [m] on the plane, on the axis; or centre */
-    double normal[3];          /* [-] out of the solid; or the axis */
-    double radius;             /* [m] of cylinder, sphere */
-    int inside;                /* [-] 1: particles are within it */
+    int material;     /* [-] number of it */
+    double point[3];  /* [m] on the plane, on the axis; or centre */
+    double normal[3]; /* [-] out of the solid; or the axis */
+    double radius;    /* [m] of cylinder, sphere */
+    int inside;       /* [-] 1: particles are within it */
+    struct wear_of wear;
     double own[MODEL_NUMBERS]; /* of the keys that the shape alone reads */
     const struct triangles *triangles; /* borrowed; NULL of other shapes */
     struct motion motion;              /* the places above are of time 0 */

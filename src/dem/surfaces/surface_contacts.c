@@ -123,7 +123,7 @@ static void surface_contacts_put_spheres(struct surface_contacts *c,
 static void put_spring(struct surface_contacts *c, int q, int *at)
 {
     struct chunk_contacts *const k = &c->pairs.contacts;
-    const struct surface_contact_point *const t = &c->touches.list[q];
+    struct surface_contact_point *const t = &c->touches.list[q];
     struct surface_histories *const old = &c->previous;
     struct surface_history *found = NULL;
     double best = same;
@@ -137,6 +137,7 @@ static void put_spring(struct surface_contacts *c, int q, int *at)
             found = &old->list[p];
         }
     }
+    t->before = found != NULL ? (int)(found - old->list) : -1;
     for (int a = 0; a < 3; a++) {
         k->xi[a][q] = found != NULL ? found->xi[a] : 0.0;
         if (c->pairs.has_rolling)
@@ -201,6 +202,36 @@ void surface_contacts_count(struct surface_contacts *c, double t)
     e->released += t * c->power[ENERGY_FRICTION];
 }
 
+/* What the contact has worn off in this step. */
+static void count_wear(struct surface_contacts *c,
+                       const struct surface_scene *scene, int q,
+                       const struct bodies *b, double dt)
+{
+    struct surface_contact_point *const t = &c->touches.list[q];
+    const struct wear_of *const of = &scene->surface[t->surface].wear;
+    const struct row_motion *const m = &c->motion[2 * q];
+    const double R = b->place[t->owner].R;
+    double v[3];
+
+    t->F_n = vector_dot(c->pairs.load[2 * q].F, t->n);
+    if (!(of->hardness > 0.0)) return;
+    vector_between(m->v, t->v, v);
+    if (t->before < 0 && m->per_m > 0.0)
+        t->worn = wear_finnie(of, 1.0 / m->per_m, v, t->n);
+    if (of->archard == 0.0 || dt == 0.0) return;
+
+    const struct surface_history none = {0};
+    const struct surface_history *const old =
+        t->before < 0 ? &none : &c->previous.list[t->before];
+    double slip[3], around[3];
+    vector_cross(m->s, t->n, around); /* s is R omega */
+    for (int k = 0; k < 3; k++)
+        slip[k] = old->xi[k] - c->pairs.contacts.xi[k][q] +
+                  dt * (v[k] - 0.5 * (t->r + R) / R * around[k]);
+    vector_along(slip, -vector_dot(slip, t->n), t->n, slip);
+    t->worn += wear_archard(of, 0.5 * (old->F_n + t->F_n), vector_length(slip));
+}
+
 static void save_contact(struct surface_contacts *c, int q)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
@@ -212,6 +243,7 @@ static void save_contact(struct surface_contacts *c, int q)
         if (c->pairs.has_rolling)
             one.roll_angle[k] = c->pairs.contacts.roll_angle[k][q];
     }
+    one.F_n = t->F_n;
     surface_contacts_save(&c->current, &one);
 }
 
@@ -271,6 +303,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     for (int q = 0; q < n; q++) {
         accumulate_load(c, q, s, c->pose, dt);
         if (s->has_budget) accumulate_parts(c, q, s);
+        if (scene->wears) count_wear(c, scene, q, b, dt);
         save_contact(c, q);
     }
 }

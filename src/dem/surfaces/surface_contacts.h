@@ -31,6 +31,7 @@ struct surface_scene {
     const struct surface *surface;
     int n;
     const struct box_domain *box;
+    int wears; /* [-] 1: at least one of them does (wear.h) */
 };
 
 struct near_face {
@@ -96,11 +97,13 @@ void *near_faces_room(void *list, int n, int *room, size_t size);
  */
 
 struct surface_contact_point {
-    int owner, surface;
+    int owner, surface, face;
     double r;    /* [m] from the face to the centre */
     double n[3]; /* [-] likewise */
     double q[3]; /* [m] its nearest point */
     double v[3]; /* [m/s] of the surface, there */
+    int before;  /* [-] its place in the histories; -1: it has just begun */
+    double F_n, worn; /* [N], [m^3] in this step, of a surface that wears */
 };
 
 struct surface_contact_points {
@@ -127,6 +130,7 @@ struct surface_history {
     double n[3];          /* [-] */
     double xi[3];         /* [m] the spring */
     double roll_angle[3]; /* [rad] that of rolling friction, if there is any */
+    double F_n;           /* [N] of a surface that wears */
 };
 
 /* Owners in ascending order. */

@@ -27,7 +27,8 @@ struct surfaces *surfaces_create(const struct surface *list, int n,
 {
     struct surfaces *const sf = alloc_zeroed(1, sizeof *sf);
 
-    sf->scene = (struct surface_scene){list, n, box};
+    sf->wear = wear_create(list, n);
+    sf->scene = (struct surface_scene){list, n, box, sf->wear.n > 0};
     sf->n_chunks = count;
     sf->chunk = alloc_zeroed((size_t)count, sizeof *sf->chunk);
     for (int s = 0; s < count; s++)
@@ -45,6 +46,7 @@ void surfaces_free(struct surfaces *sf)
         surface_contacts_release(&sf->chunk[s]);
     free(sf->chunk);
     free(sf->index_of_id);
+    wear_release(&sf->wear);
     free(sf);
 }
 
@@ -144,6 +146,25 @@ void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
                         const struct contact_constants *k, double dt)
 {
     surface_contacts_add_loads(&sf->chunk[s], &sf->scene, chunk, b, k, dt);
+}
+
+void surfaces_wear(struct surfaces *sf, double dt)
+{
+    for (int s = 0; s < sf->n_chunks && sf->wear.n > 0; s++)
+        for (int q = 0; q < sf->chunk[s].touches.n; q++) {
+            const struct surface_contact_point *const t =
+                &sf->chunk[s].touches.list[q];
+            if (sf->wear.first[t->surface] < 0) continue;
+            struct wear_face *const to =
+                &sf->wear.face[sf->wear.first[t->surface] + t->face];
+            const double *const F = sf->chunk[s].pairs.load[2 * q].F;
+            double shear[3];
+
+            vector_along(F, -t->F_n, t->n, shear);
+            to->worn += t->worn;
+            to->normal += dt * t->F_n;
+            to->shear += dt * vector_length(shear);
+        }
 }
 
 /* The path of particle i since the last rebuild, in the frame of the surface.

@@ -18,6 +18,7 @@ struct surfaces {
     int n_chunks;       /* [-] chunks */
     double speed;       /* [m/s] no point of a surface in the box is faster */
     int carried;        /* [-] 1: one of them has a carrier (motion.h) */
+    struct wear wear;   /* of those that wear */
     int *index_of_id;   /* [-] index of each id after a sort, or -1 */
     int index_capacity; /* [-] ids that there is room for in index_of_id */
 };
@@ -46,6 +47,10 @@ void surfaces_choose_contacts(struct surfaces *sf, int s,
 void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
                         const struct bodies *b,
                         const struct contact_constants *k, double dt);
+
+/* Adds what a step of dt [s] did to the faces of those that wear, after the
+ * loads of all chunks; by one thread. */
+void surfaces_wear(struct surfaces *sf, double dt);
 
 /* Adds to the survey the particles that are in the solid of a plane or cylinder
  * by more than their radius and, if `marks` says that the positions at the last
@@ -110,5 +115,8 @@ struct dem_surface {
     struct pose pose;  /* where it is */
 };
 struct dem_surface dem_surface(const struct dem *dem, int k);
+
+/* What the particles did to the faces of surface k; NULL: it does not wear. */
+const struct wear_face *dem_surface_wear(const struct dem *dem, int k);
 
 #endif

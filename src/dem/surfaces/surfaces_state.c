@@ -58,7 +58,7 @@ void near_faces_state(struct near_faces *l, const char *name,
 }
 
 static void surfaces_state_histories(struct surface_histories *f,
-                                     const char *name, int capacity,
+                                     const char *name, int capacity, int wears,
                                      struct state *s)
 {
     state_begin(s, name);
@@ -76,6 +76,7 @@ static void surfaces_state_histories(struct surface_histories *f,
     state_reals_of(s, "xi", "m", all->xi, sizeof *all, f->n, 3);
     state_reals_of(s, "roll_angle", "rad", all->roll_angle, sizeof *all, f->n,
                    3);
+    if (wears) state_reals_of(s, "F_n", "N", &all->F_n, sizeof *all, f->n, 1);
     state_end(s);
 }
 
@@ -103,8 +104,8 @@ static void surfaces_state_contacts(struct surface_contacts *c,
     state_real(s, "built_time", "s", &c->built_time);
     near_faces_state(&c->list, "list", scene, chunk, s);
     near_faces_state(&c->close, "close", scene, chunk, s);
-    surfaces_state_histories(&c->current, "current", capacity, s);
-    surfaces_state_histories(&c->saved, "saved", capacity, s);
+    surfaces_state_histories(&c->current, "current", capacity, scene->wears, s);
+    surfaces_state_histories(&c->saved, "saved", capacity, scene->wears, s);
     state_reals_of(s, "impulse", "N s", all->impulse, sizeof *all, n, 3);
     state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, n, 3);
     state_reals_of(s, "work", "J", &all->work, sizeof *all, n, 1);
@@ -134,6 +135,7 @@ void surfaces_state(struct surfaces *sf, const struct chunk *chunks,
         if (sf->carried) carried_state(c, sf->scene.n, s);
         state_end(s);
     }
+    if (sf->wear.n > 0) wear_state(sf->wear.face, sf->wear.n, s);
     state_end(s);
 }
 
@@ -259,4 +261,10 @@ struct dem_surface dem_surface(const struct dem *dem, int k)
     memcpy(r.impulse, a.impulse, sizeof r.impulse);
     memcpy(r.angular, a.angular, sizeof r.angular);
     return r;
+}
+
+const struct wear_face *dem_surface_wear(const struct dem *dem, int k)
+{
+    const struct wear *const w = &fast_of(dem)->neighbours->surfaces->wear;
+    return w->n > 0 && w->first[k] >= 0 ? &w->face[w->first[k]] : NULL;
 }
