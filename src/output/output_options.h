@@ -6,10 +6,11 @@
 
 /* A mean on a line. */
 struct output_profile {
-    const char *field, *along; /* "u_y", "x" */
-    double place[3];           /* [m] of the line in x, y, z */
-    int has_place[3];          /* [-] 1 where the case gives it */
-    double from;               /* [s] of the first sample */
+    const char *field, *along;  /* "u_y", "x" */
+    double place[3];            /* [m] of the line in x, y, z */
+    int has_place[3];           /* [-] 1 where the case gives it */
+    double from;                /* [s] of the first sample */
+    struct key_series measured; /* [m], in the unit of the field */
 };
 
 struct output_probe {

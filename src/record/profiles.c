@@ -41,6 +41,8 @@ struct line {
     struct profile *profile;
     char name[PROFILES_NAME]; /* of its file */
     int upright; /* [-] 1: along gravity, so that no mirror leaves it alone */
+    const struct output_profile *of;
+    struct profile_field field;
 };
 
 struct profiles {
@@ -115,6 +117,8 @@ static void *profiles_create(const struct recorder_view *v, int *failed)
         const struct profile_line where = profiles_line(&o->profiles.item[i]);
         const struct profile_field field =
             field_named(v->whole, o->profiles.item[i].field);
+        l->line[i].of = &o->profiles.item[i];
+        l->line[i].field = field;
         l->line[i].upright = v->sim->gravity[where.along] != 0.0;
         l->line[i].profile = profile_create(v->drawn->mesh, &where, &field);
         profiles_name(o, i, l->line[i].name);
@@ -164,14 +168,38 @@ static void profiles_visit(void *part, struct state *s)
     state_end(s);
 }
 
+static int write_measured(const struct line *l, const char *path)
+{
+    const struct key_series *const points = &l->of->measured;
+    double(*const row)[2] = alloc_zeroed((size_t)points->n, sizeof *row);
+    struct table_head head = {0};
+
+    table_head_add(&head, "%s [m]", l->of->along);
+    table_head_add(&head, "%s_mean [%s]", l->field.name, l->field.unit);
+    for (int i = 0; i < points->n; i++) {
+        row[i][0] = points->at[i];
+        row[i][1] = points->value[i];
+    }
+    const int failed = table_write(path, head.n, (const char *const *)head.name,
+                                   points->n, row[0]);
+    table_head_clear(&head);
+    free(row);
+    return failed;
+}
+
 static int write_line(const struct line *l, struct folder *folder)
 {
-    char name[sizeof l->name + sizeof "profiles/.csv"];
+    char name[sizeof l->name + sizeof "profiles/_measured.csv"];
+    int failed = 0;
 
-    snprintf(name, sizeof name, "profiles/%s.csv", l->name);
-    char *const path = folder_file(folder, name);
-    const int failed = path == NULL || profile_write(l->profile, path) != 0;
-    free(path);
+    for (int k = 0; k < 1 + (l->of->measured.n > 0) && !failed; k++) {
+        snprintf(name, sizeof name, "profiles/%s%s.csv", l->name,
+                 k == 0 ? "" : "_measured");
+        char *const path = folder_file(folder, name);
+        failed = path == NULL || (k == 0 ? profile_write(l->profile, path)
+                                         : write_measured(l, path)) != 0;
+        free(path);
+    }
     return failed;
 }
 

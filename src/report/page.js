@@ -55,6 +55,8 @@ function read(section, i) {
   const run = { i, folder: section.dataset.folder, process: +section.dataset.process,
                 text: file('case.cfg'), summary: json(file('summary.json')),
                 history: history && table(history.textContent, history.dataset.rows),
+                profiles: [...section.querySelectorAll('pre[data-name^="profiles/"]')].map(e =>
+                  ({ name: e.dataset.name.slice(9, -4), ...table(e.textContent) })),
                 left: [...section.querySelectorAll('pre[data-name="left"]')].map(e => e.textContent.trim()),
                 arrays: [...section.querySelectorAll('i[data-array]')].map(numbers) };
   const picture = section.querySelector('i[data-picture]');
@@ -135,7 +137,8 @@ function range(arrays) {
   for (const a of arrays) { low = Math.min(low, a.low); high = Math.max(high, a.high); }
   return low <= high ? [low, high] : [0, 1];
 }
-const units = { speed: 'm/s', diameter: 'm', id: '', pressure: 'Pa', void_fraction: '-' };
+const units = { speed: 'm/s', diameter: 'm', id: '', pressure: 'Pa', void_fraction: '-',
+                force: 'N', fluid_force: 'N', contact_force: 'N' };
 const part = (x, [low, high]) => high > low ? (x - low) / (high - low) : 0.5;
 
 function ends(parent) {
@@ -229,7 +232,7 @@ function scene(parent, run) {
   const tools = add(parent, 'div', null, { className: 'tools' });
   parent.append(canvas);
   canvas.setAttribute('aria-label', 'the scene; arrow keys turn it, + and - zoom');
-  const name = choose(tools, 'colour', ['speed', 'diameter', 'id'].filter(n =>
+  const name = choose(tools, 'colour', ['speed', 'diameter', 'force', 'fluid_force', 'contact_force', 'id'].filter(n =>
     run.arrays.some(a => a.name === n)), () => show());
   const legend = add(parent, 'canvas', null, { className: 'bar' }), say = ends(parent);
   bar(legend);
@@ -418,6 +421,27 @@ function plots(parent, runs) {
   }
 }
 
+/* Means on lines; where the case names what was measured there, its points. */
+function profiles(parent, runs) {
+  const names = [...new Set(runs.flatMap(r => r.profiles.map(p => p.name)))].filter(n => !n.endsWith('_measured'));
+  if (!names.length) return void add(parent, 'p', 'The case asks for no profiles (output.profiles).');
+  const grid = add(parent, 'div', null, { className: 'plots' });
+  for (const name of names) {
+    const shown = runs.flatMap(r => ['', '_measured'].flatMap(end => r.profiles.filter(p => p.name === name + end && p.rows)
+      .map(p => ({ p, points: end !== '', label: (end ? 'measured' : 'computed') + (runs.length > 1 ? ', run ' + (r.i + 1) : '') }))));
+    const figure = add(grid, 'figure'), heads = shown[0].p.names;
+    figure.dataset.profile = name;
+    add(figure, 'figcaption', heads[1] + ' over ' + heads[0] + ', ' + name + ': ' + shown.map(s => s.p.rows.length + ' ' + s.label).join(', '));
+    if (typeof Dygraph === 'undefined') continue;
+    const rows = shown.flatMap((s, k) => s.p.rows.map(r => [r[0], ...shown.map((q, i) => i === k ? r[1] : null)]));
+    new Dygraph(add(figure, 'div', null, { className: 'plot' }), rows.sort((a, b) => a[0] - b[0]), {
+      labels: ['x', ...shown.map(s => s.label)], colors: shown.map((s, i) => s.points ? '#555' : ['#0b63a5', '#d1711a', '#1d7a3a', '#8e44ad'][i % 4]),
+      series: Object.fromEntries(shown.map(s => [s.label, s.points ? { strokeWidth: 0, drawPoints: true, pointSize: 3 } : {}])),
+      connectSeparatedPoints: true, legend: 'follow', axisLabelFontSize: 11, sigFigs: 4,
+      axes: { x: { axisLabelFormatter: x => String(+x.toPrecision(6)) }, y: { axisLabelFormatter: x => String(+x.toPrecision(4)), axisLabelWidth: 62 } } });
+  }
+}
+
 /* --- numbers ------------------------------------------------------------------------ */
 
 function rows(parent, title, list) {
@@ -434,7 +458,7 @@ function rows(parent, title, list) {
   }
 }
 
-function figures(parent, run) {
+function figures(parent, run, known) {
   const s = run.summary, box = add(parent, 'div', null, { className: 'two' });
   const flat = (o, before) => Object.entries(o || {}).flatMap(([k, v]) =>
     v !== null && typeof v === 'object' ? flat(v, before + k + '.') : [[before + k, v]]);
@@ -445,6 +469,10 @@ function figures(parent, run) {
     .map(([k, v]) => [k, v, percent(v / all), v / all]));
   rows(box, 'Effects: mean share of weight or drag', Object.entries(s.effects || {}).map(([k, e]) =>
     [k, e && e.mean_share, 'at most ' + percent((e || {}).largest_share) + ', in ' + short((s.effect_seconds || {})[k]) + ' s', (e || {}).mean_share]));
+  const off = known.filter(k => /^effects\.[a-z_]+$/.test(k.name)).map(k => [k.name.slice(8), k.what])
+    .filter(([k]) => !(k in (s.effects || {})) && !new RegExp('^\\s*' + k + '\\s*=', 'm').test(run.text));
+  rows(box, 'Effects that are off; winnow check ' + run.folder + '/case.cfg says what is missed without them',
+       off.map(([k, what]) => [k, 'off', what]));
   rows(box, 'Means of the second half', flat(s.second_half, ''));
   rows(box, 'The run', flat(s, '').filter(([k]) => !/^(worst|seconds|effects|second_half|effect_seconds)\./.test(k)));
 }
@@ -454,16 +482,51 @@ function figures(parent, run) {
 function keys() {
   const text = document.getElementById('keys').textContent.split('\n').filter(l => l);
   return text.map(l => l.split('\t')).map(([path, what, unit, source]) =>
-    ({ path: new RegExp('^' + path.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace('<patch>', '[^.]+') + '$'), what, unit, source }));
+    ({ name: path, path: new RegExp('^' + path.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace('<patch>', '[^.]+') + '$'), what, unit, source }));
 }
 
-function lines(parent, run, known) {
+/* Of each equation by its key: what it says, its formula, where it is explained. */
+function equations() {
+  const all = new Map(), of = k => all.get(k) || all.set(k, { says: '', as: '', formula: '', section: [] }).get(k);
+  for (const l of document.getElementById('equations').textContent.split('\n').filter(l => l)) {
+    const [key, kind, name, file] = l.split('\t'), e = of(key.replace(':', ' '));
+    if (kind === 'section') e.section.push(name + ' (' + file + ')'); else e[kind] = name;
+  }
+  return all;
+}
+
+/* "XS11 2.11-2.13, 3.5" are four of them. */
+function named(source) {
+  let book = '';
+  return source.split(', ').flatMap(part => {
+    const m = /^(?:(\S+) )?(\S+)$/.exec(part), range = m && /^(.*?)(\d+)-\1(\d+)$/.exec(m[2]);
+    if (!m) return [];
+    book = m[1] || book;
+    if (!range) return [book + ' ' + m[2]];
+    return Array.from({ length: Math.min(30, range[3] - range[2] + 1) }, (_, i) => book + ' ' + range[1] + (+range[2] + i));
+  });
+}
+
+function explain(parent, source, book) {
+  const found = named(source).filter(k => book.has(k));
+  if (!found.length) return void parent.append(' — ' + source);
+  const box = add(parent, 'details');
+  add(box, 'summary', source);
+  for (const k of found) {
+    const e = book.get(k), same = book.get(e.as) || e;
+    add(box, 'p', k + ': ' + [e.says, e.as && 'the same as ' + e.as, e.formula || same.formula].filter(t => t).join('; ') +
+        (same.section.length ? '. Explained in ' + same.section.join(', ') : '') + '.', { className: 'note' });
+  }
+}
+
+function lines(parent, run, known, book) {
   const body = add(add(parent, 'div', null, { className: 'wide' }), 'table'), within = [];
   for (const line of run.text.split('\n')) {
     const m = /^\s*([A-Za-z_][\w-]*)\s*=/.exec(line), row = add(body, 'tr');
     const path = m && [...within, m[1]].filter(p => p).join('.'), key = m && known.find(k => k.path.test(path));
     add(add(row, 'td'), 'code', line);
-    add(row, 'td', key ? key.what + (key.unit ? ' [' + key.unit + ']' : '') + (key.source ? ' — ' + key.source : '') : '');
+    const cell = add(row, 'td', key ? key.what + (key.unit ? ' [' + key.unit + ']' : '') : '');
+    if (key && key.source) explain(cell, key.source, book);
     const bare = line.replace(/"(?:[^"\\]|\\.)*"/g, '').replace(/#.*/, '');
     let first = m && m[1];
     for (const c of bare) {
@@ -477,21 +540,22 @@ function lines(parent, run, known) {
 
 const runs = [...document.querySelectorAll('section.run')].map(read);
 {
-  const main = document.querySelector('main'), known = keys();
+  const main = document.querySelector('main'), known = keys(), book = equations();
   const part = title => { const s = add(main, 'section'); add(s, 'h2', title); return add(s, 'div'); };
   document.title = runs.map(r => r.title).join(', ') + ' – Winnow';
   const cards = add(document.querySelector('header'), 'div', null, { className: 'cards' });
   runs.forEach(r => verdict(cards, r));
   const pick = runs.length > 1 && choose(add(document.querySelector('header'), 'p', 'Scene, numbers and case of '),
     'run', runs.map((r, i) => i + 1 + ': ' + r.folder), () => fill());
-  const places = { moving: part('The scene'), plots: part('In time: history.csv'), figures: part('Numbers'), lines: part('The case') };
+  const places = { moving: part('The scene'), plots: part('In time: history.csv'), profiles: part('On lines: profiles'), figures: part('Numbers'), lines: part('The case') };
   const fill = () => {
     const run = runs[pick ? pick.selectedIndex : 0];
     for (const name of ['moving', 'figures', 'lines']) places[name].textContent = '';
     moving(places.moving, run);
-    figures(places.figures, run);
-    lines(places.lines, run, known);
+    figures(places.figures, run, known);
+    lines(places.lines, run, known, book);
   };
   plots(places.plots, runs);
+  profiles(places.profiles, runs);
   fill();
 }

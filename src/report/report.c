@@ -17,6 +17,7 @@
 #include "output/manifest.h"
 #include "report/page.h"
 #include "report/vtk_read.h"
+#include "tell/equations.h"
 
 /* Of the page, of what is put in it as text, and of its picture [byte]. The
  * lists of what was left out and the end of the page need no more than
@@ -119,6 +120,10 @@ static void put_whole(struct page *p, const char *name)
     free(text);
 }
 
+/* Of the name of a profile, which is also that of an attribute. */
+#define PROFILE_LETTERS                                                        \
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+-"
+
 /* The head, every so many of the other lines, and the last one. A line that is
  * being written is left out. */
 static void page_put_table(struct page *p, const char *name, long most)
@@ -163,6 +168,21 @@ static void put_picture(struct page *p)
     free(bytes);
 }
 
+/* The profiles that the list of the folder names. */
+static void put_profiles(struct page *p, long room)
+{
+    size_t length;
+    char *const list = vtk_read_text(p->folder, "manifest.txt", &length);
+    char *rest = list;
+
+    for (const char *name; (name = strtok_r(rest, "\n", &rest)) != NULL;)
+        if (strncmp(name, "profiles/", 9) == 0 &&
+            strspn(name + 9, PROFILE_LETTERS) == strlen(name + 9) &&
+            page_room(p) > room)
+            page_put_table(p, name, TEXT_MOST);
+    free(list);
+}
+
 static void page_put_run(struct page *p, const char *dir, long room)
 {
     p->most = ftell(p->out) + room;
@@ -172,6 +192,7 @@ static void page_put_run(struct page *p, const char *dir, long room)
     put_whole(p, "summary.json");
     put_whole(p, "case.cfg");
     page_put_table(p, "history.csv", room / 4);
+    put_profiles(p, room / 2);
     put_picture(p);
     page_put_scene(p);
     for (int i = 0; i < p->left.n; i++)
@@ -200,6 +221,32 @@ static void put_keys(FILE *out)
     fputs("</pre>\n", out);
 }
 
+/* What each equation says and where the book explains it; or what it is the
+ * same as. */
+static void put_equations(FILE *out)
+{
+    struct equation e;
+
+    fputs("<pre hidden id=\"equations\">\n", out);
+    for (const struct equation_index_row *r = equation_index_rows;
+         r->key != NULL; r++) {
+        const char *const kind = r->kind == EQUATION_INDEX_SAYS      ? "says"
+                                 : r->kind == EQUATION_INDEX_AS      ? "as"
+                                 : r->kind == EQUATION_INDEX_SECTION ? "section"
+                                                                     : NULL;
+        if (kind == NULL) continue;
+        fprintf(out, "%s\t%s\t", r->key, kind);
+        text_put(out, r->name, TEXT_XML);
+        fprintf(out, "\t%s\n", r->file);
+    }
+    for (int i = 0; equations_at(i, &e); i++) {
+        fprintf(out, "%s\tformula\t", e.key);
+        text_put(out, e.formula, TEXT_XML);
+        fputs("\t\n", out);
+    }
+    fputs("</pre>\n", out);
+}
+
 /* --- the page ------------------------------------------------------------- */
 
 static void put_part(FILE *out, const char *const *line)
@@ -212,6 +259,7 @@ static void put_runs(struct page *p, const int *folder, int n,
                      const char *const *dir)
 {
     put_keys(p->out);
+    put_equations(p->out);
     for (int i = 0; i < n; i++) {
         const long left = PAGE_MOST - PAGE_END - ftell(p->out);
         long script = 0;

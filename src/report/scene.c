@@ -102,21 +102,28 @@ static size_t scene_step(struct scene *s, int k, size_t n, size_t most)
 static int scene_put_points(struct scene *s, int k, double t,
                             const struct vtk_read *f)
 {
-    static const char *const numbers[] = {"diameter", "id", "body"};
-    size_t n, of_v, of;
+    static const struct {
+        const char *name, *shown;
+        int components; /* 3: its length is shown */
+    } of[] = {{"diameter", "diameter", 1},
+              {"id", "id", 1},
+              {"body", "body", 1},
+              {"velocity", "speed", 3},
+              {"force", "force", 3},
+              {"fluid_force", "fluid_force", 3},
+              {"contact_force", "contact_force", 3}};
+    size_t n, m;
     double *const x = vtk_read_array(f, "position", 3, &n);
-    double *const v = vtk_read_array(f, "velocity", 3, &of_v);
     const size_t step = scene_step(s, k, n / 3, MOST_POINTS);
 
     put_array(s, k, t, "position", 3, n, step, x);
-    if (of_v == n && v != NULL)
-        put_array(s, k, t, "speed", 1, lengths_of(v, n), step, v);
-    for (int i = 0; i < 3; i++) {
-        double *const value = vtk_read_array(f, numbers[i], 1, &of);
-        if (3 * of == n) put_array(s, k, t, numbers[i], 1, of, step, value);
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        double *const value =
+            vtk_read_array(f, of[i].name, of[i].components, &m);
+        if (of[i].components == 3 && value != NULL) m = lengths_of(value, m);
+        if (3 * m == n) put_array(s, k, t, of[i].shown, 1, m, step, value);
         free(value);
     }
-    free(v);
     free(x);
     return x == NULL;
 }
@@ -153,6 +160,12 @@ static int put_polygons(struct scene *s, int k, double t,
         put_array(s, k, t, "triangle", 9, 9 * n,
                   scene_step(s, k, n, MOST_TRIANGLES), triangle);
         free(triangle);
+        size_t m;
+        double *const body = vtk_read_array(f, "body", 1, &m);
+        if (m == n)
+            put_array(s, k, t, "body", 1, m,
+                      scene_step(s, k, n, MOST_TRIANGLES), body);
+        free(body);
     }
     vtk_read_shapes_free(&p);
     return wrong;
