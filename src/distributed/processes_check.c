@@ -180,13 +180,12 @@ static int check_sides(const struct settings *s)
 
     for (int i = 0; i < s->sides.n; i++) {
         const struct boundary_options *const o = &s->sides.item[i];
-        const int varies =
-            o->has_profile && o->profile != &inlet_profile_uniform;
-        snprintf(path, sizeof path, "%s.%s", o->key,
-                 varies ? "profile" : "rotation");
-        if (varies || o->condition == &boundary_rotating_wall)
-            return refuse_key(s, path,
-                              "a rank does not see the whole side of the box");
+        const char *const whole =
+            o->condition->whole != NULL ? o->condition->whole(o) : NULL;
+        if (whole == NULL) continue;
+        snprintf(path, sizeof path, "%s.%s", o->key, whole);
+        return refuse_key(s, path,
+                          "a rank does not see the whole side of the box");
     }
     return 0;
 }

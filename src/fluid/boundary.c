@@ -77,6 +77,11 @@ static int is_doubtful_inlet(const struct boundary_options *o)
     return o->profile->asks != NULL;
 }
 
+static const char *inlet_whole(const struct boundary_options *o)
+{
+    return o->profile != &inlet_profile_uniform ? "profile" : NULL;
+}
+
 /* --- walls ---------------------------------------------------------------- */
 
 static const struct key wall_keys[] = {
@@ -120,6 +125,13 @@ static const char *boundary_check_wall(const struct boundary_options *o,
         return "wall";
     }
     return NULL;
+}
+
+static void wall_moves(const struct boundary_options *o, const double x[3],
+                       double u[3])
+{
+    (void)x;
+    memcpy(u, o->wall, sizeof o->wall);
 }
 
 static const char *boundary_build_wall(const struct boundary_request *r,
@@ -187,6 +199,7 @@ static const struct boundary_condition inlet = {
     .kind = BOUNDARY_INLET,
     .build = build_inlet,
     .is_doubtful = is_doubtful_inlet,
+    .whole = inlet_whole,
 };
 
 static const struct boundary_condition wall = {
@@ -197,6 +210,7 @@ static const struct boundary_condition wall = {
     .keys = {wall_keys},
     .kind = BOUNDARY_NO_SLIP,
     .check = boundary_check_wall,
+    .moves = wall_moves,
     .build = boundary_build_wall,
 };
 
@@ -234,7 +248,16 @@ static void from_foot(const struct mesh *m, int f, double off[3])
     off[0] = off[1] = off[2] = 0.0;
 }
 
-/* omega x (x - centre) at the projection of the centre of each face's cell onto
+static void rotating_wall_moves(const struct boundary_options *o,
+                                const double x[3], double u[3])
+{
+    double arm[3];
+
+    vector_between(x, o->centre, arm);
+    vector_cross(o->rotation, arm, u);
+}
+
+/* The same at the projection of the centre of each face's cell onto
  * the face, with the normal component removed. A wall with a large normal
  * component would move through itself: an error. */
 static const char *rotating_wall_build(const struct boundary_request *r,
@@ -250,10 +273,9 @@ static const char *rotating_wall_build(const struct boundary_request *r,
 
     for (int j = 0; j < p->n; j++) {
         const double *const S = &m->S[3 * (p->first + j)];
-        double x[3], arm[3], off[3], less[3];
+        double x[3], off[3], less[3];
         mesh_face_middle(m, p->first + j, x);
-        vector_between(x, r->says->centre, arm);
-        vector_cross(omega, arm, &u[3 * j]);
+        rotating_wall_moves(r->says, x, &u[3 * j]);
         fastest = fmax(fastest, vector_length(&u[3 * j]));
         const double out = vector_dot(&u[3 * j], S) / vector_dot(S, S);
         through = fmax(through, fabs(out) * vector_length(S));
@@ -279,6 +301,12 @@ static int rotating_wall_is_doubtful(const struct boundary_options *o)
     return 1;
 }
 
+static const char *rotating_wall_whole(const struct boundary_options *o)
+{
+    (void)o;
+    return "rotation";
+}
+
 static const struct key rotation_keys[] = {
     {"fluid.<patch>.rotation", KEY_VECTOR, "rad/s", "", KEY_OPTIONAL,
      "angular velocity of a no-slip wall that rotates within its own surface",
@@ -288,7 +316,7 @@ static const struct key rotation_keys[] = {
      .at = KEY_AT(boundary_options, centre)},
     KEY_END};
 
-const struct boundary_condition boundary_rotating_wall = {
+static const struct boundary_condition rotating_wall = {
     .name = "rotating",
     .what = "a wall that rotates about an axis and takes the fluid with it",
     .equations = "",
@@ -297,11 +325,12 @@ const struct boundary_condition boundary_rotating_wall = {
     .kind = BOUNDARY_NO_SLIP,
     .build = rotating_wall_build,
     .is_doubtful = rotating_wall_is_doubtful,
+    .whole = rotating_wall_whole,
+    .moves = rotating_wall_moves,
 };
 
 const struct boundary_condition *const boundary_conditions[] = {
-    &no_slip,  &slip, &inlet, &wall, &outlet, &boundary_rotating_wall,
-    &pressure, NULL};
+    &no_slip, &slip, &inlet, &wall, &outlet, &rotating_wall, &pressure, NULL};
 
 double boundary_inlet_velocity(const struct boundary *b, double t)
 {

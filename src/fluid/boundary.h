@@ -116,10 +116,14 @@ struct boundary_condition {
                          char wrong[BOUNDARY_TEXT]);
     /* 1 if that it can be built must be seen before a run. */
     int (*is_doubtful)(const struct boundary_options *o);
+    /* The key for which it is built of the patch as a whole; or NULL. */
+    const char *(*whole)(const struct boundary_options *o);
+    /* The velocity of a wall at x [m]: u [m/s]. */
+    void (*moves)(const struct boundary_options *o, const double x[3],
+                  double u[3]);
 };
 
 /* All of them, ended by NULL. */
-extern const struct boundary_condition boundary_rotating_wall;
 extern const struct boundary_condition *const boundary_conditions[];
 
 #endif

@@ -79,43 +79,29 @@ static void add_inlet(const struct settings *s, const struct mesh *m,
     r->courant = fmax(r->courant, fill_rate(m, e));
 }
 
-/* A wall that moves with u takes the cells beside it with it. */
-static void case_flow_add_wall(const struct mesh *m, const struct patch *p,
-                               const double u[3], struct rates *r)
+/* A wall that moves takes the cells beside it with it. In a box the speed is
+ * bounded by that of the fastest corner. */
+static void add_wall(const struct boundary_options *o, const struct mesh *m,
+                     const struct patch *p, struct rates *r)
 {
-    r->wall = fmax(r->wall, vector_length(u));
-    if (m->face_centre == NULL) r->courant = fmax(r->courant, fill_rate(m, u));
-    for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
-        r->courant = fmax(r->courant, across_cell(m, m->owner[f], u));
-}
+    double u[3], fastest[3] = {0.0, 0.0, 0.0};
 
-/* An upper bound of the speed of a rotating wall: that of the corner of the
- * mesh which is farthest from the axis. */
-static void add_rotation(const struct boundary_options *o, const struct mesh *m,
-                         const struct patch *p, struct rates *r)
-{
-    const double *const omega = o->rotation, *const centre = o->centre;
-    double arm[3], u[3], fastest[3] = {0.0, 0.0, 0.0};
-
-    for (int i = 0; i < 8; i++) {
-        const double x[3] = {i & 1 ? m->hi[0] : m->lo[0],
-                             i & 2 ? m->hi[1] : m->lo[1],
-                             i & 4 ? m->hi[2] : m->lo[2]};
-        vector_between(x, centre, arm);
-        vector_cross(omega, arm, u);
-        if (vector_length(u) > vector_length(fastest))
-            vector_along(u, 0.0, u, fastest);
-    }
-    if (m->face_centre == NULL) {
-        case_flow_add_wall(m, p, fastest, r);
-        return;
-    }
-    for (int f = p->first; f < p->first + p->n; f++) {
-        vector_between(&m->face_centre[3 * f], centre, arm);
-        vector_cross(omega, arm, u);
+    for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++) {
+        o->condition->moves(o, &m->face_centre[3 * f], u);
         r->wall = fmax(r->wall, vector_length(u));
         r->courant = fmax(r->courant, across_cell(m, m->owner[f], u));
     }
+    for (int i = 0; i < 8 && m->face_centre == NULL; i++) {
+        const double x[3] = {i & 1 ? m->hi[0] : m->lo[0],
+                             i & 2 ? m->hi[1] : m->lo[1],
+                             i & 4 ? m->hi[2] : m->lo[2]};
+        o->condition->moves(o, x, u);
+        if (vector_length(u) > vector_length(fastest))
+            memcpy(fastest, u, sizeof fastest);
+    }
+    r->wall = fmax(r->wall, vector_length(fastest));
+    if (m->face_centre == NULL)
+        r->courant = fmax(r->courant, fill_rate(m, fastest));
 }
 
 static void add_patch(const struct settings *s, const struct mesh *m,
@@ -125,8 +111,7 @@ static void add_patch(const struct settings *s, const struct mesh *m,
 
     if (o == NULL) return;
     if (o->inlet.n > 0) add_inlet(s, m, p, &o->inlet, r);
-    if (o->condition == &boundary_rotating_wall) add_rotation(o, m, p, r);
-    case_flow_add_wall(m, p, o->wall, r);
+    if (o->condition->moves != NULL) add_wall(o, m, p, r);
 }
 
 /* How many directions have more than one cell [-]. */
