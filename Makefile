@@ -89,6 +89,7 @@ style: $B/winnow
 cli: $B/winnow
 	@sh tests/table.sh $B tests/tables/cli.txt
 	@sh tests/table.sh $B tests/tables/advice.txt
+	@sh tests/table.sh $B tests/tables/parcels.txt
 	@sh tests/table.sh $B tests/tables/report.txt
 kills: $B/winnow
 	@sh tests/table.sh $B tests/tables/resume.txt

@@ -73,7 +73,8 @@ struct settings *settings_create(const char *file, int n_overrides,
         schema_check_fill(&s->text->tree, s->text->tables);
         s->title = s->cites = "";
         fill_settings(s, s->text->tables);
-        return s;
+        *code = case_parcels_make(s);
+        if (*code == 0) return s;
     }
     settings_free(s);
     return NULL;

@@ -9,7 +9,8 @@
 struct effect_scales {
     double rho_f, mu;     /* [kg/m^3], [Pa s] */
     double dt;            /* [s] step of the fluid */
-    double rho_s, d;      /* [kg/m^3], [m] of the mean particle */
+    double rho_s, d;      /* [kg/m^3], [m] of the mean particle, a grain */
+    double across;        /* [-] diameter of a parcel of them over theirs */
     double gravity;       /* [m/s^2] */
     double mean_gradient; /* [Pa/m] that drives the fluid through a period */
     double eps_s;         /* [-] solids fraction where the particles are */

@@ -24,7 +24,8 @@ static double drag_rate(const struct simulation *sim, int i)
     const struct particles *const ps = sim->particles;
     return particles_volume(ps, i) *
            drag_resistance(sim->coupling->options.law, sim->coupling->eps[i],
-                           o->rho, o->mu, ps->d[i], slip_speed(sim, i));
+                           o->rho, o->mu, particles_grain(ps, i),
+                           slip_speed(sim, i));
 }
 
 /* k of all particles for their present slip, changed by the effects that do so.

@@ -48,7 +48,8 @@ static double van_der_waals_wall(const struct attraction *a, double R,
 
 const struct attraction_law van_der_waals = {.name = "van_der_waals",
                                              .pair = van_der_waals_pair,
-                                             .wall = van_der_waals_wall};
+                                             .wall = van_der_waals_wall,
+                                             .parcel_power = 3};
 
 /* --- capillary ------------------------------------------------------------ */
 
@@ -82,8 +83,10 @@ static double capillary_wall(const struct attraction *a, double R, double gap)
     return capillary_force(a->strength, 2.0 * R);
 }
 
-const struct attraction_law capillary = {
-    .name = "capillary", .pair = capillary_pair, .wall = capillary_wall};
+const struct attraction_law capillary = {.name = "capillary",
+                                         .pair = capillary_pair,
+                                         .wall = capillary_wall,
+                                         .parcel_power = 1};
 
 /* --- electrostatic -------------------------------------------------------- */
 
@@ -101,5 +104,5 @@ static double electrostatic_pair(const struct attraction *a, int of_i, int of_j,
                                R_i + R_j + gap);
 }
 
-const struct attraction_law electrostatic = {.name = "electrostatic",
-                                             .pair = electrostatic_pair};
+const struct attraction_law electrostatic = {
+    .name = "electrostatic", .pair = electrostatic_pair, .far_field = 1};

@@ -50,6 +50,11 @@ struct attraction_law {
     attraction_pair *pair;       /* NULL: no force at rest */
     attraction_wall *wall;       /* NULL: walls do not attract */
     attraction_damping *damping; /* NULL: the force does not depend on motion */
+    /* Between parcels of l diameters the gaps are l times as long, and the
+     * strength is l to this power times that of grains, so that the force is
+     * l^2 times theirs. 1: only the charge is that of all grains, and the
+     * range, which is not of the order of the gap, stays. */
+    int parcel_power, far_field;
 };
 
 /* The damping force [N] during a step of dt [s] if the gap closes at `closing`

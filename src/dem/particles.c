@@ -58,6 +58,7 @@ void particles_free(struct particles *ps)
     free(ps->drag_impulse);
     free(ps->id);
     free(ps->material);
+    free(ps->across);
     free(ps->attached->copy);
     free(ps->attached->int_copy);
     free(ps->attached);

@@ -9,6 +9,8 @@
 #ifndef DEM_PARTICLES_H
 #define DEM_PARTICLES_H
 
+#include <stddef.h>
+
 #include "base/state.h"
 
 struct particles {
@@ -30,6 +32,8 @@ struct particles {
                                  force */
     double *added_mass;       /* [kg] of fluid that accelerates with it */
     double *drag_impulse;     /* [N s] impulse of -k v, summed; 3 a particle */
+    double *across; /* [-] diameter of a parcel over that of its grains, by
+                       material; NULL: each particle is one grain */
     struct attachments *attached;
 };
 
@@ -70,5 +74,27 @@ void particles_state(struct particles *ps, struct state *s);
 
 /* Volume of particle i [m^3]. */
 double particles_volume(const struct particles *ps, int i);
+
+/* A particle may be a parcel, which stands for several equal grains: their
+ * number [-], which need not be whole, and their diameter [m]. What the fluid
+ * does is done to grains; a contact, an average and a sum of volumes know the
+ * parcel alone. */
+static inline double particles_across(const struct particles *ps, int i)
+{
+    return ps->across == NULL
+               ? 1.0
+               : ps->across[ps->material != NULL ? ps->material[i] : 0];
+}
+
+static inline double particles_grains(const struct particles *ps, int i)
+{
+    const double l = particles_across(ps, i);
+    return l * l * l;
+}
+
+static inline double particles_grain(const struct particles *ps, int i)
+{
+    return ps->d[i] / particles_across(ps, i);
+}
 
 #endif

@@ -89,6 +89,21 @@ const struct key particles_keys[] = {
     {"particles.pairs.rolling_friction", KEY_REAL, "-", ">= 0", "",
      "coefficient of rolling friction; left out: the smaller one", "Ai11", "",
      OF(pair_setup, of.rolling), .given = KEY_AT(pair_setup, has_rolling)},
+    {"particles.materials.parcel", KEY_REAL, "-", ">= 1", "",
+     "number of grains that a parcel of it stands for; left out: that of "
+     "particles.parcel",
+     "LS 3.3", "particles.parcel", OF(material_setup, parcel)},
+    {"particles.parcel", KEY_GROUP, "", "", "",
+     "each particle stands for several grains; diameters, counts and rates of "
+     "the case are those of grains, but a row of a file is one parcel",
+     "LS 3.3", "", .divided = "the ranks do not know the grains of a parcel"},
+    {"particles.parcel.grains", KEY_REAL, "-", ">= 1", NULL,
+     "number of grains in a parcel, N = l^3 of one that is l diameters wide",
+     "LS 3.3", "", AT(parcel.grains)},
+    {"particles.parcel.restitution", KEY_NAME, "", "kept | dissipation", "kept",
+     "what stays that of the grains: e, and with it a single impact; or the "
+     "rate of dissipation by collisions, with a smaller e",
+     "Lu14", "", AT(parcel.restitution)},
     {"particles.walls", KEY_GROUP, "", "", "", "the sides of the box", "", "",
      .divided = KEY_DIVIDED_ALL},
     {"particles.walls.material", KEY_TEXT, "", "", "",

@@ -21,6 +21,7 @@
 struct material_setup {
     const char *name; /* NULL of the grains */
     double density;   /* [kg/m^3] */
+    double parcel;    /* [-] grains in a parcel of it; 0: as of all */
     struct material of;
 };
 
@@ -60,6 +61,11 @@ struct particles_setup {
     const char *overlaps;                 /* "refuse", "relax" or "allow" */
     struct material_setup grains;         /* material number 0 */
     const char *walls;                    /* the material of the box */
+    struct {
+        double grains;           /* [-] in one; 0: no parcels */
+        const char *restitution; /* what of it is kept */
+        double asked, made; /* [-] grains of the case, and of its parcels */
+    } parcel;
     int has_bed, has_place, has_insert, has_sinks;
     struct bed_options bed; /* without its sizes and surroundings */
     const char *bed_sizes, *bed_file;

@@ -362,16 +362,50 @@ static void take_contact_number(void *memory, const struct simulation *sim,
         if (c->index[i] >= 0) to[c->index[i]] += 1.0;
 }
 
+static void take_grains(void *memory, const struct simulation *sim, double *to)
+{
+    (void)memory;
+    for (int i = 0; i < sim->particles->n; i++)
+        to[i] = particles_grains(sim->particles, i);
+}
+
+static void take_grain_diameter(void *memory, const struct simulation *sim,
+                                double *to)
+{
+    (void)memory;
+    for (int i = 0; i < sim->particles->n; i++)
+        to[i] = particles_grain(sim->particles, i);
+}
+
 const struct snapshot_field snapshot_fields[] = {
     {"mass", "kg", 1, take_mass},
     {"material", "-", 1, take_material},
     {"fluid_force", "N", 3, take_fluid_force},
     {"contact_force", "N", 3, take_contact_force},
     {"contact_number", "-", 1, take_contact_number},
+    {"grains", "-", 1, take_grains},
+    {"grain_diameter", "m", 1, take_grain_diameter},
     {NULL, NULL, 0, NULL}};
 
-/* Adds what the case names to the snapshot; the list of contacts is all that is
- * left to be freed. */
+/* Adds a field to the snapshot, once. */
+static void add_field(const struct recorder_view *v, const char *name,
+                      struct contact_list **contacts)
+{
+    const struct particles *const ps = v->sim->particles;
+    const struct snapshot_field *f = snapshot_fields;
+
+    while (strcmp(f->name, name) != 0)
+        f++;
+    if (f->take == take_material && ps->material != NULL)
+        return; /* is written anyway */
+    for (int i = 0; i < v->snapshot->n_more; i++)
+        if (v->snapshot->more[i] == f) return;
+    if (f->take == take_contact_number) *contacts = contact_list_create(v->sim);
+    snapshot_add(v->snapshot, f, *contacts);
+}
+
+/* Adds what the case names to the snapshot, and of parcels what they stand for;
+ * the list of contacts is all that is left to be freed. */
 static void *particle_fields_create(const struct recorder_view *v, int *failed)
 {
     const struct output_options *const o = v->of->output;
@@ -383,16 +417,11 @@ static void *particle_fields_create(const struct recorder_view *v, int *failed)
     (void)failed;
     if (v->sim->dem == NULL) return NULL;
     if (o->sorted) snapshot_order_by_id(v->snapshot);
-    for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used) {
-        const struct snapshot_field *f = snapshot_fields;
-        while (strcmp(f->name, word) != 0)
-            f++;
-        if (f->take == take_material && v->sim->particles->material != NULL)
-            continue; /* is written anyway */
-        if (f->take == take_contact_number)
-            contacts = contact_list_create(v->sim);
-        snapshot_add(v->snapshot, f, contacts);
-    }
+    for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used)
+        add_field(v, word, &contacts);
+    if (v->sim->particles->across == NULL) return contacts;
+    add_field(v, "grains", &contacts);
+    add_field(v, "grain_diameter", &contacts);
     return contacts;
 }
 

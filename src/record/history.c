@@ -139,6 +139,16 @@ static double history_sums_count(const struct simulation *sim)
     return processes_total(sim, sim->particles->n);
 }
 
+/* The grains that they stand for. */
+static double history_sums_grains(const struct simulation *sim)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < sim->particles->n; i++)
+        sum += particles_grains(sim->particles, i);
+    return sum;
+}
+
 /* A third of the mean square of their velocity about its mean [m^2/s^2]. */
 static double granular_temperature(const struct simulation *sim)
 {
@@ -211,7 +221,8 @@ enum {
     D = HISTORY_MEAN_GRADIENT,
     N = HISTORY_PARTS,
     I = HISTORY_POPULATION,
-    E = HISTORY_BUDGET
+    E = HISTORY_BUDGET,
+    G = HISTORY_PARCELS
 };
 
 /* history.def has a line a column, in the order of the row: it makes a function
@@ -245,6 +256,8 @@ int history_applies(const struct history_column *c,
            (!(c->needs & P) || sim->particles != NULL) &&
            (!(c->needs & C) || sim->coupling != NULL) &&
            (!(c->needs & I) || sim->population != NULL) &&
+           (!(c->needs & G) ||
+            (sim->particles != NULL && sim->particles->across != NULL)) &&
            (!(c->needs & E) ||
             (sim->dem != NULL && dem_energy(sim->dem) != NULL));
 }

@@ -23,7 +23,8 @@ enum {
     HISTORY_MEAN_GRADIENT = 8, /* a flow prescribed through periodic ends */
     HISTORY_PARTS = 16,        /* a step of the fluid that may be divided */
     HISTORY_POPULATION = 32,   /* insertion or removal */
-    HISTORY_BUDGET = 64        /* of the particles' energy */
+    HISTORY_BUDGET = 64,       /* of the particles' energy */
+    HISTORY_PARCELS = 128      /* particles that stand for several grains */
 };
 
 /* The function of a column that is one expression of the simulation, and those

@@ -119,15 +119,16 @@ static void grain_series_add(struct grain_series *g,
     if (g->changed || ps->n == 0) return;
     for (int i = 0; i < ps->n; i++) {
         const int id = ps->id[i];
-        const double *const u = &cp->u_f[3 * i], eps = cp->eps[i], d = ps->d[i];
+        const double *const u = &cp->u_f[3 * i], eps = cp->eps[i];
+        const double d = particles_grain(ps, i), N = particles_grains(ps, i);
         const double w =
             gsl_hypot3(u[0] - ps->vx[i], u[1] - ps->vy[i], u[2] - ps->vz[i]);
         g->eps[id] = eps;
         g->Re[id] = coefficient_reynolds(eps, o->rho, o->mu, d, w);
         g->Cd[(long)id * g->rows + g->n_rows] =
-            w > 0.0
-                ? coefficient_of_force(cp->rate[i] * w / eps, o->rho, d, eps, w)
-                : 0.0;
+            w > 0.0 ? coefficient_of_force(cp->rate[i] / N * w / eps, o->rho, d,
+                                           eps, w)
+                    : 0.0;
     }
     g->n_rows++;
 }

@@ -3,6 +3,7 @@
 
 #include "case/case_mesh.h"
 #include "case/checks/case_scales.h"
+#include "case/particles/case_materials.h"
 #include "base/text.h"
 #include "fluid/schemes.h"
 
@@ -277,7 +278,7 @@ static void add_substeps(const struct settings *s, const struct case_scales *k,
 static void add_impacts(const struct settings *s, const struct case_scales *k,
                         int flow, struct choices *c)
 {
-    const double e = s->particles.grains.of.restitution;
+    const double e = case_materials_one(s, 0).restitution;
     const double x = k->dem_dt / case_scales_tightest(s, k->impact).contact;
     const double error = e == 1.0 ? M_PI * M_PI * x * x / 24.0 : (1.0 - e) * x;
 

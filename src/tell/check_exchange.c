@@ -13,6 +13,7 @@
 #include "case/build.h"
 #include "base/text.h"
 #include "case/particles/case_materials.h"
+#include "case/particles/case_population.h"
 #include "case/fill.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
@@ -41,7 +42,7 @@ static double case_drag_mean_diameter(const struct settings *s)
     const double volume = bed_range(&b).volume;
 
     build_particles_free_bed(&b);
-    return cbrt(6.0 / M_PI * volume / b.count);
+    return cbrt(6.0 / M_PI * volume / b.count) / case_parcels_across(s, 0);
 }
 
 /* Warns where the law has no data: of the fluid fraction eps_f, or of the Re at
@@ -51,7 +52,7 @@ static void print_range(const struct settings *s, const struct case_scales *k,
 {
     const struct drag_law law = build_drag_law(s);
     const double Re = coefficient_reynolds(eps_f, s->fluid.rho, s->fluid.mu,
-                                           k->d, k->inlet / eps_f);
+                                           k->d / k->across, k->inlet / eps_f);
     char remark[128];
 
     if (eps_f < law.eps_min || eps_f > law.eps_max) {
@@ -144,11 +145,12 @@ static void print_bed(const struct settings *s, const struct case_scales *k)
 void check_drag(const struct settings *s, const struct case_scales *k)
 {
     const int asked = s->exchange.substeps;
-    const double bed = case_drag_relaxation_time(s, k, k->d, CHECK_PACKED);
+    const double d = k->d / k->across; /* of a grain */
+    const double bed = case_drag_relaxation_time(s, k, d, CHECK_PACKED);
 
     puts("Drag");
     text_line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
-    text_line("tau_p", case_drag_relaxation_time(s, k, k->d, 0.0), "s",
+    text_line("tau_p", case_drag_relaxation_time(s, k, d, 0.0), "s",
               "of a lone particle");
     text_line("sub-steps",
               asked > 0 ? asked : coupling_needed_substeps(k->dt / bed), "-",

@@ -34,12 +34,12 @@ static struct placed placed_of(const struct settings *s,
     struct placed p = {0.0, 0.0, 0.0};
 
     if (n == 0) /* all of them are inserted */
-        return (struct placed){.d = 0.5 * (in->d + in->d_most),
+        return (struct placed){.d = 0.5 * (in->d + in->d_most) / in->across,
                                .speed = case_scales_initial_speed(s)};
 
     for (int i = 0; i < n; i++) {
         const struct place_setup *const one = &s->particles.place.item[i];
-        p.d += one->diameter / n;
+        p.d += one->diameter / in->across / n;
         p.speed += vector_length(one->velocity) / n;
         p.spin += vector_length(one->spin) / n;
     }
@@ -49,6 +49,14 @@ static struct placed placed_of(const struct settings *s,
 static double scales_volume(const struct effect_scales *k)
 {
     return M_PI / 6.0 * gsl_pow_3(k->d);
+}
+
+/* Of all particles [m^3], which may be parcels of the grains of these scales.
+ */
+static double volume_of_all(const struct effect_scales *k,
+                            const struct case_scales *in)
+{
+    return in->particles * gsl_pow_3(in->across) * scales_volume(k);
 }
 
 /* The volume of the smallest box around all that are placed [m^3]. */
@@ -174,8 +182,7 @@ static void free_scales(const struct settings *s, struct effect_scales *k,
         size[i] -= lo[i];
     k->eps_s = load;
     if (s->particles.place.n > 1) /* a cloud of them */
-        k->eps_s = fmin(CHECK_PACKED,
-                        in->particles * scales_volume(k) / around_placed(s));
+        k->eps_s = fmin(CHECK_PACKED, volume_of_all(k, in) / around_placed(s));
     k->slip = free_slip(s, k, in, p);
     k->carried = k->slip > 0.0;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
@@ -240,7 +247,7 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     k->rho_f = s->fluid.rho;
     k->mu = s->fluid.mu;
     k->dt = in->dt;
-    const double load = in->particles * scales_volume(k) / case_mesh_volume(s);
+    const double load = volume_of_all(k, in) / case_mesh_volume(s);
     const int is_bed = in->volume > 0.0 || load > crowd;
     if (is_bed && k->gravity > 0.0 && in->up > 0.0)
         bed_scales(s, k, in, load);
@@ -263,8 +270,10 @@ struct effect_scales check_scales(const struct settings *s,
     struct effect_scales k = {
         .rho_s = s->particles.grains.density,
         .partners = in->particles > 1,
-        .d = in->volume > 0.0 ? cbrt(6.0 / M_PI * in->volume / in->particles)
-                              : p.d,
+        .across = in->across,
+        .d = in->volume > 0.0
+                 ? cbrt(6.0 / M_PI * in->volume / in->particles) / in->across
+                 : p.d,
         .gravity = vector_length(s->effects.gravity)};
 
     k.weight = k.rho_s * scales_volume(&k) * k.gravity;

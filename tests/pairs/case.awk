@@ -133,9 +133,11 @@ function put_materials() {
             " friction = 0.1; } );")
 }
 
-# Each diameter about d.
-function put_sizes(    s) {
+# Each diameter about that of a grain. (A parcel is l grains wide, and has the
+# place and the diameter d of a sphere without parcels.)
+function put_sizes(    s, d) {
     if (is("sizes", "equal")) return
+    d = grain
     s = is("sizes", "uniform") ? sprintf("min = %g; max = %g;", 0.8 * d, 1.2 * d) : \
         is("sizes", "normal") ? sprintf("mean = %g; deviation = %g; min = %g; max = %g;", d, 0.1 * d, 0.7 * d, 1.3 * d) : \
         is("sizes", "lognormal") ? sprintf("median = %g; ratio = 1.1; min = %g; max = %g;", d, 0.7 * d, 1.3 * d) : \
@@ -146,12 +148,12 @@ function put_sizes(    s) {
 }
 
 function sized() {
-    return is("sizes", "equal") ? "diameter = " d ";" : "sizes = \"some\";"
+    return is("sizes", "equal") ? "diameter = " grain ";" : "sizes = \"some\";"
 }
 
 function sphere(where, velocity, i) {
     return "{ position = " where "; velocity = " velocity "; diameter = " \
-        (is("sizes", "equal") ? d : d * (0.7 + 0.1 * i)) ";" \
+        (is("sizes", "equal") ? grain : grain * (0.7 + 0.1 * i)) ";" \
         (is("materials", "several pairs") && i % 2 ? " material = \"felt\";" : "") \
         (i == 2 ? " spin = [10.0, -20.0, 300.0];" : "") " }"
 }
@@ -179,11 +181,11 @@ function put_particles_there() {
     if (is("count", "none"))
         put("  bed = { count = 0; " sized() " };")
     if (is("count", "sixty"))
-        put("  bed = { count = 60; " sized() " settle = 0.0; };")
+        put("  bed = { count = " 60 * l ^ 3 "; " sized() " settle = 0.0; };")
     if (is("count", "settled"))
-        put("  bed = { count = 40; " sized() " settle = 0.01; jitter = 1.0; };")
+        put("  bed = { count = " 40 * l ^ 3 "; " sized() " settle = 0.01; jitter = 1.0; };")
     if (is("count", "crowd"))
-        put("  bed = { count = 1100; " sized() " settle = 0.0; };")
+        put("  bed = { count = " 1100 * l ^ 3 "; " sized() " settle = 0.0; };")
 }
 
 function place(a, b, c,    w) {
@@ -208,7 +210,7 @@ function put_insert() {
     }
     put("  insert = ( { " sized() " velocity = [0.0, -0.2, 0.0];" \
         " from = " at(0.1, 0.75, 0.1) "; to = " vec(0.9 * size[1], 0.97 * size[2], 0.9 * size[3]) "; " \
-        (is("insert", "once") ? "count = 5;" : "count = 50; rate = 4000.0;") \
+        (is("insert", "once") ? "count = " 5 * l ^ 3 ";" : "count = " 50 * l ^ 3 "; rate = " real(4000 * l ^ 3) ";") \
         (is("insert", "late") ? " start = 1e-3;" : "") \
         (is("materials", "several") ? " material = \"felt\";" : "") " } );")
 }
@@ -251,9 +253,13 @@ function put_surface() {
 
 function put_particles() {
     d = is("count", "crowd") ? 4e-4 : 1e-3
+    l = on("parcel") ? 2 : 1
+    grain = d / l
     put("particles = {")
     put("  contact = \"" v["contact"] "\"; step = " (is("count", "crowd") ? 2.5e-6 : 1e-5) ";")
     put("  integrator = \"" v["integrator"] "\"; list = \"" v["list"] "\";")
+    if (on("parcel"))
+        put("  parcel = { grains = 8; restitution = \"" v["parcel"] "\"; };")
     put_materials()
     put_sizes()
     put_particles_there()

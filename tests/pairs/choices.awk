@@ -29,6 +29,7 @@ BEGIN {
     choice("f", "body_method", values_of("bodies.method"))
     choice("cpm", "contact", values_of("particles.contact"))
     choice("cpm", "count", "none one few sixty settled crowd")
+    choice("cpm", "parcel", "none " values_of("particles.parcel.restitution"))
     choice("cpm", "sizes", "equal uniform normal lognormal discrete table")
     choice("cpm", "materials", "one wall several pairs")
     choice("cpm", "rolling", "off on")
@@ -122,6 +123,11 @@ BEGIN {
           "slanted", "does not support surfaces")
     # A sheared box has walls of its own only where it is not periodic.
     apart("list", "link-cells all-pairs none", "mesh", "sheared")
+    # A parcel loses no more than all of the energy of an impact.
+    apart("parcel", "dissipation", "materials", "pairs",
+          "parcels of 2 diameters cannot lose as much as grains of e = 0.5")
+    apart("parcel", "kept dissipation", "bodies",
+          "fixed free moving cylinder surface solid", "there are grains, not parcels")
     # Without contacts nothing comes to rest, and no pair is close.
     apart("list", "none", "count", "settled",
           "no bed comes to rest without contacts|does not support")

@@ -32,6 +32,7 @@ static void add_inserted(const struct settings *s, struct case_scales *k)
 static void particle_scales(const struct settings *s, struct case_scales *k)
 {
     k->density = s->particles.grains.density;
+    k->across = case_parcels_across(s, 0);
     if (s->particles.has_bed) {
         struct bed_options b = build_particles_bed(s);
         const struct bed_range range = bed_range(&b);

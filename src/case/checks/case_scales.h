@@ -13,6 +13,7 @@ struct case_scales {
     int cells, particles;
     double S_c;        /* [m] S_c = V_c^(1/3), of the mean cell [SX15 10] */
     double d, d_most;  /* [m] smallest and largest diameter */
+    double across;     /* [-] diameter of a parcel over that of its grains */
     double volume;     /* [m^3] of the particles of a bed */
     double density;    /* [kg/m^3] of the particles */
     double dt, dem_dt; /* [s] of the loop, of the particles */

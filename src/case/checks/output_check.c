@@ -275,7 +275,8 @@ static int unknown_field(const struct settings *s, const char *key,
     const char *const best = nearest_best(&n);
     return settings_wrong(s, key,
                           "there is no %s; expected mass, material, "
-                          "fluid_force, contact_force or contact_number%s%s",
+                          "fluid_force, contact_force, contact_number, grains "
+                          "or grain_diameter%s%s",
                           word, best != NULL ? "; nearest: " : "",
                           best != NULL ? best : "");
 }

@@ -233,6 +233,8 @@ int build_particles(const struct settings *s, struct simulation *sim,
     build_particles_limit(s, sim);
     case_surfaces_tell_unseen(s);
     case_population_add(s, sim);
+    sim->particles->across = case_parcels_table(s);
+    case_parcels_tell(s);
     sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;
 }

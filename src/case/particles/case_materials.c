@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/particles/case_materials.h"
+#include "case/particles/case_population.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -56,6 +57,7 @@ struct material case_materials_one(const struct settings *s, int number)
     struct material m = case_materials_setup(s, number)->of;
 
     read_own(s, number, m.own);
+    m.restitution = case_parcels_restitution(s, m.restitution);
     return m;
 }
 
@@ -73,30 +75,76 @@ struct materials_measured case_materials_pair(const struct settings *s, int k)
         .b = case_materials_number(s, p->and),
         .stiffness = measured(p->of.stiffness > 0.0, p->of.stiffness),
         .tangential = measured(p->of.tangential > 0.0, p->of.tangential),
-        .restitution = measured(p->has_restitution, p->of.restitution),
+        .restitution = measured(p->has_restitution,
+                                case_parcels_restitution(s, p->of.restitution)),
         .friction = measured(p->has_friction, p->of.friction),
         .rolling = measured(p->has_rolling, p->of.rolling)};
+}
+
+/* Where parcels lose what their grains would, the walls are of materials of
+ * their own, with e as it is: behind all others, in the same order. */
+int case_materials_total(const struct settings *s)
+{
+    const int n = 1 + s->particles.materials.n;
+    return case_parcels_keep_dissipation(s) ? 2 * n : n;
+}
+
+int case_materials_of_wall(const struct settings *s, const char *name)
+{
+    return case_materials_number(s, name) + case_materials_total(s) - 1 -
+           s->particles.materials.n;
+}
+
+/* Of pairs of a particle with a wall: e of the case, and what it says that was
+ * measured. How many; taken: room for n^2 + 2 m. */
+static int pairs_with_walls(const struct settings *s,
+                            struct materials_measured *taken)
+{
+    const int n = 1 + s->particles.materials.n, m = s->particles.pairs.n;
+
+    for (int k = 0; k < n * n; k++)
+        taken[k] = (struct materials_measured){
+            k / n,
+            n + k % n,
+            -1.0,
+            -1.0,
+            fmin(case_materials_setup(s, k / n)->of.restitution,
+                 case_materials_setup(s, k % n)->of.restitution),
+            -1.0,
+            -1.0};
+    for (int k = 0; k < 2 * m; k++) {
+        const struct pair_setup *const p = &s->particles.pairs.item[k / 2];
+        struct materials_measured one = case_materials_pair(s, k / 2);
+        const int a = one.a, b = one.b;
+        one.a = k % 2 ? a : b;
+        one.b = n + (k % 2 ? b : a);
+        one.restitution = measured(p->has_restitution, p->of.restitution);
+        taken[n * n + k] = one;
+    }
+    return n * n + 2 * m;
 }
 
 /* One block: the struct, the materials, the pairs. */
 struct materials *case_materials_create(const struct settings *s)
 {
-    const int n = s->particles.materials.n, m = s->particles.pairs.n;
+    const int n = 1 + s->particles.materials.n, m = s->particles.pairs.n;
+    const int total = case_materials_total(s);
     struct materials *all;
     struct material *further;
     struct materials_measured *taken;
 
-    if (n == 0) return NULL;
-    all = alloc_zeroed(1, sizeof *all + (size_t)n * sizeof *further +
-                              (size_t)m * sizeof *taken);
+    if (total == 1) return NULL;
+    all = alloc_zeroed(1, sizeof *all + (size_t)total * sizeof *further +
+                              (size_t)(3 * m + n * n) * sizeof *taken);
     further = (struct material *)(all + 1);
-    taken = (struct materials_measured *)(further + n);
-    for (int k = 0; k < n; k++)
-        further[k] = case_materials_one(s, k + 1);
+    taken = (struct materials_measured *)(further + total);
+    for (int k = 1; k < total; k++)
+        further[k - 1] = case_materials_one(s, k % n);
     for (int k = 0; k < m; k++)
         taken[k] = case_materials_pair(s, k);
-    *all = (struct materials){n + 1, further, m, taken,
-                              case_materials_number(s, s->particles.walls)};
+    *all = (struct materials){total, further, m, taken,
+                              case_materials_of_wall(s, s->particles.walls)};
+    if (total > n) all->n_measured += pairs_with_walls(s, &taken[m]);
     return all;
 }
 
@@ -227,7 +275,8 @@ struct attraction *case_materials_attractions(const struct settings *s, int *n)
     for (int k = 0, i = 0; effects[k] != NULL; k++) {
         if (!is_attraction(s, effects[k])) continue;
         fill_effect_numbers(s, effects[k], numbers);
-        all[i++] = effects[k]->attraction(numbers, &scene);
+        all[i] = effects[k]->attraction(numbers, &scene);
+        case_parcels_attraction(s, &all[i++]);
     }
     return all;
 }

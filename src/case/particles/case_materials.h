@@ -15,6 +15,10 @@
 /* The number of a name, 0 of NULL; -1 if there is no such material. */
 int case_materials_number(const struct settings *s, const char *name);
 
+/* How many there are for dem, and the number of one of them for a wall. */
+int case_materials_total(const struct settings *s);
+int case_materials_of_wall(const struct settings *s, const char *name);
+
 /* What the case says of the material of a number; and the material itself, with
  * the numbers that the contact law alone reads. */
 const struct material_setup *case_materials_setup(const struct settings *s,

@@ -26,8 +26,9 @@ static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
 
 /* --- sizes ---------------------------------------------------------------- */
 
-/* The points are to be released with free(). */
-static struct sizes_options sizes_options_of(const struct settings *s, int i)
+/* Lengths times l. The points are to be released with free(). */
+static struct sizes_options sizes_options_of(const struct settings *s, int i,
+                                             double l)
 {
     const struct sizes_setup *const one = &s->particles.sizes.item[i];
     struct sizes_options o = one->of;
@@ -38,13 +39,19 @@ static struct sizes_options sizes_options_of(const struct settings *s, int i)
          k++, n++) {
         const char *const key =
             SETTINGS_ITEM(sizes, i, strrchr(k->path, '.') + 1);
-        if (settings_has(s, key)) o.own[n] = settings_real(s, key);
+        if (settings_has(s, key))
+            o.own[n] =
+                settings_real(s, key) * (strcmp(k->unit, "m") == 0 ? l : 1.0);
     }
+    double *const lengths[] = {&o.mean, &o.deviation, &o.median, &o.min,
+                               &o.max};
+    for (int k = 0; k < 5; k++)
+        *lengths[k] *= l;
     o.n = one->points.n;
     if (o.n == 0) return o;
     double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);
     for (int k = 0; k < o.n; k++) {
-        point[k][0] = one->points.at[k];
+        point[k][0] = l * one->points.at[k];
         point[k][1] = one->points.value[k];
     }
     o.point = (const double(*)[2])point;
@@ -67,7 +74,7 @@ static int check_size_laws(const struct settings *s)
 {
     for (int i = 0; i < s->particles.sizes.n; i++) {
         const char *const name = s->particles.sizes.item[i].name;
-        const struct sizes_options o = sizes_options_of(s, i);
+        const struct sizes_options o = sizes_options_of(s, i, 1.0);
         const char *const wrong = sizes_wrong(&o);
 
         free((void *)o.point);
@@ -96,10 +103,13 @@ static int check_size_name(const struct settings *s, const char *key,
                           best != NULL ? best : "");
 }
 
-/* The distribution of that name, which is there. */
-static struct sizes *create_sizes(const struct settings *s, const char *name)
+/* The distribution of that name, which is there, for particles of a material.
+ */
+static struct sizes *create_sizes(const struct settings *s, const char *name,
+                                  int material)
 {
-    const struct sizes_options o = sizes_options_of(s, size_law_named(s, name));
+    const struct sizes_options o = sizes_options_of(
+        s, size_law_named(s, name), case_parcels_across(s, material));
     struct sizes *const made = sizes_create(&o);
 
     free((void *)o.point);
@@ -155,7 +165,8 @@ static int complete_source(const struct settings *s, struct insert_setup *in)
     in->of.material = case_materials_number(s, in->material);
     in->of.density = case_materials_setup(s, in->of.material)->density;
     if (in->sizes != NULL)
-        in->of.sizes = in->distribution = create_sizes(s, in->sizes);
+        in->of.sizes = in->distribution =
+            create_sizes(s, in->sizes, in->of.material);
     return in->file != NULL ? read_list(s, in) : 0;
 }
 
@@ -389,7 +400,7 @@ int case_population_check(struct settings *s)
 void case_population_bed_sizes(const struct settings *s, struct bed_options *b)
 {
     if (s->particles.bed_sizes == NULL) return;
-    b->sizes = create_sizes(s, s->particles.bed_sizes);
+    b->sizes = create_sizes(s, s->particles.bed_sizes, 0);
     b->quantile = sizes_quantile;
     b->free_sizes = sizes_free;
     b->diameter = sizes_moment(b->sizes, 1);

@@ -49,4 +49,30 @@ void case_population_report_waiting(const struct simulation *sim);
  * from that of a run without the signal. */
 int case_population_is_cut_short(const struct simulation *sim);
 
+/* --- case_parcels.c ------------------------------------------------------- *
+ * Diameter of a parcel over that of its grains, l [-]; 1 without parcels, and
+ * for a material that there is not that of the grains. */
+double case_parcels_across(const struct settings *s, int material);
+
+/* Of all materials, in a new table (dem/particles.h); NULL: all are grains. */
+double *case_parcels_table(const struct settings *s);
+
+/* Makes of the case, which says what the grains are, that of its parcels. 0, or
+ * 2 after a message. */
+int case_parcels_make(struct settings *s);
+struct attraction;
+void case_parcels_attraction(const struct settings *s, struct attraction *a);
+
+/* A note where the grains of the case are no whole number of parcels; and its
+ * lines for `winnow check`: eps_s [-] where the particles are. */
+void case_parcels_tell(const struct settings *s);
+struct case_scales;
+void case_parcels_print(const struct settings *s, const struct case_scales *k,
+                        double eps_s);
+
+/* The restitution of parcels whose grains have e; the walls keep theirs, for so
+ * many grains strike them as do. */
+double case_parcels_restitution(const struct settings *s, double e);
+int case_parcels_keep_dissipation(const struct settings *s);
+
 #endif

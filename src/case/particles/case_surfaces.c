@@ -52,7 +52,7 @@ static void complete_surface(const struct settings *s, int i,
         of->normal[k] = n != NULL ? n[k] / length : 0.0;
     if (!one->has_centre)
         memcpy(of->motion.centre, of->point, sizeof of->point);
-    of->material = case_materials_number(s, one->material);
+    of->material = case_materials_of_wall(s, one->material);
     of->inside =
         reads(of->shape, "particles") && strcmp(one->particles, "inside") == 0;
     for (const struct key *k = of->shape->own_keys;

@@ -101,7 +101,7 @@ struct surface case_walls_surface(const struct settings *s)
 
     all_triangles(m, corner);
     made.triangles = triangles_create(n, corner);
-    made.material = case_materials_number(s, s->particles.walls);
+    made.material = case_materials_of_wall(s, s->particles.walls);
     free(corner);
     return made;
 }

@@ -110,7 +110,9 @@ static double basset_mass_of(double dt, double rho, double mu, double d)
 static double mass(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
-    return basset_mass_of(sim->dt, o->rho, o->mu, sim->particles->d[i]);
+    const struct particles *const ps = sim->particles;
+    return particles_grains(ps, i) *
+           basset_mass_of(sim->dt, o->rho, o->mu, particles_grain(ps, i));
 }
 
 /* The held force over the added mass [m/s^2]: component a of particle i, whose

@@ -89,16 +89,27 @@ static void vorticity_update(void *memory, struct simulation *sim)
     averaging_gather(sim->averaging, 3, v->curl, v->at);
 }
 
-/* The spin of particle i against half of the curl [rad/s]. */
+/* The spin of particle i against half of the curl [rad/s]. The grains of a
+ * parcel of l diameters turn l times as fast as it does, so that both have the
+ * same speed at the surface, and the same energy. */
 static void vorticity_relative_spin(const struct vorticity *v,
                                     const struct particles *ps, int i,
                                     double Omega[3])
 {
     const double *const curl = &v->at[3 * i];
+    const double l = particles_across(ps, i);
 
-    Omega[0] = ps->wx[i] - 0.5 * curl[0];
-    Omega[1] = ps->wy[i] - 0.5 * curl[1];
-    Omega[2] = ps->wz[i] - 0.5 * curl[2];
+    Omega[0] = l * ps->wx[i] - 0.5 * curl[0];
+    Omega[1] = l * ps->wy[i] - 0.5 * curl[1];
+    Omega[2] = l * ps->wz[i] - 0.5 * curl[2];
+}
+
+/* The force F [N] on one grain, for all of particle i. */
+static void add_of_grains(struct simulation *sim, int i, double F[3])
+{
+    for (int a = 0; a < 3; a++)
+        F[a] *= particles_grains(sim->particles, i);
+    effect_force_add(sim, i, F);
 }
 
 /* --- saffman -------------------------------------------------------------- */
@@ -157,8 +168,9 @@ static void saffman_before_substep(void *memory, struct simulation *sim)
     for (int i = 0; i < ps->n; i++) {
         double w[3], F[3];
         coupling_slip(sim, i, w);
-        saffman_lift(o->rho, o->mu, ps->d[i], w, &v->at[3 * i], F);
-        effect_force_add(sim, i, F);
+        saffman_lift(o->rho, o->mu, particles_grain(ps, i), w, &v->at[3 * i],
+                     F);
+        add_of_grains(sim, i, F);
     }
 }
 
@@ -277,8 +289,8 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
         double w[3], Omega[3], F[3];
         coupling_slip(sim, i, w);
         vorticity_relative_spin(v, ps, i, Omega);
-        spin_lift(o->rho, o->mu, ps->d[i], w, Omega, F);
-        effect_force_add(sim, i, F);
+        spin_lift(o->rho, o->mu, particles_grain(ps, i), w, Omega, F);
+        add_of_grains(sim, i, F);
     }
 }
 
@@ -348,10 +360,11 @@ static void fluid_torque_before_substep(void *memory, struct simulation *sim)
         const double rho_s = ps->m[i] / particles_volume(ps, i);
         double Omega[3];
         vorticity_relative_spin(v, ps, i, Omega);
-        const double rate = spin_decay_rate(o->rho, o->mu, ps->d[i], rho_s,
-                                            vector_length(Omega));
+        const double rate = spin_decay_rate(
+            o->rho, o->mu, particles_grain(ps, i), rho_s, vector_length(Omega));
         for (int k = 0; k < 3; k++)
-            *spin[k] += Omega[k] * expm1(-rate * sim->substep);
+            *spin[k] += Omega[k] * expm1(-rate * sim->substep) /
+                        particles_across(ps, i);
     }
 }
 

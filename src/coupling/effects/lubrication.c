@@ -190,8 +190,8 @@ static double lubrication_damping(const struct attraction *a, double R_star,
                                    a->range);
 }
 
-static const struct attraction_law law = {.name = "lubrication",
-                                          .damping = lubrication_damping};
+static const struct attraction_law law = {
+    .name = "lubrication", .damping = lubrication_damping, .parcel_power = 1};
 
 static struct attraction
 lubrication_attraction(const double *p, const struct attraction_scene *scene)
@@ -319,11 +319,12 @@ static int is_liquid(const struct effect_scales *k)
 static struct effect_estimate cohesion_touching(const struct effect_scales *k,
                                                 double F, const char *remark)
 {
-    const double R = 0.5 * k->d;
+    const double l = k->across, R = 0.5 * l * k->d;
 
     if (k->pair != NULL)
         return effects_estimate(
-            fabs(k->pair->law->pair(k->pair, 0, 0, R, R, 0.0)) / k->force,
+            fabs(k->pair->law->pair(k->pair, 0, 0, R, R, 0.0)) / (l * l) /
+                k->force,
             "of two that touch");
     if (!k->partners || k->eps_s < 1e-3)
         return effects_estimate(0.0, "grains hardly meet");

@@ -117,17 +117,20 @@ static double stochastic_drag_slip_of(const struct simulation *sim, int i)
     return gsl_hypot3(w[0], w[1], w[2]);
 }
 
-/* k' [kg/s] of particle i before it is cut. */
+/* k' [kg/s] of particle i before it is cut. A parcel is a sample of the grains'
+ * velocities: it has the C' of one of them. */
 static double random_coefficient(const struct stochastic_drag *self,
                                  const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
-    const double d = sim->particles->d[i], w = stochastic_drag_slip_of(sim, i);
+    const double d = particles_grain(sim->particles, i);
+    const double w = stochastic_drag_slip_of(sim, i);
     const double eps = sim->coupling->eps[i];
     const double Re = coefficient_reynolds(eps, o->rho, o->mu, d, w);
     const double C = stochastic_drag_sigma(&self->sigma, Re) * self->y[i];
 
-    return M_PI / 8.0 * o->rho * d * d * eps * eps * w * C; /* [EW18 26] */
+    return particles_grains(sim->particles, i) * M_PI / 8.0 * o->rho * d * d *
+           eps * eps * w * C; /* [EW18 26] */
 }
 
 static void stochastic_drag_drag(void *memory, struct simulation *sim,
