@@ -207,6 +207,22 @@ int case_parcels_make(struct settings *s)
     return code != 0 ? code : parcels_make_sources(s);
 }
 
+void case_parcels_sizes(struct sizes_options *o, double l)
+{
+    double *const lengths[] = {&o->mean, &o->deviation, &o->median, &o->min,
+                               &o->max};
+    double(*const point)[2] = (double(*)[2])o->point;
+    int n = 0;
+
+    for (int k = 0; k < 5; k++)
+        *lengths[k] *= l;
+    for (int k = 0; k < o->n; k++)
+        point[k][0] *= l;
+    for (const struct key *k = o->law->own_keys; k != NULL && k->path != NULL;
+         k++, n++)
+        if (strcmp(k->unit, "m") == 0) o->own[n] *= l;
+}
+
 void case_parcels_attraction(const struct settings *s, struct attraction *a)
 {
     const double l = case_parcels_across(s, 0);

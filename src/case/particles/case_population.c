@@ -26,9 +26,8 @@ static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
 
 /* --- sizes ---------------------------------------------------------------- */
 
-/* Lengths times l. The points are to be released with free(). */
-static struct sizes_options sizes_options_of(const struct settings *s, int i,
-                                             double l)
+/* The points are to be released with free(). */
+static struct sizes_options sizes_options_of(const struct settings *s, int i)
 {
     const struct sizes_setup *const one = &s->particles.sizes.item[i];
     struct sizes_options o = one->of;
@@ -39,19 +38,13 @@ static struct sizes_options sizes_options_of(const struct settings *s, int i,
          k++, n++) {
         const char *const key =
             SETTINGS_ITEM(sizes, i, strrchr(k->path, '.') + 1);
-        if (settings_has(s, key))
-            o.own[n] =
-                settings_real(s, key) * (strcmp(k->unit, "m") == 0 ? l : 1.0);
+        if (settings_has(s, key)) o.own[n] = settings_real(s, key);
     }
-    double *const lengths[] = {&o.mean, &o.deviation, &o.median, &o.min,
-                               &o.max};
-    for (int k = 0; k < 5; k++)
-        *lengths[k] *= l;
     o.n = one->points.n;
     if (o.n == 0) return o;
     double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);
     for (int k = 0; k < o.n; k++) {
-        point[k][0] = l * one->points.at[k];
+        point[k][0] = one->points.at[k];
         point[k][1] = one->points.value[k];
     }
     o.point = (const double(*)[2])point;
@@ -74,7 +67,7 @@ static int check_size_laws(const struct settings *s)
 {
     for (int i = 0; i < s->particles.sizes.n; i++) {
         const char *const name = s->particles.sizes.item[i].name;
-        const struct sizes_options o = sizes_options_of(s, i, 1.0);
+        const struct sizes_options o = sizes_options_of(s, i);
         const char *const wrong = sizes_wrong(&o);
 
         free((void *)o.point);
@@ -108,8 +101,8 @@ static int check_size_name(const struct settings *s, const char *key,
 static struct sizes *create_sizes(const struct settings *s, const char *name,
                                   int material)
 {
-    const struct sizes_options o = sizes_options_of(
-        s, size_law_named(s, name), case_parcels_across(s, material));
+    struct sizes_options o = sizes_options_of(s, size_law_named(s, name));
+    case_parcels_sizes(&o, case_parcels_across(s, material));
     struct sizes *const made = sizes_create(&o);
 
     free((void *)o.point);

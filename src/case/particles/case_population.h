@@ -61,6 +61,7 @@ double *case_parcels_table(const struct settings *s);
  * 2 after a message. */
 int case_parcels_make(struct settings *s);
 struct attraction;
+void case_parcels_sizes(struct sizes_options *o, double l);
 void case_parcels_attraction(const struct settings *s, struct attraction *a);
 
 /* A note where the grains of the case are no whole number of parcels; and its
