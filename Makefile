@@ -235,7 +235,7 @@ $B/tests/bench/%.o: LIGHT =
 $B/src/tell/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
 	@awk -f chapters/tools/rows.awk $< >$@.new && mv $@.new $@
-$B/src/tell/equation_index_rows.o: $B/src/tell/equation_index_rows.c src/tell/equations.h
+$B/src/tell/equation_index_rows.o: $B/src/tell/equation_index_rows.c src/tell/check.h
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
 # The programs of the pictures as lines of C; page.gp where they load it.
 $B/src/output/pictures/programs.c: $(wildcard src/output/pictures/*.gp) src/output/pictures/picture.h

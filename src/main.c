@@ -3,7 +3,6 @@
 #include "base/alloc.h"
 #include "base/text.h"
 #include "case/command.h"
-#include "case/nearest.h"
 
 #include <fcntl.h>
 #include <stdio.h>

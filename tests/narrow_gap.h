@@ -4,7 +4,7 @@
 #define NARROW_GAP_H
 
 #include "resolved.h"
-#include "resolved/squeeze_film.h"
+#include "resolved/body_motion.h"
 
 enum { NARROW_GAP_CELLS = 8 }; /* in the diameter, 1 m */
 static const double narrow_gap_R = 0.5, narrow_gap_h = 1.0 / NARROW_GAP_CELLS,

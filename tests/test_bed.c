@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "dem/bed.h"
-#include "case/resume/bed_cache.h"
+#include "case/resume/resume.h"
 #include "dem/population/sizes.h"
 
 #include "facts.h"

@@ -13,7 +13,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "facts.h"
-#include "resolved/bodies_effect.h"
+#include "resolved/solid_bodies.h"
 #include "resolved/among/among_grains.h"
 
 static const char

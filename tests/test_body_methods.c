@@ -7,7 +7,7 @@
 #include "base/vector.h"
 #include "facts.h"
 #include "resolved/solid_bodies.h"
-#include "resolved/squeeze_film.h"
+#include "resolved/body_motion.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5};
 

@@ -9,7 +9,7 @@
 #include "base/vector.h"
 #include "facts.h"
 #include "resolved/shapes/block_contacts.h"
-#include "resolved/body_exit.h"
+#include "resolved/body_motion.h"
 #include "resolved/shapes/shapes.h"
 
 /* Two spheres and a clump that touch or nearly touch, with spin and weight, in

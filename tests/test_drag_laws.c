@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/drag_laws/factor.h"
 #include "coupling/drag.h"
 
 #include "facts.h"

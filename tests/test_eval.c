@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "tell/equations.h"
+#include "tell/check.h"
 
 #include "facts.h"
 #include "capture.h"

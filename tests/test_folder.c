@@ -4,7 +4,6 @@
 #include "scratch.h"
 
 #include "base/file.h"
-#include "output/manifest.h"
 
 #include <sys/wait.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/means/mean.h"
+#include "output/means/means.h"
 #include "facts.h"
 #include "kept.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/nearest.h"
+#include "base/text.h"
 #include "facts.h"
 
 #include <stddef.h>

@@ -11,7 +11,6 @@
 #include "resolved/shapes/block_contacts.h"
 #include "resolved/body_motion.h"
 #include "resolved/shapes/shapes.h"
-#include "resolved/squeeze_film.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5};
 

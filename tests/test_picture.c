@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/pictures/gnuplot.h"
 #include "output/pictures/picture.h"
 #include "facts.h"
 #include "scratch.h"

@@ -10,7 +10,7 @@
 
 #include "case/build.h"
 #include "case/case_file.h"
-#include "case/resume/case_text.h"
+#include "case/resume/resume.h"
 #include "coupling/coupling.h"
 #include "facts.h"
 #include "kept.h"

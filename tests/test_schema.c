@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/scan.h"
+#include "case/source.h"
 #include "case/schema.h"
 #include "case/case_file.h"
 #include "facts.h"

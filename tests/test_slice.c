@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/pictures/slice.h"
-#include "output/pictures/outline.h"
+#include "output/pictures/picture.h"
 
 #include "facts.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The limits of the coupled step: the formulas compared with the program. */
-#include "coupling/stability.h"
+#include "coupling/coupling.h"
 
-#include "coupling/reaction.h"
+#include "coupling/transfer.h"
 #include "facts.h"
 #include "suspension.h"
 

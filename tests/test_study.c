@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a study computes: choices, measures, truths, means with their errors,
  * orders. The processes are in tests/tables/study.txt. */
-#include "case/resume/read_summary.h"
+#include "output/summary.h"
 #include "study/outcome.h"
 
 #include "facts.h"

@@ -6,7 +6,7 @@
 
 BEGIN {
     print "/* Made from chapters/equations.md by chapters/tools/rows.awk. */"
-    print "#include \"tell/equations.h\"\n"
+    print "#include \"tell/check.h\"\n"
     print "const struct equation_index_row equation_index_rows[] = {"
 }
 

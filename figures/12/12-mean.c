@@ -3,7 +3,7 @@
  *
  *     sh figures/program.sh 12-mean
  */
-#include "output/means/mean.h"
+#include "output/means/means.h"
 
 #include <math.h>
 #include <stdio.h>

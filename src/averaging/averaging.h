@@ -202,7 +202,7 @@ extern const struct key averaging_delta_keys[];
  * A method of averaging takes account of the walls of the mesh, not of other
  * solids: what it puts into the cells of these is moved out again, and a field
  * is continued into them before it is interpolated. The two are adjoint, so
- * that the sums of averaging.h are conserved.
+ * that the sums of the averaging are conserved.
  */
 
 struct averaging_wall {

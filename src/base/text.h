@@ -52,4 +52,29 @@ const char *texts_add(struct texts *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void texts_free(struct texts *t);
 
+/* --- nearest -------------------------------------------------------------- */
+
+/* The known word nearest to a misspelt one.
+ *
+ * Near means few edits: a letter inserted, left out, replaced, or two
+ * neighbours swapped; capitals do not count. A word that merely begins the
+ * known one counts as one edit, so that "visc" finds "viscosity". */
+
+enum { NEAREST_TEXT = 128 }; /* longer words are never near */
+
+struct nearest {
+    const char *wanted; /* borrowed */
+    int edits;          /* of the best so far; above the limit: none */
+    char best[NEAREST_TEXT];
+};
+
+/* Number of edits between two words, each shorter than NEAREST_TEXT. */
+int nearest_edits(const char *a, const char *b);
+
+/* Begin with the misspelt word, offer each known one, then ask: NULL if no
+ * known word is near. Of equals the first offered wins. */
+void nearest_init(struct nearest *n, const char *wanted);
+void nearest_offer(struct nearest *n, const char *known);
+const char *nearest_best(const struct nearest *n);
+
 #endif

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/checks/case_scales.h"
+#include "case/checks/checks.h"
 #include "case/case_file.h"
 
 #include "case/case_mesh.h"
-#include "case/checks/case_memory.h"
-#include "case/checks/validate.h"
 #include "coupling/processes.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"

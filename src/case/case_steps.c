@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_steps.h"
+#include "case/case_file.h"
 
 #include <limits.h>
 #include <math.h>

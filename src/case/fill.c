@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/fill.h"
+#include "case/settings.h"
 
 #include <assert.h>
 #include <stdint.h>

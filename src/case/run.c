@@ -14,12 +14,11 @@
 #include "coupling/processes.h"
 #include "output/folder.h"
 #include "case/build.h"
-#include "case/checks/case_scales.h"
-#include "case/case_steps.h"
+#include "case/checks/checks.h"
+#include "case/case_file.h"
 #include "record/recorder.h"
 #include "coupling/simulation.h"
 #include "case/particles/case_population.h"
-#include "record/progress.h"
 #include "case/resume/resume.h"
 
 enum {

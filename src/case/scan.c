@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/scan.h"
+#include "case/source.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -3,7 +3,7 @@
 
 #include "case/models.h"
 #include "fluid/boundary.h"
-#include "case/nearest.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,6 @@
 #include "case/settings.h"
 
 #include "base/alloc.h"
-#include "case/fill.h"
 #include "case/particles/case_population.h"
 #include "case/case_mesh.h"
 #include "case/schema.h"

@@ -13,10 +13,13 @@
 #ifndef CASE_SETTINGS_H
 #define CASE_SETTINGS_H
 
+#include <stddef.h>
+
 #include "averaging/averaging.h"
-#include "base/key.h"
 #include "base/file.h"
+#include "base/key.h"
 #include "coupling/coupling.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "dem/particles_setup.h"
 #include "fluid/boundary.h"
@@ -24,8 +27,6 @@
 #include "mesh/mesh.h"
 #include "output/output_options.h"
 #include "resolved/bodies_setup.h"
-
-#include <stddef.h>
 
 /* What a case says, each group in the options of its room, where the rows of
  * its keys put it (KEY_AT). What the case leaves out has its default or is 0.
@@ -139,5 +140,31 @@ void settings_where(const struct settings *s, const char *path, char *where,
 int settings_wrong(const struct settings *s, const char *path,
                    const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* --- fill ----------------------------------------------------------------- */
+
+/* From the keys of a case to the members of its structs. */
+
+/* Stores the value of each key that has a place (KEY_AT) in the struct of its
+ * group. What the case leaves out without a default stays 0. */
+void fill_settings(struct settings *s, const struct key *const *tables);
+
+/* The path of the key that fills the member, or whose mark it is. */
+const char *fill_path(const struct settings *s, const struct key *const *tables,
+                      const void *member);
+
+/* Releases the lists. */
+void fill_release(struct settings *s, const struct key *const *tables);
+
+/* The numbers that the case gives for a table of keys, in their order: one for
+ * a number, three for a vector, none for a group. Returns how many there are;
+ * at most `max` are stored. */
+int fill_numbers(const struct settings *s, const struct key *keys,
+                 double *numbers, int max);
+
+/* The same of an effect, 0 of what has no value; 1 if the case names it. */
+enum { EFFECT_NUMBERS = 16 }; /* of an effect, at most */
+int fill_effect_numbers(const struct settings *s, const struct effect *e,
+                        double numbers[EFFECT_NUMBERS]);
 
 #endif

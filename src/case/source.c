@@ -11,7 +11,6 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "case/scan.h"
 
 static const char source_default[] = "default";
 

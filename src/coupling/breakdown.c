@@ -9,8 +9,6 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
-#include "coupling/effect_scales.h"
-#include "coupling/stability.h"
 #include "coupling/effect.h"
 #include "mesh/measures.h"
 
@@ -170,7 +168,7 @@ static void describe_seen(const struct simulation *sim, const char *when,
 }
 
 /* The largest solids fraction at which the exchange of momentum is stable
- * (stability.h), where the cells hold more than that; else 0. Effects that add
+ * (coupling.h), where the cells hold more than that; else 0. Effects that add
  * to the mass of the particles are not looked at. */
 static double passed_stability(const struct simulation *sim)
 {

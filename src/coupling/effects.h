@@ -8,7 +8,6 @@
 #define COUPLING_EFFECTS_H
 
 #include "coupling/effect.h"
-#include "coupling/effect_scales.h"
 #include "coupling/simulation.h"
 
 /* What a case says of the effects that others than these ask for. */
@@ -67,7 +66,7 @@ void effect_force_add(struct simulation *sim, int i, const double f[3]);
 /* For an effect whose force on a particle contains m du/dt. The first allocates
  * the arrays `inertia` and `u_before`, with which the next step of the fluid
  * contains a share of the reaction to m (u^new - u_before)/dt in advance
- * (reaction.h), and the step after it the rest; with the explicit treatment
+ * (transfer.h), and the step after it the rest; with the explicit treatment
  * nothing is in advance. The second adds m [kg] of particle i, after the
  * particles have moved, for the step of the fluid that follows. */
 void effect_force_inertia(struct simulation *sim);

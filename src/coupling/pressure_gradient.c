@@ -3,7 +3,7 @@
  * it: its weight, and the mean pressure on its surface. */
 #include "base/alloc.h"
 #include "coupling/coupling.h"
-#include "coupling/effect_scales.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "coupling/simulation.h"
 

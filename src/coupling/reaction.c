@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/reaction.h"
+#include "coupling/transfer.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -7,7 +7,6 @@
 
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
-#include "coupling/transfer.h"
 
 /* Sets eps and eps_us from m fields, of which the first is eps_s and the
  * others, if there are any, are eps_s u_s. */

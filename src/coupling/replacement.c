@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/replacement.h"
+#include "coupling/transfer.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,7 +7,6 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
-#include "coupling/transfer.h"
 #include "dem/population/population.h"
 #include "fluid/piso.h"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/stability.h"
+#include "coupling/coupling.h"
 
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_poly.h>
 #include <math.h>
 
-#include "coupling/reaction.h"
+#include "coupling/transfer.h"
 
 double stability_longest_step(double eps_f, double tau_p)
 {

@@ -7,7 +7,6 @@
 
 #include "base/vector.h"
 #include "coupling/coupling.h"
-#include "coupling/reaction.h"
 
 static double slip_speed(const struct simulation *sim, int i)
 {

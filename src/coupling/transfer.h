@@ -46,4 +46,57 @@ void transfer_begin_substeps(struct simulation *sim);
 void transfer_begin_substep(struct simulation *sim, int steps);
 void transfer_end_substep(struct simulation *sim, int steps);
 
+/* --- reaction ------------------------------------------------------------- */
+
+/* The action of the particles on the fluid.
+ *
+ * transfer.c calls these in two-way coupling only: in one-way coupling the
+ * particles do not act on the fluid. All of them work on sim->coupling. */
+
+/* eps_s and eps_s u_s from the particles where they are now [XS11 3.12, SX15
+ * 9]; then eps_f at each particle. Non-zero if a cell is full. */
+int reaction_average(struct simulation *sim);
+
+/* K and F of the next fluid step, from the k of each particle [XS11 3.15]. */
+void reaction_drag_terms(struct simulation *sim);
+
+/* Gathers the new velocity with the weights of the averaging, and subtracts the
+ * impulse that the fluid received in its step from the unpaid impulse of each
+ * particle. */
+void reaction_receive(struct simulation *sim);
+
+/* The share s [-] of the reaction to an added mass that the fluid receives in
+ * the same step, for C [-], the added mass over that of the fluid in the place
+ * of a particle, `ratio` [-], the particle's mass over that, and the solids
+ * fraction eps_s, below 1. With it both roots of (20.10) are the same, and no
+ * other share has a smaller largest one; 0 for particles that are too light. */
+double reaction_share_in_advance(double C, double ratio, double eps_s);
+
+/* --- replacement ---------------------------------------------------------- */
+
+/* Insertion and removal of particles in a coupled run.
+ *
+ * An inserted particle replaces the same volume of fluid, and fluid replaces a
+ * removed particle, immediately and in the same cells: this causes no flow and
+ * no change of pressure. (If the fluid had to flow out of the way within one
+ * step instead, a grain would cause a jet, and in a closed box there would be
+ * no solution.) The unpaid impulse of a removed particle acts on the fluid in
+ * the next step, in the cells where the particle was. Therefore
+ *
+ *   momentum of fluid and particles - unpaid - (inserted - removed)
+ *
+ * is conserved as in a run without insertion and removal. */
+
+/* Those of sim->population (dem/population/population.h). */
+extern const struct population_functions replacement_functions;
+
+/* After particles were removed, or inserted from index `first` on: averages
+ * anew, replaces the fluid, and makes the drag terms of the next step. Non-zero
+ * if the solid volume of a cell exceeds its volume. */
+int replacement_apply(struct simulation *sim, int first);
+
+/* Momentum of inserted minus that of removed particles since the run began,
+ * including the fluid that they replaced [N s]. */
+void replacement_momentum(const struct simulation *sim, double brought[3]);
+
 #endif

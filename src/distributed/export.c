@@ -17,7 +17,6 @@
 #include "base/text.h"
 #include "case/build.h"
 #include "case/particles/case_materials.h"
-#include "case/case_steps.h"
 #include "coupling/simulation.h"
 #include "coupling/processes.h"
 #include "distributed/words.h"

@@ -10,7 +10,7 @@
 #include "case/case_file.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/checks/case_scales.h"
+#include "case/checks/checks.h"
 #include "base/text.h"
 #include "distributed/words.h"
 #include "case/schema.h"

@@ -9,7 +9,7 @@
 
 #include "case/build.h"
 #include "case/particles/case_materials.h"
-#include "case/case_steps.h"
+#include "case/case_file.h"
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
 

@@ -74,7 +74,7 @@ void faces_sum_vectors(const struct faces *f, int first, int last, int n,
 
 /* --- face loops ----------------------------------------------------------- */
 
-/* The loops of faces.h.
+/* The loops.
  *
  * The function of one face, `each`, must be inlined into them: the compiler
  * forms one vectorised loop only then. It is declared with FACE_KERNEL or

@@ -3,7 +3,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "output/manifest.h"
 
 #include <assert.h>
 #include <dirent.h>

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/manifest.h"
+#include "output/folder.h"
 
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "output/pictures/gnuplot.h"
+#include "output/pictures/picture.h"
 
 #include <errno.h>
 #include <fcntl.h>

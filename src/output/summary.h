@@ -32,4 +32,15 @@ void summary_end(struct summary *s);
  * after a message, also for NULL. */
 int summary_commit(struct summary *s);
 
+/* --- read summary --------------------------------------------------------- */
+
+/* Reads back what summary.json says (output/summary.h). */
+
+/* A number of the summary.json in a folder by its path, "seconds.cfd"; nan if
+ * it is not there or null. */
+double read_summary_number(const char *folder, const char *path);
+
+/* A text of it; NULL if it is not there. To be freed. */
+char *read_summary_text(const char *folder, const char *path);
+
 #endif

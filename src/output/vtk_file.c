@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/vtk_file.h"
+#include "output/vtk.h"
 
 #include "base/alloc.h"
 #include "base/file.h"

@@ -19,11 +19,10 @@
 #include "base/vector.h"
 #include "coupling/effects.h"
 #include "output/series.h"
-#include "resolved/bodies_effect.h"
+#include "resolved/solid_bodies.h"
 #include "resolved/among/among_grains.h"
-#include "resolved/among/surroundings.h"
-#include "resolved/body_exit.h"
 #include "resolved/shapes/shapes.h"
+#include "resolved/body_motion.h"
 
 struct record {
     const struct simulation *sim;
@@ -345,7 +344,7 @@ static int balls_of(const struct body_shape *shape)
     return o != NULL && o->n_triangles == 0 ? o->n_balls : 0;
 }
 
-static int triangles_of(const struct body_shape *shape)
+static int body_triangles(const struct body_shape *shape)
 {
     return shape->outline != NULL ? shape->outline->n_triangles
                                   : block_triangles_count(shape);
@@ -355,7 +354,7 @@ static void outlines_count(struct outlines *r)
 {
     for (int i = 0; i < r->bodies->ps->n; i++) {
         r->n_balls += balls_of(&r->bodies->shape[i]);
-        r->n_triangles += triangles_of(&r->bodies->shape[i]);
+        r->n_triangles += body_triangles(&r->bodies->shape[i]);
     }
 }
 
@@ -421,7 +420,7 @@ static void outlines_place(struct outlines *r)
             r->d[ball] = 2.0 * b.R;
             r->of_ball[ball] = i;
         }
-        const int n = triangles_of(shape);
+        const int n = body_triangles(shape);
         if (n > 0) outlines_put_triangles(shape, at, &r->corner[9 * triangle]);
         for (int t = 0; t < n; t++)
             r->of_triangle[triangle++] = i;

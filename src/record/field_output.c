@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "record/field_output.h"
+#include "record/snapshot.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -22,7 +22,6 @@
 #include "fluid/systems.h"
 #include "mesh/measures.h"
 #include "output/table.h"
-#include "record/profiles.h"
 
 enum { EACH = 15, SURFACE_LOADS_EACH = 6 };
 

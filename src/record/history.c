@@ -5,7 +5,7 @@
 
 #include "base/vector.h"
 #include "coupling/coupling.h"
-#include "coupling/replacement.h"
+#include "coupling/transfer.h"
 #include "coupling/processes.h"
 #include "dem/energy.h"
 #include "dem/population/population.h"

@@ -2,16 +2,15 @@
 /* profiles.c -- what a case asks for of the fields: time averages on lines, the
  * files of DIR/profiles/, and values at points, the columns of DIR/probes.csv.
  */
-#include "record/profiles.h"
+#include "record/recorder_part.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
-#include "output/means/probe.h"
+#include "output/means/means.h"
 #include "output/table.h"
-#include "record/recorder_part.h"
 
 /* The field that a case calls `name`. Mean velocities of the particles are
  * weighted by the solids fraction. */
@@ -138,7 +137,7 @@ static int profiles_add(void *part)
 }
 
 /* How far each can be trusted: its mirror error and its error by blocks
- * (output/means/profile.h). */
+ * (output/means/means.h). */
 static void profiles_summarize(const void *part, struct summary *to)
 {
     const struct profiles *const l = part;

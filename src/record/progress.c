@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "record/progress.h"
+#include "record/recorder.h"
 
 #include "base/alloc.h"
 #include "base/clock.h"

@@ -19,7 +19,7 @@
 #include "dem/population/population.h"
 #include "output/series.h"
 #include "output/table.h"
-#include "record/field_output.h"
+#include "record/snapshot.h"
 
 enum { MAX_COLUMNS = 128, PARTS = 32 };
 

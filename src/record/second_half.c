@@ -27,7 +27,7 @@
 #include "base/vector.h"
 #include "record/history.h"
 #include "coupling/processes.h"
-#include "output/means/mean.h"
+#include "output/means/means.h"
 
 /* What a row of the history adds: two numbers with errors by blocks, and the
  * mean squares of speeds. */

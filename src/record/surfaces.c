@@ -22,7 +22,6 @@
 #include "mesh/measures.h"
 #include "output/pictures/picture.h"
 #include "output/series.h"
-#include "output/pictures/outline.h"
 
 /* --- forces and torques on them ------------------------------------------- */
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "report/plane.h"
+#include "report/page.h"
 
 #include "base/alloc.h"
 #include "base/number.h"

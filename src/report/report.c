@@ -14,10 +14,8 @@
 #include "case/command.h"
 #include "case/schema.h"
 #include "output/folder.h"
-#include "output/manifest.h"
 #include "report/page.h"
-#include "report/vtk_read.h"
-#include "tell/equations.h"
+#include "tell/check.h"
 
 /* Of the page, of what is put in it as text, and of its picture [byte]. The
  * lists of what was left out and the end of the page need no more than

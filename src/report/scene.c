@@ -3,8 +3,6 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "report/page.h"
-#include "report/plane.h"
-#include "report/vtk_read.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "report/vtk_read.h"
+#include "report/page.h"
 
 #include "base/alloc.h"
 #include "base/file.h"

@@ -31,7 +31,7 @@ enum body_motion {
     BODY_SPRING /* free along each axis with a spring, without a spin */
 };
 
-/* Gaps narrower than cells (squeeze_film.h). */
+/* Gaps narrower than cells (body_motion.h). */
 struct squeeze_film {
     double mu;    /* [Pa s] */
     double z_min; /* [m] */

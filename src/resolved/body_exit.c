@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/body_exit.h"
+#include "resolved/body_motion.h"
 
 #include <math.h>
 #include <stdlib.h>

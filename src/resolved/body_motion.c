@@ -3,9 +3,7 @@
 
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "resolved/body_exit.h"
 #include "resolved/body_numbers.h"
-#include "resolved/squeeze_film.h"
 
 #include <math.h>
 #include <string.h>

@@ -61,4 +61,63 @@ void body_turn_load(struct solid_bodies *b);
 void body_turn_gyration(const struct solid_bodies *b, int i, double G[6]);
 void body_turn_times(const double G[6], const double v[3], double product[3]);
 
+/* --- squeeze film --------------------------------------------------------- */
+
+/* The fluid that is squeezed out of gaps narrower than a cell.
+ *
+ * Between two surfaces at the distance z, 0 < z < reach, that part at the
+ * speed g (negative: approach),
+ *
+ *   F = -6 pi mu R*^2 (1/max(z, z_min) - 1/reach) g,  R* = R_1 R_2/(R_1 + R_2)
+ *
+ * [Cox67], at a wall R* = R. The second term takes away what the mesh
+ * resolves, so that the force begins at 0 [BVM17]. There it begins at two
+ * cells; with friction by distance the mesh has nine tenths of the force at a
+ * gap of one cell, and what it has grows no more below three quarters. z_min
+ * is the roughness of the surfaces, at which they touch. */
+
+/* reach over the width of a cell [-]. */
+extern const double squeeze_film_cells;
+
+/* F / -g [kg/s]. */
+double squeeze_film_coefficient(double mu, double R_star, double z,
+                                double z_min, double reach);
+
+/* The speed [m/s] of parting after dt [s] of two bodies of the reduced mass m
+ * [kg] that part at g and are z [m] apart. */
+double squeeze_film_velocity(const struct squeeze_film *l, double R_star,
+                             double m, double z, double g, double dt);
+
+/* Changes the velocities of all bodies by the forces of a time dt [s]. */
+void squeeze_film_act(struct solid_bodies *b, double dt);
+
+/* --- body exit ------------------------------------------------------------ */
+
+/* Bodies that leave the box through an outlet.
+ *
+ * An outlet is no wall to a body. What acts on the part of it that is outside
+ * is not known: so, while it passes, it goes on with the velocity and spin
+ * that it came with. Once it is wholly outside it has left: it is at rest, and
+ * touches nothing. One that only turns out of it is moved by what is inside. */
+
+struct body_exit {
+    int open[6];         /* [-] sides 2 k, 2 k + 1: 1 for an outlet */
+    double lo[3], hi[3]; /* [m] of the fluid */
+    double way;          /* [m] from an outlet to where bodies end */
+    int *gone, n_gone;   /* [-] 1: on its way out, 2: it has left; how many */
+};
+
+/* NULL if there is no outlet, or all bodies are held; then also nothing of the
+ * contacts' box changes, which else reaches beyond the outlets. */
+struct body_exit *body_exit_create(struct solid_bodies *b,
+                                   const struct fluid *fl);
+void body_exit_free(struct body_exit *e);
+void body_exit_state(struct solid_bodies *b, struct state *s);
+
+/* Takes out those that are wholly outside. */
+void body_exit_look(struct solid_bodies *b);
+
+/* 1 if the face of the box with the area S is an outlet; e may be NULL. */
+int body_exit_is_open(const struct body_exit *e, const double S[3]);
+
 #endif

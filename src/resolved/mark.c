@@ -4,7 +4,6 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/vector.h"
-#include "resolved/body_exit.h"
 #include "resolved/body_motion.h"
 #include "resolved/body_seal.h"
 

@@ -14,7 +14,7 @@
  * Where a moving body is nearer than a cell to a wall or to another body, the
  * cells between have two velocities to follow, and the fluid has no way out.
  * So a cell beside a wall, or beside a cell of another body, to which the body
- * can come nearer, is left to the fluid; lubrication (squeeze_film.h) adds what
+ * can come nearer, is left to the fluid; lubrication (body_motion.h) adds what
  * such a gap of a cell lacks.
  */
 #ifndef RESOLVED_MARK_H

@@ -12,6 +12,7 @@
 #define RESOLVED_SOLID_BODIES_H
 
 #include "base/state.h"
+#include "coupling/effect.h"
 #include "dem/dem.h"
 #include "fluid/fluid.h"
 #include "resolved/bodies_setup.h"
@@ -57,7 +58,7 @@ struct solid_bodies {
     int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
     struct hold_link *link; /* those of body i are link[start[i]] ... */
     int *start, n_links, capacity;
-    struct body_exit *exit;     /* NULL: none can leave (body_exit.h) */
+    struct body_exit *exit;     /* NULL: none can leave (body_motion.h) */
     struct among_grains *among; /* NULL: there are no other particles */
     void (*free_among)(struct solid_bodies *b);
     void (*visit_among)(struct solid_bodies *b, struct state *s);
@@ -85,5 +86,16 @@ int solid_bodies_hung(const struct solid_bodies *b, int i);
 /* All are there and hold the borrowed fluid, which rests. Non-zero if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
 void solid_bodies_state(struct solid_bodies *b, struct state *s);
+
+/* --- bodies effect -------------------------------------------------------- */
+
+/* The bodies' place in the coupled loop. */
+
+/* Its memory is a struct solid_bodies, which it frees. The bodies move after
+ * fluid and grains. */
+extern const struct effect bodies_effect;
+
+/* The same where there are particles with which they move. */
+extern const struct effect among_effect;
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/squeeze_film.h"
+#include "resolved/body_motion.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -4,10 +4,9 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "record/history.h"
-#include "case/nearest.h"
-#include "record/profiles.h"
+#include "base/text.h"
 #include "record/recorder_part.h"
-#include "case/resume/read_summary.h"
+#include "output/summary.h"
 #include "study/plan.h"
 
 #include <math.h>

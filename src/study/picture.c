@@ -8,7 +8,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "output/pictures/gnuplot.h"
 #include "output/pictures/picture.h"
 
 #include <gsl/gsl_sort.h>

@@ -3,7 +3,7 @@
 
 #include "base/number.h"
 #include "case/case_file.h"
-#include "case/nearest.h"
+#include "base/text.h"
 #include "case/schema.h"
 #include "case/source.h"
 

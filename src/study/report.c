@@ -5,7 +5,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "case/resume/read_summary.h"
+#include "output/summary.h"
 
 #include <math.h>
 #include <stdlib.h>

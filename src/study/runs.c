@@ -9,9 +9,9 @@
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/text.h"
-#include "case/checks/case_scales.h"
-#include "case/resume/case_text.h"
-#include "case/resume/read_summary.h"
+#include "case/checks/checks.h"
+#include "case/resume/resume.h"
+#include "output/summary.h"
 #include "output/folder.h"
 
 #include <ctype.h>

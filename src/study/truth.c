@@ -4,7 +4,7 @@
 #include "study/curve.h"
 
 #include "base/alloc.h"
-#include "tell/equations.h"
+#include "tell/check.h"
 #include "fluid/inlet_profile.h"
 #include "study/plan.h"
 

@@ -2,7 +2,7 @@
 #include "tell/check.h"
 
 #include "case/case_mesh.h"
-#include "case/checks/case_scales.h"
+#include "case/checks/checks.h"
 #include "case/particles/case_materials.h"
 #include "base/text.h"
 #include "fluid/schemes.h"

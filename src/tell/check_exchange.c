@@ -14,12 +14,11 @@
 #include "base/text.h"
 #include "case/particles/case_materials.h"
 #include "case/particles/case_population.h"
-#include "case/fill.h"
+#include "case/settings.h"
 #include "coupling/coupling.h"
 #include "coupling/drag.h"
-#include "coupling/effect_scales.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
-#include "coupling/stability.h"
 #include "dem/attraction.h"
 
 /* tau_p [s] of spheres of diameter d [m] at the solids fraction eps_s. */

@@ -13,10 +13,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case/fill.h"
+#include "case/settings.h"
 #include "case/particles/case_materials.h"
 #include "coupling/effects.h"
-#include "coupling/stability.h"
+#include "coupling/coupling.h"
 #include "dem/attraction.h"
 
 /* [-] what is missed without an effect below which it may be left out. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* equations.c -- the rows of equations.h. */
-#include "tell/equations.h"
+/* equations.c -- the rows of check.h. */
+#include "tell/check.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -11,7 +11,6 @@
 #include "averaging/diffusion.h"
 #include "averaging/more/kernel_gradient.h"
 #include "coupling/drag.h"
-#include "coupling/drag_laws/factor.h"
 #include "coupling/effects/forces.h"
 #include "dem/attraction.h"
 #include "dem/contact_hertz.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* eval.c -- `winnow eval`: one equation at a time. */
-#include "tell/equations.h"
+#include "tell/check.h"
 
 #include "case/command.h"
-#include "case/nearest.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

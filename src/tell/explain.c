@@ -8,11 +8,10 @@
 
 #include "case/case_file.h"
 #include "case/particles/case_materials.h"
-#include "case/checks/model_choice.h"
+#include "case/checks/checks.h"
 #include "case/command.h"
-#include "case/nearest.h"
-#include "tell/equations.h"
-#include "tell/list.h"
+#include "base/text.h"
+#include "tell/check.h"
 #include "case/schema.h"
 
 /* --- an equation: its function, tests, paragraph and `eval` key ---------- */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* list.c -- `winnow list`: what there is to choose from; and `winnow new`: a
  * shipped case to begin with. */
-#include "tell/list.h"
+#include "tell/check.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -12,10 +12,10 @@
 #include <unistd.h>
 
 #include "case/case_file.h"
-#include "case/checks/case_scales.h"
+#include "case/checks/checks.h"
 #include "case/command.h"
 #include "case/models.h"
-#include "case/nearest.h"
+#include "base/text.h"
 #include "case/schema.h"
 
 void list_kinds(void)

@@ -12,7 +12,6 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "case/case_file.h"
-#include "case/case_steps.h"
 #include "case/resume/resume.h"
 #include "case/run.h"
 #include "coupling/effect.h"

@@ -25,7 +25,7 @@
 
 #include "base/interrupt.h"
 #include "case/case_file.h"
-#include "case/resume/read_summary.h"
+#include "output/summary.h"
 #include "coupling/effects.h"
 
 extern char **environ; /* POSIX: the program declares it itself */

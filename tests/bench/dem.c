@@ -19,7 +19,7 @@
 
 #include "base/alloc.h"
 #include "bed.h"
-#include "case/resume/bed_cache.h"
+#include "case/resume/resume.h"
 
 /* Of several beds the highest spheres are left out: 6 x 6 hold 331 776. */
 enum { COUNT = 9240, OF_MANY = 9216, STEPS_A_RUN = 100 };

@@ -91,7 +91,7 @@ struct weights_rule {
 
 struct weights;
 
-/* reach [m] and to: which cells are near, see weights.h. The cells are
+/* reach [m] and to: which cells are near, as above. The cells are
  * borrowed; at most so many fields in a call. */
 struct weights *weights_create(const struct cell_of_particle *h, double reach,
                                enum stencil_to to, int fields,

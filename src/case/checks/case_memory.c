@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/checks/case_memory.h"
+#include "case/checks/checks.h"
 
 #include <limits.h>
 #include <math.h>

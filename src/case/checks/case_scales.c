@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/checks/case_scales.h"
+#include "case/checks/checks.h"
 
 #include <gsl/gsl_math.h>
 #include <libconfig.h>
@@ -12,8 +12,7 @@
 #include "case/build.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/case_steps.h"
-#include "case/checks/case_memory.h"
+#include "case/case_file.h"
 #include "case/particles/case_population.h"
 #include "dem/dem_method.h"
 #include "dem/contact.h"

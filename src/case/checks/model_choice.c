@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/checks/model_choice.h"
+#include "case/checks/checks.h"
 
 #include "averaging/averaging.h"
 #include "case/schema.h"

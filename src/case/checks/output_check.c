@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* output_check.c -- what a case says in the group output, checked. */
-#include "case/checks/output_check.h"
+#include "case/checks/checks.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,9 +9,8 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/case_mesh.h"
-#include "case/nearest.h"
+#include "base/text.h"
 #include "case/particles/case_surfaces.h"
-#include "record/profiles.h"
 #include "record/recorder_part.h"
 
 /* --- profiles and probes -------------------------------------------------- */

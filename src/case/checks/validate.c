@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/checks/validate.h"
+#include "case/checks/checks.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,11 +8,8 @@
 #include "averaging/averaging.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
-#include "case/case_steps.h"
-#include "case/checks/case_scales.h"
+#include "case/case_file.h"
 #include "case/particles/case_materials.h"
-#include "case/checks/model_choice.h"
-#include "case/checks/output_check.h"
 #include "coupling/processes.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"

@@ -9,10 +9,9 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "case/checks/case_memory.h"
-#include "case/checks/case_scales.h"
-#include "case/fill.h"
-#include "case/nearest.h"
+#include "case/checks/checks.h"
+#include "case/settings.h"
+#include "base/text.h"
 #include "case/schema.h"
 #include "coupling/effects.h"
 

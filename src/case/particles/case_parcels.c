@@ -18,7 +18,7 @@
 #include "base/alloc.h"
 #include "base/text.h"
 #include "case/case_mesh.h"
-#include "case/checks/case_scales.h"
+#include "case/checks/checks.h"
 #include "case/particles/case_materials.h"
 #include "coupling/effects.h"
 

@@ -12,13 +12,13 @@
 #include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/number.h"
-#include "coupling/replacement.h"
+#include "coupling/transfer.h"
 #include "dem/population/insertion.h"
 #include "dem/population/population.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
-#include "case/nearest.h"
+#include "base/text.h"
 #include "case/build.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks",

@@ -11,7 +11,7 @@
 #include "base/vector.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/checks/case_scales.h"
+#include "case/checks/checks.h"
 #include "case/models.h"
 #include "dem/surfaces/triangles.h"
 #include "dem/surfaces/surface.h"

@@ -10,18 +10,18 @@
 #include "base/number.h"
 #include "base/vector.h"
 #include "case/case_mesh.h"
-#include "case/case_steps.h"
+#include "case/case_file.h"
 #include "coupling/effects.h"
 #include "dem/contact_linear.h"
 #include "dem/population/insertion.h"
 #include "dem/reference.h"
 #include "dem/surfaces/triangles.h"
-#include "resolved/bodies_effect.h"
+#include "resolved/solid_bodies.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/shapes/block_contacts.h"
 #include "resolved/body_numbers.h"
 #include "resolved/shapes/shapes.h"
-#include "resolved/squeeze_film.h"
+#include "resolved/body_motion.h"
 
 /* --- all bodies ----------------------------------------------------------- */
 

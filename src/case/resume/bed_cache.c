@@ -4,7 +4,7 @@
  * A bed is kept under a name that is a hash of all that decides it: the lines
  * of the case but those that come later (KEY_AFTER_BED), the files that they
  * name, and the program. */
-#include "case/resume/bed_cache.h"
+#include "case/resume/resume.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "base/file.h"
-#include "case/resume/case_text.h"
 #include "output/checkpoint/state_file.h"
 
 /* A smaller bed settles in a second or two. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/resume/case_text.h"
+#include "case/resume/resume.h"
 
 #include <libconfig.h>
 #include <stdio.h>
@@ -12,7 +12,6 @@
 #include "base/number.h"
 #include "base/text.h"
 #include "case/case_file.h"
-#include "case/case_steps.h"
 #include "case/schema.h"
 #include "case/source.h"
 #include "mesh/poly/poly.h"

@@ -21,10 +21,8 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/text.h"
-#include "case/case_steps.h"
-#include "case/checks/case_scales.h"
-#include "case/resume/bed_cache.h"
-#include "case/resume/case_text.h"
+#include "case/case_file.h"
+#include "case/checks/checks.h"
 #include "output/checkpoint/state_file.h"
 
 enum { WRONG = 2, NOT_WRITTEN = RECORDER_NOT_WRITTEN_CODE };
@@ -48,7 +46,7 @@ struct resume {
     int is_there;             /* [-] 1: the file is of this run */
     int stays;                /* [-] 1: and stays when the program ends */
     double due;               /* [s] wall clock of its next writing */
-    char *lines;              /* the case (case_text.h) */
+    char *lines;              /* the case (resume.h) */
     struct case_copy *copy;   /* of the case, for the folder */
     struct state_file *found; /* to resume from; NULL */
     struct state_image image; /* the last copy of the state */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* arrays.c -- laws fitted to simulations that resolve the flow through arrays
- * of spheres, each as a factor to Stokes' law (factor.h). */
-#include "coupling/drag_laws/factor.h"
+ * of spheres, each as a factor to Stokes' law (drag.h). */
+#include "coupling/drag.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

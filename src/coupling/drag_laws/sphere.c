@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sphere.c -- laws of one sphere, alone or times a power of the fluid fraction,
- * and of a packed bed beside a suspension (factor.h). */
-#include "coupling/drag_laws/factor.h"
+ * and of a packed bed beside a suspension (drag.h). */
+#include "coupling/drag.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -68,7 +68,7 @@ const struct drag_law drag_haider_levenspiel = {
 };
 
 /* Laws of one sphere, or of a packed bed, times a power of the
- * fluid fraction (factor.h). */
+ * fluid fraction (drag.h). */
 
 /* --- Di Felice ------------------------------------------------------------ */
 

@@ -19,7 +19,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "coupling/coupling.h"
-#include "coupling/effect_scales.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "dem/integrator.h"
 

@@ -6,7 +6,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
-#include "coupling/effect_scales.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "fluid/deferred.h"
 

@@ -5,7 +5,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "coupling/effect_scales.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "dem/attraction.h"
 #include "dem/dem_method.h"

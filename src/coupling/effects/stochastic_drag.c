@@ -29,7 +29,6 @@
 #include "coupling/coupling.h"
 #include "coupling/effect.h"
 #include "coupling/drag.h"
-#include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 #include "coupling/transfer.h"
 

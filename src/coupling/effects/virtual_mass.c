@@ -11,13 +11,13 @@
  * itself. Were all of it left to the next step, each change of the fluid's
  * velocity would be followed there by one of -C eps_s/eps_f times itself, which
  * is large in a packed bed; were all of it charged in advance, a bed in a
- * liquid would be unstable (reaction.h).
+ * liquid would be unstable (transfer.h).
  *
  * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
  * In the first step there is no earlier field, and Du/Dt is 0.
  */
-#include "coupling/effect_scales.h"
+#include "coupling/effect.h"
 #include "coupling/effects.h"
 
 #include <gsl/gsl_math.h>

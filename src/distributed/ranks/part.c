@@ -11,7 +11,7 @@
 #include "base/vector.h"
 #include "case/build.h"
 #include "case/particles/case_materials.h"
-#include "case/case_steps.h"
+#include "case/case_file.h"
 #include "coupling/coupling.h"
 #include "dem/dem_method.h"
 #include "dem/contact.h"

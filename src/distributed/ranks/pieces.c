@@ -5,7 +5,7 @@
 #include "coupling/coupling.h"
 #include "distributed/ranks/pieces.h"
 #include "output/vtk.h"
-#include "record/field_output.h"
+#include "record/snapshot.h"
 
 #include <stdint.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/pictures/outline.h"
+#include "output/pictures/picture.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>

@@ -15,10 +15,11 @@
 #ifndef OUTPUT_PICTURES_PICTURE_H
 #define OUTPUT_PICTURES_PICTURE_H
 
+#include <stdio.h>
+
+#include "dem/surfaces/surface.h"
 #include "mesh/mesh.h"
 #include "output/folder.h"
-
-#include <stdio.h>
 
 struct file;
 
@@ -84,5 +85,88 @@ int picture_write(struct folder *folder, const struct picture *p);
  * is 0, and the run is complete all the same. Non-zero after a message. */
 int picture_draw(struct folder *folder, const char *below, const char *png,
                  int *drawn);
+
+/* --- slice ---------------------------------------------------------------- */
+
+/* A plane through the middle of a mesh, as a grid of points.
+ *
+ * The plane is normal to the direction in which there is least to see: one
+ * with a single cell, else the shortest. Its axes are x and y where that is z,
+ * or the way up is one of them, upwards. */
+
+struct slice {
+    int axis[2];           /* [-] the directions to the right and up */
+    int n[2];              /* [-] points along each */
+    double lo[2], step[2]; /* [m] the first point, and between two */
+    double *u, *v, *speed; /* [m/s] in the plane, and of all components */
+    double *p;             /* [Pa] */
+    unsigned char *inside; /* [-] 1 where there is a cell; else all are 0 */
+};
+
+/* Of cell values u (3 a cell) and p, with so many points, about. */
+struct slice slice_of(const struct mesh *m, const double *u, const double *p,
+                      const double up[3], int points);
+void slice_release(struct slice *s);
+
+/* The velocity in the plane at a place of it, linear between the points; 0 if
+ * one of those is outside. Returns 1 if it is inside. */
+int slice_velocity(const struct slice *s, const double x[2], double w[2]);
+
+/* Lines along the velocity, evenly spread: for each point calls put(of, x), and
+ * after each line put(of, NULL). `apart` [m] is their distance, about. */
+void slice_streamlines(const struct slice *s, double apart,
+                       void (*put)(void *of, const double *x), void *of);
+
+/* --- outline -------------------------------------------------------------- */
+
+/* Surfaces as polygons for display.
+ *
+ * A plane is drawn within the box, a cylinder as 64 flat sides as long as the
+ * box, triangles as they are, any other shape as a net of its points. */
+
+struct outline {
+    int n_points, n_polygons, point_room, polygon_room;
+    double *x;   /* [m] 3 a point */
+    int *corner; /* [-] 0, 1, ...: polygons have no points in common */
+    int *end;    /* [-] number of points up to the end of each polygon */
+    int *of;     /* [-] the number of its surface */
+};
+
+void outline_release(struct outline *o);
+
+/* Replaces the contents of o by all surfaces at time t [s]. */
+void outline_draw(struct outline *o, const struct surface *list, int n,
+                  const double lo[3], const double hi[3], double t);
+
+/* Writes a segment, its places along the first two axes, for each polygon that
+ * crosses the plane at z [m] along the third, each followed by an empty line,
+ * with a number's shortest text. */
+void outline_section(FILE *out, const struct outline *o, const int axis[3],
+                     double z);
+
+/* --- gnuplot -------------------------------------------------------------- */
+
+/* Runs a gnuplot script.
+ *
+ * gnuplot takes "<name" and "|name" for commands to be run by a shell,
+ * wherever it expects the name of a file. So no name that a user has chosen is
+ * passed to it: it runs within the folder, with names chosen here. */
+
+/* The first line of the log, by which it is known. */
+#define GNUPLOT_SAYS "What gnuplot says:\n"
+
+struct gnuplot {
+    const char *folder; /* folder to run in */
+    /* Plain names, relative to the folder. */
+    const char *script; /* name of the script */
+    const char *above;  /* name of DIR in the script */
+    const char *png;    /* name of the picture */
+    const char *log;    /* file for its messages */
+};
+
+/* Runs `gnuplot -c SCRIPT ABOVE FILE` there; FILE is renamed to PNG when it is
+ * complete. Non-zero after a message that says what to do, also if gnuplot is
+ * not installed. */
+int gnuplot_draw(const struct gnuplot *g);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* slice.c -- a plane through a flow, its streamlines, and the picture of a flow
  * without particles: speed with streamlines, and pressure. */
-#include "output/pictures/slice.h"
+#include "output/pictures/picture.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,8 +12,7 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "base/vector.h"
-#include "output/means/probe.h"
-#include "output/pictures/picture.h"
+#include "output/means/means.h"
 
 /* The direction with one cell, else the shortest; z before the others. */
 static int least_to_see(const struct mesh *m)

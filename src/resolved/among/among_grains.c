@@ -8,7 +8,6 @@
 #include "base/number.h"
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "resolved/among/surroundings.h"
 #include "resolved/mark.h"
 #include "resolved/body_motion.h"
 

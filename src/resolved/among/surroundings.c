@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* surroundings.c -- a body as the particles touch it, and as the averaged model
  * sees the flow around it. */
-#include "resolved/among/surroundings.h"
+#include "resolved/among/among_grains.h"
 
 #include "base/alloc.h"
 #include "base/statistics.h"

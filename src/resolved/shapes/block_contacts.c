@@ -7,7 +7,6 @@
 #include "dem/box_domain.h"
 #include "dem/contact_linear.h"
 #include "resolved/body_motion.h"
-#include "resolved/squeeze_film.h"
 
 #include <math.h>
 #include <string.h>

@@ -6,7 +6,6 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangles.h"
-#include "resolved/shapes/triangle_tree.h"
 
 #include <math.h>
 #include <stdlib.h>

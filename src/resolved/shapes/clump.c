@@ -8,7 +8,6 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "resolved/shapes/triangle_tree.h"
 
 /* Integrals over the shape of 1, x and x x^T. */
 struct moments {

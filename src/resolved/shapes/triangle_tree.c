@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/shapes/triangle_tree.h"
+#include "resolved/shapes/shapes.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,12 +1,73 @@
-/* case_scales.h -- lengths, times and speeds that follow from a case.
- *
- * `winnow check` prints them, and a run is refused if its step does not resolve
- * the impacts of its particles.
- */
-#ifndef CASE_CHECKS_CASE_SCALES_H
-#define CASE_CHECKS_CASE_SCALES_H
+/* checks.h -- the checks of a case, and the scales that follow from it. */
+#ifndef CASE_CHECKS_CHECKS_H
+#define CASE_CHECKS_CHECKS_H
 
+#include "case/models.h"
 #include "case/settings.h"
+
+/* --- validate ------------------------------------------------------------- */
+
+/* Checks of a case as a whole.
+ *
+ * Each key alone has been checked against its row; here a case is checked as a
+ * whole: something to compute, every side of the box described once, an outlet
+ * for what flows in, a contact law with the constants it asks for, a bed that
+ * fits into the box. */
+
+/* 0, or 2 after one message. */
+int validate_case(struct settings *s);
+
+/* --- output check --------------------------------------------------------- */
+
+/* What a case says in the group output, checked. */
+
+/* 0 if the case asks for what there is; else 2 after a message. */
+int output_check(const struct settings *s);
+
+/* --- model choice --------------------------------------------------------- */
+
+/* Which models a case chooses, and what these ask for. */
+
+/* 1 if the case chooses this model, by a word, a group or in a list. Of a kind
+ * whose key belongs to other models one of these must be chosen. */
+int model_choice_is_on(const struct settings *s, const struct kind *kind,
+                       const struct model *m);
+
+/* 0 if the model that the case chooses of a kind reads the key; else 2, after a
+ * message with those that do. */
+int model_choice_unread(const struct settings *s, const char *kind,
+                        const char *path);
+
+/* For validate_case: a model has the keys that it cannot do without. 0, or 2
+ * after one message. */
+int model_choice_check(const struct settings *s);
+
+/* --- case memory ---------------------------------------------------------- */
+
+/* The memory that a case needs, and whether the machine has it.
+ *
+ * It is counted before anything is made, from the numbers of cells and of
+ * particles: a case that cannot fit is refused at once, before the machine
+ * begins to swap. */
+
+/* About what cells and particles take [byte]. */
+double case_memory_bytes(const struct settings *s);
+
+/* 0; or 2 after a message if these and `more` [byte] beside them are beyond
+ * what the machine has, or the particles beyond what can be numbered. */
+int case_memory_check(const struct settings *s, double more);
+
+/* Whether the machine can list this many pairs of particles, which this key
+ * [m] asks for: 0, or 2 after a message. */
+int case_memory_check_pairs(const struct settings *s, const char *key,
+                            double pairs);
+
+/* --- case scales ---------------------------------------------------------- */
+
+/* Lengths, times and speeds that follow from a case.
+ *
+ * `winnow check` prints them, and a run is refused if its step does not
+ * resolve the impacts of its particles. */
 
 /* A member is 0 where the case has no such thing. */
 struct case_scales {
