@@ -105,7 +105,7 @@ function verdict(parent, run) {
   if (finite(s.simulated_seconds))
     add(card, 'p', short(s.simulated_seconds) + ' s in ' + s.steps + ' steps' +
         (s.cells ? ', ' + s.cells + ' cells' : '') + (s.particles ? ', ' + s.particles + ' particles' : ''));
-  if (finite(h.mean_pressure_drop)) {
+  if (finite(h.mean_pressure_drop) && h.mean_pressure_drop !== 0) {
     const weight = finite(h.buoyant_weight) ? h.buoyant_weight : null;
     add(card, 'p', 'Pressure drop ' + short(h.mean_pressure_drop) +
         (finite(h.mean_pressure_drop_error) ? ' ± ' + short(h.mean_pressure_drop_error) : '') +
@@ -258,7 +258,7 @@ function scene(parent, run) {
     camera.aspect = w / h;
     camera.near = 0.01 * size; camera.far = 50 * size;
     camera.up.copy(up);
-    const far = view.far * size * Math.max(1, 0.75 * h / w);
+    const far = view.far * size * Math.max(1, h / w);
     camera.position.set(...middle).addScaledVector(front, far * c * Math.cos(view.round))
       .addScaledVector(side, far * c * Math.sin(view.round)).addScaledVector(up, far * Math.sin(view.above));
     camera.lookAt(...middle);
@@ -332,8 +332,8 @@ function slice(parent, run) {
     const [nu, nv] = a.size, [w, h] = flip ? [nv, nu] : [nu, nv], down = run.up[flip ? (axis + 1) % 3 : (axis + 2) % 3] < 0;
     canvas.width = w; canvas.height = h;
     const lx = a.box[flip ? 3 : 1] - a.box[flip ? 2 : 0], ly = a.box[flip ? 1 : 3] - a.box[flip ? 0 : 2];
-    const scale = Math.min(parent.clientWidth / lx, 460 / ly);
-    canvas.style.width = lx * scale + 'px'; canvas.style.height = ly * scale + 'px';
+    canvas.style.width = 460 * lx / ly + 'px';
+    canvas.style.aspectRatio = lx + ' / ' + ly;
     const pen = canvas.getContext('2d'), image = pen.createImageData(w, h);
     for (let y = 0; y < h; y++)
       for (let x = 0; x < w; x++) {

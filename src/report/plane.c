@@ -80,8 +80,8 @@ static int around(const struct cells *c, double low[3], double high[3],
         across[k] =
             c->mesh.x == NULL
                 ? c->across[k]
-                : number_clamped(2.0 * (high[k] - low[k]) * n / width[k], 1,
-                                 PLANE_MOST);
+                : number_clamped(2.0 * (high[k] - low[k]) * n / width[k] + 0.5,
+                                 1, PLANE_MOST);
     return n == 0;
 }
 
