@@ -253,7 +253,10 @@ def slice_of(found, field, box, along, view, times):
     cut = pv.Slice(Input=fluid, SliceType="Plane")
     cut.SliceType.Origin = middle
     cut.SliceType.Normal = normal
-    shade(pv.Show(cut, view, "GeometryRepresentation"), cut, "CELLS", field, view, times)
+    display = pv.Show(cut, view, "GeometryRepresentation")
+    # Behind the bodies that it cuts.
+    display.Position = [(box[2 * k] - box[2 * k + 1]) * (k == along) for k in range(3)]
+    shade(display, cut, "CELLS", field, view, times)
 
 
 def fit(view, box):
