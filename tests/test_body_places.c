@@ -6,7 +6,6 @@
 #include <gsl/gsl_math.h>
 #include <string.h>
 
-#include "base/vector.h"
 #include "facts.h"
 #include "resolved/shapes/block_contacts.h"
 #include "resolved/body_motion.h"

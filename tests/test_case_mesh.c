@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/coupling.h"
 #include "case/build.h"
-#include "case/case_mesh.h"
 #include "case/case_file.h"
 
 #include "facts.h"

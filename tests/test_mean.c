@@ -4,7 +4,6 @@
 #include "kept.h"
 
 #include <math.h>
-#include <string.h>
 
 /* 1e9 + {4, 7, 13, 16}: mean 10, spread sqrt(22.5). The difference of sums of
  * squares would have lost all digits of the spread. The tolerance is rounding

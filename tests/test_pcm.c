@@ -4,7 +4,6 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-#include "base/alloc.h"
 #include "boxes.h"
 #include "facts.h"
 #include "cloud.h"

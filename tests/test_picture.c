@@ -3,8 +3,6 @@
 #include "facts.h"
 #include "scratch.h"
 
-#include "base/file.h"
-
 static char dir[64];
 static struct folder *folder;
 

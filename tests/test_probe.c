@@ -2,8 +2,6 @@
 #include "output/means/means.h"
 #include "facts.h"
 
-#include <stdlib.h>
-
 enum { CELLS = 6 * 9 * 5 };
 
 /* Graded in all directions, so that no two widths agree. */

@@ -6,7 +6,6 @@
 
 #include "dem/attraction.h"
 #include "dem/energy.h"
-#include "dem/fast/fast.h"
 #include "dem/reference.h"
 #include "facts.h"
 #include "same_motion.h"

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
 #include "turned.h"

@@ -4,7 +4,6 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "base/vector.h"
 #include "dem/surfaces/surfaces.h"
 #include "facts.h"
 #include "spheres.h"

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/drag.h"
 #include "coupling/effects.h"
 #include "coupling/transfer.h"
 #include "facts.h"

@@ -13,7 +13,6 @@
 #include "averaging/more/kernel_gradient.h"
 #include "base/alloc.h"
 #include "base/model.h"
-#include "base/number.h"
 
 struct averaging {
     const struct averaging_method *method;

@@ -9,7 +9,6 @@
 #include "base/vector.h"
 #include "case/case_mesh.h"
 #include "case/case_file.h"
-#include "case/particles/case_materials.h"
 #include "case/settings.h"
 #include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"

@@ -4,7 +4,6 @@
 
 #include "case/case_mesh.h"
 #include "coupling/processes.h"
-#include "case/particles/case_population.h"
 #include "case/resolved/case_bodies.h"
 #include "case/particles/case_surfaces.h"
 #include "case/models.h"

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "base/model.h"
 #include "base/thread_tuner.h"
 #include "base/file.h"
 #include "base/interrupt.h"

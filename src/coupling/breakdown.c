@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "base/alloc.h"
 #include "coupling/coupling.h"
 #include "coupling/effect.h"
 #include "mesh/measures.h"

@@ -3,7 +3,6 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stddef.h>
 
 #include "dem/integrator.h"
 

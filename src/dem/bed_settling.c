@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/model.h"
 #include "base/thread_tuner.h"
 #include "base/vector.h"
 #include "dem/contact.h"

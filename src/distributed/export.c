@@ -16,7 +16,6 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "case/build.h"
-#include "case/particles/case_materials.h"
 #include "coupling/simulation.h"
 #include "coupling/processes.h"
 #include "distributed/words.h"

@@ -9,12 +9,10 @@
 
 #include "case/case_file.h"
 #include "case/particles/case_materials.h"
-#include "case/case_mesh.h"
 #include "case/checks/checks.h"
 #include "base/text.h"
 #include "distributed/words.h"
 #include "case/schema.h"
-#include "fluid/inlet_profile.h"
 
 const struct key processes_check_keys[] = {
     {"engine", KEY_NAME, "", "one | distributed", "one",

@@ -69,8 +69,7 @@ const struct key output_keys[] = {
     {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0",
      "time at which the average begins; later than the end: none", "", "",
      .at = KEY_AT(output_profile, from)},
-    {"output.profiles.measured", KEY_CURVE, "m, its", "",
-     KEY_OPTIONAL,
+    {"output.profiles.measured", KEY_CURVE, "m, its", "", KEY_OPTIONAL,
      "what was measured on this line: a copy beside the profile, and points in "
      "the report",
      "", "", .at = KEY_AT(output_profile, measured)},

@@ -12,7 +12,6 @@
 #ifndef OUTPUT_VTK_H
 #define OUTPUT_VTK_H
 
-#include <stddef.h>
 #include <stdio.h>
 
 #include "mesh/mesh.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "record/recorder.h"
 
-#include "base/alloc.h"
 #include "base/clock.h"
 #include "base/number.h"
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/plan.h"
 
-#include "base/alloc.h"
 #include "base/number.h"
 
 #include <limits.h>

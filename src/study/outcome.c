@@ -2,7 +2,6 @@
 #include "study/outcome.h"
 
 #include "base/alloc.h"
-#include "base/file.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>

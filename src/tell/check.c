@@ -2,12 +2,10 @@
 #include "tell/check.h"
 
 #include "averaging/averaging.h"
-#include "base/vector.h"
 #include "mesh/measures.h"
 #include "dem/contact.h"
 #include "case/build.h"
 #include "case/checks/checks.h"
-#include "case/particles/case_materials.h"
 #include "case/particles/case_population.h"
 #include "coupling/processes.h"
 #include "case/resolved/case_bodies.h"

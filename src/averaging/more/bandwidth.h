@@ -25,7 +25,6 @@
 
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
-#include "base/model.h"
 
 /* 1 if there is such a rule, a value of options.vary. */
 int bandwidth_has_rule(const char *vary);

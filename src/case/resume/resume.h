@@ -7,7 +7,6 @@
 #include "case/run.h"
 #include "case/settings.h"
 #include "dem/bed.h"
-#include "output/folder.h"
 #include "record/recorder.h"
 
 /* In the folder of the run: the last state that was saved, and the one before

@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include "base/alloc.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "case/build.h"

@@ -5,7 +5,6 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stddef.h>
 
 /* --- single sphere -------------------------------------------------------- */
 

@@ -2,7 +2,6 @@
 #include "coupling/effects/forces.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
 #include "coupling/effects.h"

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/model.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangles.h"
 

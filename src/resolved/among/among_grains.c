@@ -6,7 +6,6 @@
 #include "averaging/averaging.h"
 #include "base/alloc.h"
 #include "base/number.h"
-#include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/mark.h"
 #include "resolved/body_motion.h"

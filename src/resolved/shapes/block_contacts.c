@@ -5,7 +5,6 @@
 
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "dem/contact_linear.h"
 #include "resolved/body_motion.h"
 
 #include <math.h>
