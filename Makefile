@@ -48,7 +48,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
+slow: commands-slow faults-slow kills-slow pairs-slow parcels-slow sanitized-slow style-slow \
       cylinder-slow steps-slow bare-slow view-slow
 	@echo "all slow checks hold"
 sanitized-slow:
@@ -68,7 +68,7 @@ commands-slow: $B/winnow $B/tests/test_impacts $(STEPS)
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults kills steps-check cli free study \
+checks: solutions results sanitized pairs facts style faults parcels kills steps-check cli free study \
         vtk tools commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
@@ -89,7 +89,6 @@ style: $B/winnow
 cli: $B/winnow
 	@sh tests/table.sh $B tests/tables/cli.txt
 	@sh tests/table.sh $B tests/tables/advice.txt
-	@sh tests/table.sh $B tests/tables/parcels.txt
 	@sh tests/table.sh $B tests/tables/report.txt
 kills: $B/winnow
 	@sh tests/table.sh $B tests/tables/resume.txt
@@ -98,6 +97,10 @@ kills-slow: $B/winnow
 	@sh tests/kills.sh $B/winnow 40
 free: $B/winnow
 	@LIBS="$(LIBS)" sh tests/free.sh $B
+parcels: $B/winnow
+	@sh tests/table.sh $B tests/tables/parcels.txt
+parcels-slow: $B/winnow
+	@sh tests/table.sh $B tests/tables/parcels.txt long
 faults: $B/winnow
 	@sh tests/table.sh $B tests/tables/faults.txt
 study: $B/winnow
@@ -273,7 +276,7 @@ $B/tests/fuzz $B/tests/test_crafted: $B/tests/winnow_main.o
 
 .PHONY: install uninstall distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \
-        commands-slow sanitized-slow style-slow cylinder-slow bare-slow view-slow solutions results text pages \
+        parcels parcels-slow commands-slow sanitized-slow style-slow cylinder-slow bare-slow view-slow solutions results text pages \
         validate validate-bed bench figures fuzz replay weave book pdf help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d
