@@ -28,7 +28,7 @@ shares() { # case, end [s], overrides
         >/dev/null 2>&1 || echo "$name broke down"
     for effect in $forces; do
         awk -v name="${label:-$name}" -v effect="$effect" '
-            FILENAME ~ /check$/ && $1 == effect { estimate = $2 }
+            FILENAME ~ /check$/ && $1 == effect { sub(/</, "", $2); estimate = $2 }
             $1 == "\"" effect "\":" && $2 == "{" { within = 1 }
             within && /mean_share/ { measured = 100 * $2; within = 0 }
             END {

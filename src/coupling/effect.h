@@ -143,6 +143,8 @@ struct effect_scales {
     double eps_s;         /* [-] solids fraction where the particles are */
     int partners;         /* [-] 1: there are others that a particle can meet */
     int carried;     /* [-] 1: the particles move with the stream, or fall */
+    int held;        /* [-] 1: the fluid cannot go along with the drag on it */
+    int decays;      /* [-] 1: nothing drives the slip, so that it dies out */
     int rests;       /* [-] 1: they lie on each other, at the end at least */
     int stirred;     /* [-] 1: the spin is what collisions leave */
     double slip;     /* [m/s] of a particle in the stream */
@@ -151,10 +153,13 @@ struct effect_scales {
     double spin;     /* [rad/s] of a particle against the fluid */
     double tau;      /* [s] relaxation time */
     double meetings; /* [1/s] of a particle with others */
-    double acceleration;           /* [m/s^2] of the slip, in the mean */
-    double time;                   /* [s] that the slip has had to develop */
-    double weight, drag;           /* [N] */
-    double force;                  /* [N] the larger one of the two */
+    double acceleration; /* [m/s^2] of the slip, in the mean */
+    double time;         /* [s] that the slip has had to develop, or takes to
+                            die out */
+    double end;          /* [s] of the run */
+    double weight, drag; /* [N] */
+    double force;        /* [N] the largest one of the two, and of the push of
+                            mean_gradient */
     const struct attraction *pair; /* of the effect, if it is named */
     const double *numbers;         /* its parameters, if it is named */
 };
@@ -167,6 +172,7 @@ struct effect_estimate {
                          where its direction is random */
     const char *of;   /* "the force on a grain" */
     int unknown;      /* [-] 1: only what the remark says would tell */
+    int bound;        /* [-] 1: share is no scale, it is at most that */
     char remark[112]; /* "" if there is nothing to add */
 };
 

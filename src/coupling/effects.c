@@ -8,6 +8,7 @@
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -61,11 +62,16 @@ void effects_measure_scale(struct simulation *sim)
 {
     const double *const g = sim->gravity;
     const double size = vector_length(g);
+    const double push = sim->fluid != NULL
+                            ? vector_length(sim->fluid->options.mean_gradient)
+                            : 0.0;
 
     for (int i = 0; i < sim->particles->n && sim->n_effects > 0; i++) {
         const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;
-        effects_tally_add(&sim->force_scale,
-                          fmax(drag, sim->particles->m[i] * size), 1.0);
+        const double V = M_PI / 6.0 * gsl_pow_3(sim->particles->d[i]);
+        effects_tally_add(
+            &sim->force_scale,
+            fmax(fmax(drag, sim->particles->m[i] * size), V * push), 1.0);
     }
 }
 

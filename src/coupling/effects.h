@@ -2,7 +2,8 @@
  * Chapter "The coupled loop".
  *
  * The forces of the effects are measured in every step, and with them what they
- * are compared with: the larger one of a particle's weight and its drag.
+ * are compared with: the largest of a particle's weight, its drag and the push
+ * of the gradient that drives the fluid.
  */
 #ifndef COUPLING_EFFECTS_H
 #define COUPLING_EFFECTS_H

@@ -159,16 +159,22 @@ static void pressure_gradient_before_particles(void *memory,
 
 /* In a fluidized bed this force is eps_s + eps_f rho_f/rho_s of the weight, on
  * a lone particle the buoyancy. In a bed that is not fluidized the gradient is
- * that of the drag, eps_s beta w. */
+ * that of the drag, eps_s beta w. Where a period lets the fluid go along with
+ * the drag on it, there is none in the mean: what is left, of an uneven bed, is
+ * less. */
 static struct effect_estimate
 pressure_gradient_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
-    const double gradient = k->eps_s * k->drag / V / (1.0 - k->eps_s);
+    const double steady = V * (k->mean_gradient + k->rho_f * k->gravity);
+    const double of_drag = k->eps_s * k->drag / (1.0 - k->eps_s);
+    struct effect_estimate e;
 
-    return effects_estimate(
-        V * (gradient + k->mean_gradient + k->rho_f * k->gravity) / k->force,
-        "");
+    if (k->held || steady > 0.0)
+        return effects_estimate((steady + k->held * of_drag) / k->force, "");
+    e = effects_unknown(of_drag / k->force, "the fluid is free to go along");
+    e.bound = 1;
+    return e;
 }
 
 static const struct key pressure_gradient_keys[] = {

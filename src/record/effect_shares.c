@@ -3,7 +3,7 @@
  * Chapter "Further forces".
  *
  * The share of an effect is the mean size of its force over the mean of what
- * `winnow check` compares it with: the larger one of weight and drag of each
+ * `winnow check` compares it with: the largest of weight, drag and push on each
  * particle (coupling/effects.h).
  */
 #include "record/recorder_part.h"

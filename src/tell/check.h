@@ -57,6 +57,10 @@ struct effect_row {
 enum { CHECK_VERDICT = 256 };
 void check_verdict(const struct effect_row *r, char text[CHECK_VERDICT]);
 
+/* The size in per cent, after "<" if it is a bound. */
+enum { CHECK_SIZE = 32 };
+void check_size(const struct effect_estimate *e, char text[CHECK_SIZE]);
+
 /* Fills the rows of all effects that the case has or could have; how many. */
 int check_effect_rows(const struct settings *s, struct effect_scales *k,
                       const struct case_scales *in,

@@ -30,12 +30,20 @@ static void print_head(void)
            "", "size", "time", "", "verdict", "", "%", "% of run");
 }
 
-static void print_row(const char *name, double size, double time, int on,
-                      const char *verdict)
+void check_size(const struct effect_estimate *e, char text[CHECK_SIZE])
 {
-    char cell[2][32] = {"-", "-"};
+    snprintf(text, CHECK_SIZE, "-");
+    if (isfinite(e->share))
+        snprintf(text, CHECK_SIZE, "%s%.3g", e->bound ? "<" : "",
+                 100.0 * e->share);
+}
 
-    if (isfinite(size)) snprintf(cell[0], sizeof cell[0], "%.3g", size);
+static void print_row(const char *name, const struct effect_estimate *e,
+                      double time, int on, const char *verdict)
+{
+    char cell[2][CHECK_SIZE] = {"-", "-"};
+
+    check_size(e, cell[0]);
     if (isfinite(time)) snprintf(cell[1], sizeof cell[1], "%.3g", time);
     printf("  %-18s %9s %9s  %-3s %s\n", name, cell[0], cell[1],
            on ? "on" : "off", verdict);
@@ -139,20 +147,37 @@ int check_effect_rows(const struct settings *s, struct effect_scales *k,
     return rows;
 }
 
-static void print_effects(const struct settings *s, struct effect_scales *k,
-                          const struct case_scales *in)
+/* What would tell of an effect that is unknown: a run of some relaxation times.
+ * Charges and moisture only the user knows. */
+static void print_what_tells(const struct settings *s,
+                             const struct effect_scales *k)
+{
+    const double times = 5.0 * k->tau, steps = 20.0 * k->dt;
+
+    printf(
+        "  a run that tells of the unknown ones: winnow check %s --try %.2g\n",
+        s->file, fmin(fmax(times, steps), k->end));
+}
+
+/* 1 if a run would tell of one of them. */
+static int print_effects(const struct settings *s, struct effect_scales *k,
+                         const struct case_scales *in)
 {
     struct effect_row row[CHECK_EFFECTS];
     const int n = check_effect_rows(s, k, in, row);
+    int tries = 0;
 
     for (int i = 0; i < n; i++) {
         const struct effect_row *const r = &row[i];
         char verdict[CHECK_VERDICT];
 
         check_verdict(r, verdict);
-        print_row(r->effect->name, 100.0 * r->estimate.share, 100.0 * r->time,
-                  r->named, verdict);
+        print_row(r->effect->name, &r->estimate, 100.0 * r->time, r->named,
+                  verdict);
+        tries |= strncmp(verdict, "unknown", 7) == 0 &&
+                 r->effect->attraction == NULL;
     }
+    return tries;
 }
 
 /* What the particles give to the fluid, of the momentum of both: the ways of
@@ -173,8 +198,7 @@ static void print_reaction(const struct settings *s,
     }
     e.of = "the momentum of the mixture";
     check_verdict(&(struct effect_row){.estimate = e}, verdict);
-    print_row("reaction (two-way)", 100.0 * e.share, NAN, s->exchange.two_way,
-              verdict);
+    print_row("reaction (two-way)", &e, NAN, s->exchange.two_way, verdict);
 }
 
 /* Contacts with each other in the time of the run, or with a floor. */
@@ -200,7 +224,8 @@ static void print_collisions(const struct settings *s,
                  end);
     else
         snprintf(verdict, sizeof verdict, "negligible: nothing moves");
-    print_row("collisions", NAN, NAN, !s->particles.list->no_contacts, verdict);
+    print_row("collisions", &(struct effect_estimate){.share = NAN}, NAN,
+              !s->particles.list->no_contacts, verdict);
 }
 
 void check_effects(const struct settings *s, const struct case_scales *in)
@@ -209,8 +234,9 @@ void check_effects(const struct settings *s, const struct case_scales *in)
 
     if (!(k.force > 0.0)) return;
     print_head();
-    print_effects(s, &k, in);
+    const int tries = print_effects(s, &k, in);
     if (!s->has.exchange) return;
     print_reaction(s, &k);
     print_collisions(s, &k, in->end);
+    if (tries) print_what_tells(s, &k);
 }

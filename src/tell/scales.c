@@ -16,6 +16,7 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "coupling/drag.h"
+#include "coupling/coupling.h"
 
 /* What was measured in beds of gas and of water: the share of the slip by which
  * a grain's velocity changes in the time of a fall over its diameter, most of
@@ -119,17 +120,18 @@ static double expanded(const struct settings *s, const struct effect_scales *k,
 }
 
 /* A bed in a stream that goes against its fall: fluidized, or at rest. In it
- * the gas velocity changes by the slip over a few cells between bubbles, and
- * particles behind a bubble fall for the time of a diameter. In a bed at rest
- * the slip changes only when the stream begins. */
+ * the velocity of the fluid changes with that of the grains, over no less than
+ * a few cells and the width over which they are averaged; and particles behind
+ * a bubble fall for the time of a diameter. In a bed at rest the slip changes
+ * only when the stream begins. */
 static void bed_scales(const struct settings *s, struct effect_scales *k,
                        const struct case_scales *in, double load)
 {
     k->eps_s = fmax(expanded(s, k, in->up), load);
     k->carried = k->eps_s < CHECK_PACKED;
     k->slip = in->up / (1.0 - k->eps_s);
-    k->length = 2.0 * in->S_c;
-    k->shear = k->slip / k->length;
+    k->length = fmax(2.0 * in->S_c, build_averaging_options(s).bandwidth);
+    k->shear = stirred * k->slip / k->length;
     k->stirred = k->carried;
     if (!k->carried) { /* the stream begins, and then nothing changes */
         k->time = in->end;
@@ -150,7 +152,7 @@ static int is_laid(const struct settings *s, const struct effect_scales *k)
 }
 
 /* The slip of spheres that fall or rise, that a stream takes along or passes
- * as they lie, or that walls stir; or, of the push alone. */
+ * as they lie, or that walls stir. */
 static double free_slip(const struct settings *s, const struct effect_scales *k,
                         const struct case_scales *in, const struct placed *p)
 {
@@ -164,9 +166,26 @@ static double free_slip(const struct settings *s, const struct effect_scales *k,
         slip = fmax(slip, p->speed);
         if (k->partners) slip = fmax(slip, in->inlet);
     }
-    return slip > 0.0 || !(k->mu > 0.0)
-               ? slip
-               : k->mean_gradient * k->d * k->d / (18.0 * k->mu);
+    return slip;
+}
+
+/* Whether walls or ends hold the fluid, which the drag would else take along,
+ * in the direction in which the particles go: that of gravity, or of their
+ * first velocities. */
+static int is_held(const struct settings *s)
+{
+    const double *const g = s->effects.gravity;
+    double along[3] = {0.0, 0.0, 0.0};
+    int periodic[3], most = 0;
+
+    for (int i = 0; i < s->particles.place.n; i++)
+        vector_along(along, 1.0, s->particles.place.item[i].velocity, along);
+    case_mesh_periodic(s, periodic);
+    for (int k = 1; k < 3; k++)
+        if (vector_length(g) > 0.0 ? fabs(g[k]) > fabs(g[most])
+                                   : fabs(along[k]) > fabs(along[most]))
+            most = k;
+    return !periodic[most] || s->fluid.has_mean_flow;
 }
 
 /* Spheres that fall or rise through the box, or that the stream carries across
@@ -184,15 +203,19 @@ static void free_scales(const struct settings *s, struct effect_scales *k,
     if (s->particles.place.n > 1) /* a cloud of them */
         k->eps_s = fmin(CHECK_PACKED, volume_of_all(k, in) / around_placed(s));
     k->slip = free_slip(s, k, in, p);
-    k->carried = k->slip > 0.0;
+    /* The push accelerates a sphere of the fluid's density like the fluid. */
+    if (k->slip == 0.0 && k->mu > 0.0)
+        k->slip = k->mean_gradient * k->d * k->d / (18.0 * k->mu) *
+                  fabs(1.0 - k->rho_s / k->rho_f);
+    k->carried = k->slip > 0.0 || k->mean_gradient > 0.0;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
     k->shear = shear_of_walls(s);
     if (k->mean_gradient > 0.0 && k->mu > 0.0) /* at the wall of a channel */
         k->shear = fmax(k->shear, k->mean_gradient * k->length / k->mu);
     k->spin = p->spin;
-    k->time = s->output.end;
+    k->time = k->end;
     k->acceleration = k->slip / k->time;
-    if (k->gravity == 0.0) k->time = 0.0; /* the slip dies out within tau */
+    k->decays = k->gravity == 0.0;
 }
 
 /* Spheres that come to rest lie as densely as a bed, on whatever floor. */
@@ -215,14 +238,15 @@ static void pack(const struct settings *s, struct effect_scales *k,
     if (k->rests) k->eps_s = CHECK_PACKED;
 }
 
-/* A slip that dies out does so within tau. Of its history force the two parts,
- * of the first slip and of its decay, have opposite signs, and leave a quarter
- * of the size: that of a 16th of the time. */
-static void settle_time(struct effect_scales *k)
+/* A slip that dies out does so within tau; later by the fluid's mass that is
+ * slowed down too, and sooner where the fluid comes along. */
+static void settle_time(const struct settings *s, struct effect_scales *k)
 {
-    if (k->time == 0.0) {
-        k->acceleration = k->slip / k->tau;
-        k->time = k->tau / 16.0;
+    if (k->decays && k->slip > 0.0) {
+        k->time = k->tau * (1.0 + 0.5 * k->rho_f / k->rho_s);
+        if (s->exchange.two_way)
+            k->time /= 1.0 + stability_loading(k->rho_s, k->eps_s, k->rho_f);
+        k->acceleration = k->slip / k->time;
     }
     k->acceleration = fmin(k->acceleration, k->slip / k->time);
 }
@@ -259,7 +283,8 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
         k->slip > 0.0 ? k->rho_s * scales_volume(k) * k->slip / k->drag : 0.0;
     if (k->partners) /* at the relative speed that was measured in beds */
         k->meetings = 6.0 * k->eps_s * stirred * k->slip / k->d;
-    settle_time(k);
+    settle_time(s, k);
+    k->held = is_held(s);
     if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);
 }
 
@@ -274,6 +299,7 @@ struct effect_scales check_scales(const struct settings *s,
         .d = in->volume > 0.0
                  ? cbrt(6.0 / M_PI * in->volume / in->particles) / in->across
                  : p.d,
+        .end = in->end,
         .gravity = vector_length(s->effects.gravity)};
 
     k.weight = k.rho_s * scales_volume(&k) * k.gravity;
@@ -282,5 +308,6 @@ struct effect_scales check_scales(const struct settings *s,
     else if (k.partners) /* without a fluid they meet, and come to rest */
         k.eps_s = CHECK_PACKED;
     k.force = fmax(k.weight, k.drag);
+    k.force = fmax(k.force, k.mean_gradient * scales_volume(&k));
     return k;
 }

@@ -255,23 +255,21 @@ static void put_change(char cell[32], double without, double with)
         snprintf(cell, 32, "%+.2g", 100.0 * (without - with) / fabs(with));
 }
 
-static void try_row(const char *name, double estimate, double measured,
+static void try_row(const char *name, const char *estimate, double measured,
                     const struct outcome *without, const struct outcome *with,
                     const char *remark)
 {
     char cell[5][32] = {"-", "-", "-", "-", "-"};
 
-    if (isfinite(estimate))
-        snprintf(cell[0], sizeof cell[0], "%.3g", 100.0 * estimate);
-    if (isfinite(measured))
+    if (measured > 0.0) /* of a force */
         snprintf(cell[1], sizeof cell[1], "%.3g", 100.0 * measured);
     if (without->code == 0) {
         put_change(cell[2], without->speed, with->speed);
         put_change(cell[3], without->drop, with->drop);
         put_change(cell[4], with->time, without->time);
     }
-    printf("  %-18s %9s %9s %9s %9s %9s  %s\n", name, cell[0], cell[1], cell[2],
-           cell[3], cell[4],
+    printf("  %-18s %9s %9s %9s %9s %9s  %s\n", name, estimate, cell[1],
+           cell[2], cell[3], cell[4],
            without->code != 0 ? "breaks down without it" : remark);
 }
 
@@ -295,17 +293,16 @@ static int try_table(struct attempt *a, const struct settings *s)
     for (int i = 0; i < a->n; i++) {
         const struct effect_row *const r = &a->row[i];
         const struct outcome without = try_run(a, i, NULL);
-        const int is_force =
-            strcmp(r->estimate.of, "the force on a grain") == 0;
-        try_row(r->effect->name, r->estimate.share,
-                is_force ? with.share[i] : NAN, &without, &with,
+        char estimate[CHECK_SIZE];
+        check_size(&r->estimate, estimate);
+        try_row(r->effect->name, estimate, with.share[i], &without, &with,
                 r->named ? "on" : "off");
     }
     if (s->has.fluid) {
         snprintf(same, sizeof same, "fluid.tolerance=%g",
                  changed * s->fluid.tolerance);
         const struct outcome other = try_run(a, -1, same);
-        try_row("(chance)", NAN, NAN, &other, &with, "all on, other rounding");
+        try_row("(chance)", "-", NAN, &other, &with, "all on, other rounding");
     }
     printf("  to its end, %g s, the case takes about %.3g s of one core with "
            "all of them\n",

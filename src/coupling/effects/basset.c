@@ -24,6 +24,7 @@
 #include "dem/integrator.h"
 
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_sf_dawson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -196,22 +197,46 @@ static void basset_after_particles(void *memory, struct simulation *sim)
     }
 }
 
+/* A slip that is there at the start and dies out as w_0 exp(-t/T) has, at t = x
+ * T, the force C w_0/sqrt(T) (1/sqrt(x) - 2 D(sqrt(x))), with the integral 2
+ * D(sqrt(x)) of Dawson's D, which is largest, 0.541, where the force changes
+ * its sign. This is the mean of its size up to t over that of exp(-t/T). A
+ * large one, of share s, makes the decay slower by 1 + s, and itself smaller.
+ */
+static double basset_of_decay(double share, double x)
+{
+    const double most = 0.541, zero = 0.854;
+    const double sum = 2.0 * gsl_sf_dawson(sqrt(x));
+    double s = 0.0;
+
+    share *= (x < zero ? sum : 4.0 * most - sum) / -expm1(-x);
+    for (int i = 0; i < 30; i++)
+        s = share / sqrt(1.0 + s);
+    return s;
+}
+
 /* C (2 sqrt(t)) dw/dt for as long as the slip develops, but no longer than it
  * takes to. Beyond Re = 1 the kernel fades sooner. */
 static struct effect_estimate basset_estimate(const struct effect_scales *k)
 {
     const double C = basset_coefficient(k->rho_f, k->mu, k->d);
     const double Re = k->rho_f * k->slip * k->d / k->mu;
-    const double share = /* 0 of an endless time */
-        k->acceleration > 0.0
-            ? 2.0 * C * sqrt(k->time) * k->acceleration / k->force
-            : 0.0;
+    double share = 0.0; /* of an endless time */
 
-    return Re > 1.0 ? effects_unknown(share,
-                                      "no data for Re %.3g (below 1): "
-                                      "at most %.3g %%; check --try",
-                                      Re, 100.0 * share)
-                    : effects_estimate(share, "");
+    if (k->acceleration > 0.0)
+        share = C * sqrt(k->time) * k->acceleration / k->force;
+    share = k->decays && share > 0.0 ? basset_of_decay(share, k->end / k->time)
+                                     : 2.0 * share;
+    if (k->decays && k->time < k->dt)
+        return effects_unknown(
+            share, "the slip dies out in %.2g s, within one step of the fluid",
+            k->time);
+    return Re <= 1.0
+               ? effects_estimate(share, "")
+               : effects_unknown(share,
+                                 "no data for Re %.3g (below 1), where it "
+                                 "fades sooner",
+                                 Re);
 }
 
 static void basset_added_mass(const struct effect_scales *k,

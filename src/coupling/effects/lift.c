@@ -380,6 +380,7 @@ fluid_torque_estimate(const struct effect_scales *k)
 
     e.share *= lost;
     e.loss *= lost;
+    e.of = "the lift by spin";
     snprintf(e.remark, sizeof e.remark,
              lost > 0.0 ? "slows a spin by %.2g %%, and so the lift"
                         : "no spin",

@@ -222,13 +222,17 @@ static struct effect_estimate
 lubrication_estimate(const struct effect_scales *k)
 {
     const double St = k->rho_s * k->slip * k->d / (9.0 * k->mu);
-    const int meets =
-        k->carried && ((k->partners && k->eps_s > 1e-3) || k->numbers != NULL);
-    struct effect_estimate e = effects_estimate(
-        St > 0.0 && meets ? fmin(1.0, 10.0 / St) : 0.0,
-        !meets ? "grains at rest, or far from each other" : "10/St");
+    const int meets = k->numbers != NULL || (k->partners && k->eps_s > 1e-3);
+    struct effect_estimate e =
+        effects_estimate(0.0, "grains at rest, or far from each other");
 
+    if (!meets || !k->carried || !(St > 0.0)) return e;
+    e.share = NAN; /* it is no force that lasts */
+    e.loss = fmin(1.0, 10.0 / St);
     e.of = "the speed of an impact";
+    snprintf(e.remark, sizeof e.remark,
+             "an impact at a Stokes number of %.3g loses %.2g %% of its speed",
+             St, 100.0 * e.loss);
     if (k->numbers == NULL) {
         e.of = "the speed of the grains";
         e.loss *= seen * fmin(1.0, k->tau * k->meetings);

@@ -200,9 +200,9 @@ static const char *stochastic_drag_wrong(const double *parameters,
 
 /* sqrt(2 / pi) of sigma over C_d, on average, of which the velocity follows the
  * part that lasts: the fluctuation does so for T, about d / u, and a grain
- * answers within tau. Where the case gives no
- * sigma, it is that of EW18's liquid bed, whose Re_p went from 3 to 10.5;
- * beyond, the drag is its bound. */
+ * answers within tau. Where the case gives no sigma, it is that of EW18's
+ * liquid bed, whose Re_p went from 3 to 10.5; beyond the data, of either, the
+ * drag is its bound. */
 static struct effect_estimate
 stochastic_drag_estimate(const struct effect_scales *k)
 {
@@ -214,9 +214,9 @@ stochastic_drag_estimate(const struct effect_scales *k)
     const double F = M_PI / 8.0 * k->rho_f * gsl_pow_2(k->d * eps * k->slip) *
                      stochastic_drag_sigma(&s, Re);
     const int no_data = /* to a tenth, as Re is an estimate */
-        n == NULL && (Re < 0.9 * s.Re_low || Re > 1.1 * s.Re_high);
+        s.low != s.high && (Re < 0.9 * s.Re_low || Re > 1.1 * s.Re_high);
     struct effect_estimate e = effects_estimate(
-        sqrt(2.0 / M_PI) * (no_data ? k->drag : fmin(F, k->drag)) / k->force,
+        (no_data ? k->drag : sqrt(2.0 / M_PI) * fmin(F, k->drag)) / k->force,
         "");
 
     if (n == NULL && (!k->partners || k->eps_s < 0.01 || !k->carried))
@@ -225,7 +225,7 @@ stochastic_drag_estimate(const struct effect_scales *k)
     if (n == NULL && k->rho_f < 0.05 * k->rho_s)
         return effects_estimate(0.0, "EW18 and our beds show no gain in gas");
     e.loss = T > 0.0 ? e.share * sqrt(T / (T + k->tau)) : 0.0;
-    e.unknown = no_data;
+    e.unknown = e.bound = no_data;
     if (no_data)
         snprintf(e.remark, sizeof e.remark, "no data for Re_p %.3g (%g to %g)",
                  Re, s.Re_low, s.Re_high);

@@ -139,16 +139,21 @@ static void viscous_stress_before_particles(void *memory,
 }
 
 /* V mu lap u, of a velocity that changes by the slip over the length; the
- * stress of a driven flow balances the push in the end. */
+ * stress of a flow that is driven between walls, at twice the length, comes to
+ * balance the push within T. */
 static struct effect_estimate
 viscous_stress_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
+    const double x = /* end over T */
+        k->mu * k->end / (4.0 * k->rho_f * gsl_pow_2(k->length / M_PI));
+    const double grown = x > 0.0 ? 1.0 + expm1(-x) / x : 0.0;
 
-    return effects_estimate(
-        V * (k->mu * k->slip / (k->length * k->length) + k->mean_gradient) /
-            k->force,
-        "");
+    return effects_estimate(V *
+                                (k->mu * k->slip / gsl_pow_2(k->length) +
+                                 grown * k->mean_gradient) /
+                                k->force,
+                            "");
 }
 
 static const struct key viscous_stress_keys[] = {
