@@ -668,6 +668,71 @@ START_TEST(a_prescribed_motion_depends_on_time_alone)
 }
 END_TEST
 
+/* --- a load ----------------------------------------------------------------
+ */
+
+enum { COLUMN = 10 };
+
+/* Ten spheres of 0.2 m on the floor of the box, without weight. */
+static struct particles *column(void)
+{
+    struct particles *const ps = particles_create(COLUMN);
+
+    for (int i = 0; i < COLUMN; i++)
+        spheres_add(ps, 0.0, -1.9 + 0.2 * i, 0.0, 0.2);
+    return ps;
+}
+
+/* By how much a load W brings them together [m]: springs in series, the first
+ * and the last against a wall. */
+static double compression(const struct dem_options *o, double W)
+{
+    const double E =
+        contact_hertz_modulus(o->material.young, 0.25, o->material.young, 0.25);
+
+    if (o->law == &contact_linear)
+        return (COLUMN + 1) * W / o->material.stiffness;
+    return (COLUMN - 1) * pow(0.75 * W / (E * sqrt(0.05)), 2.0 / 3.0) +
+           2.0 * pow(0.75 * W / (E * sqrt(0.1)), 2.0 / 3.0);
+}
+
+/* A plate comes down on them from 1 mm above and rests where it exerts its
+ * load, of either law, with every integrator, and with much damping: neither
+ * above it by more than 1 % on the way, nor beside it at the end. */
+START_TEST(a_plate_rests_where_it_exerts_its_load)
+{
+    const double W = 100.0, top = 0.001;
+    struct surface s = plate(&(struct motion){.from = 0.0});
+    struct carrier at = {.t = 0.0};
+    struct particles *const ps = column();
+    struct dem_report r;
+    double most = 0.0;
+
+    s.normal[1] = -1.0;
+    s.load = (struct motion_load){{0.0, -W, 0.0}, 0.02, &at};
+    at.pose = motion_pose(&s.motion, 0.0);
+    at.pose.centre[1] = top;
+    s.motion.carrier = &at;
+    struct dem_options o = with(&s, 5e-5);
+    o.law = _i % 2 ? &contact_hertz : &contact_linear;
+    o.integrator = integrators[_i / 2 % 3];
+    o.material.stiffness = 1e6;
+    if (_i >= 6) o.material.restitution = 0.05; /* mostly dashpot */
+    struct dem *const dem = dem_create(ps, &o);
+    dem_clock(dem, 0);
+    for (int k = 0; k < 800; k++) {
+        ck_assert_int_eq(dem_run(dem, 100, &r), 0);
+        most = fmax(most, dem_surface(dem, 0).force[1]);
+    }
+    ck_assert_double_eq_tol(dem_surface(dem, 0).force[1] / W, 1.0, 1e-7);
+    ck_assert_double_eq_tol(
+        -dem_surface(dem, 0).pose.centre[1] / compression(&o, W), 1.0, 1e-7);
+    ck_assert_double_le(most, 1.01 * W);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 FACTS("motion")
 {
     FACT(velocity_of_a_motion_is_its_derivative);
@@ -691,4 +756,5 @@ FACTS("motion")
     FACT_FOR_EACH(prescribed_particle_moves_alike_with_every_integrator, 3);
     FACT_FOR_EACH(released_prescribed_particle_keeps_its_energy, 3);
     FACT(a_prescribed_motion_depends_on_time_alone);
+    FACT_FOR_EACH(a_plate_rests_where_it_exerts_its_load, 12);
 }

@@ -261,6 +261,15 @@ const struct key particles_keys[] = {
     {"particles.surfaces.repeat", KEY_BOOL, "", "", "false",
      "whether the table begins again after its last row; else it rests", "", "",
      OF(surface_setup, course.repeat)},
+    {"particles.surfaces.load", KEY_VECTOR, "N", "", "",
+     "or a force that it is to exert on the particles: it moves along it until "
+     "it does; needs load_speed",
+     "", "", OF(surface_setup, of.load.force),
+     .given = KEY_AT(surface_setup, has_load)},
+    {"particles.surfaces.load_speed", KEY_REAL, "m/s", "> 0", "",
+     "the highest speed of a surface with a load, and its speed while it "
+     "touches nothing",
+     "", "", OF(surface_setup, of.load.speed)},
     {"particles.surfaces.from", KEY_REAL, "s", ">= 0", "0.0",
      "start of the motion", "", "", OF(surface_setup, of.motion.from)},
     {"particles.surfaces.until", KEY_REAL, "s", "> 0", "",

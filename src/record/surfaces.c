@@ -3,7 +3,8 @@
  *
  * DIR/surfaces.csv has a row with each row of history.csv: of each surface the
  * force and the torque, as means since the row before, and the work that it has
- * done so far; after them the volume that each one that wears has lost.
+ * done so far; after them the volume that each one that wears has lost, and the
+ * way of each one under load.
  * DIR/surfaces.pvd shows them as polygons, those that wear with the depth and
  * the stresses of each face as means since the picture before; DIR/walls.pvd
  * the faces at the boundary with what the fluid does to them.
@@ -50,6 +51,9 @@ static struct table *surface_table_create_table(const struct simulation *sim,
     for (int s = 0; s < sim->n_surfaces; s++)
         if (dem_surface_wear(sim->dem, s) != NULL)
             table_head_add(&head, "%s_worn [m^3]", sim->surface_names[s]);
+    for (int s = 0; s < sim->n_surfaces; s++)
+        if (sim->surfaces[s].load.speed > 0.0)
+            table_head_add(&head, "%s_way [m]", sim->surface_names[s]);
     return folder_table(folder, "surfaces.csv", &head);
 }
 
@@ -71,7 +75,7 @@ static void *surface_table_create(const struct recorder_view *v, int *failed)
     t->sim = v->sim;
     t->t = -1.0;
     t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
-    t->row = alloc_doubles(1 + (EACH + 1) * v->sim->n_surfaces);
+    t->row = alloc_doubles(1 + (EACH + 2) * v->sim->n_surfaces);
     t->table = surface_table_create_table(v->sim, v->folder);
     *failed = t->table == NULL;
     return t;
@@ -102,10 +106,19 @@ static double total_worn(const struct simulation *sim, int s)
     return sum;
 }
 
+/* How far it has moved along its load. */
+static double way_of(const struct surface *s, const struct pose *p)
+{
+    double way[3];
+
+    vector_between(p->centre, p->start, way);
+    return vector_dot(way, s->load.force) / vector_length(s->load.force);
+}
+
 static int surface_table_add_row(void *part)
 {
     struct surface_table *const t = part;
-    double *worn = &t->row[1 + EACH * t->sim->n_surfaces];
+    double *more = &t->row[1 + EACH * t->sim->n_surfaces];
     const double passed = t->t >= 0.0 ? t->sim->t - t->t : 0.0;
     const double per = passed > 0.0 ? 1.0 / passed : 0.0;
 
@@ -121,8 +134,11 @@ static int surface_table_add_row(void *part)
         row[6] = now.work;
         t->before[s] = now;
         if (dem_surface_wear(t->sim->dem, s) != NULL)
-            *worn++ = total_worn(t->sim, s);
+            *more++ = total_worn(t->sim, s);
     }
+    for (int s = 0; s < t->sim->n_surfaces; s++)
+        if (t->sim->surfaces[s].load.speed > 0.0)
+            *more++ = way_of(&t->sim->surfaces[s], &t->before[s].pose);
     return table_add(t->table, t->row);
 }
 

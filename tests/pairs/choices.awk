@@ -38,7 +38,7 @@ BEGIN {
     choice("cp", "sinks", "none bottom left region both")
     choice("m", "sinks", "none region")
     choice("cp", "driven", "none line swing circle")
-    choice("cp", "surface", "none plane cylinder stl moving turning")
+    choice("cp", "surface", "none plane cylinder stl moving turning loaded")
     choice("cm", "integrator", values_of("particles.integrator", "heun"))
     choice("p", "integrator", values_of("particles.integrator"))
     choice("cpm", "list", values_of("particles.list"))
@@ -107,7 +107,7 @@ BEGIN {
     apart("mesh", "slanted", "cohesion", "van_der_waals capillary all",
           "not on the walls of this mesh")
     apart("mesh", "sheared", "cohesion", "van_der_waals capillary all", "")
-    apart("surface", "plane cylinder stl moving turning", "cohesion",
+    apart("surface", "plane cylinder stl moving turning loaded", "cohesion",
           "van_der_waals capillary all", "not on surfaces")
     # Who goes out below comes in above, behind this plane.
     apart("surface", "plane", "periodic", "y xyz",
@@ -118,7 +118,7 @@ BEGIN {
     apart("list", "link-cells all-pairs none", "driven", "line swing circle",
           "does not support prescribed particles")
     apart("list", "link-cells all-pairs none", "surface",
-          "plane cylinder stl moving turning", "does not support surfaces")
+          "plane cylinder stl moving turning loaded", "does not support surfaces")
     apart("list", "link-cells all-pairs none", "mesh",
           "slanted", "does not support surfaces")
     # A sheared box has walls of its own only where it is not periodic.

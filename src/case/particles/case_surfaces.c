@@ -155,6 +155,14 @@ static int surfaces_count(const struct settings *s)
     return s->particles.surfaces.n + (case_walls_count(s) > 0);
 }
 
+/* A surface under load is carried, from where it is at time 0. */
+static void begin_load(struct surface *one)
+{
+    one->load.carrier = alloc_zeroed(1, sizeof *one->load.carrier);
+    one->load.carrier->pose = motion_pose(&one->motion, 0.0);
+    one->motion.carrier = one->load.carrier;
+}
+
 /* The surfaces of particles.surfaces, and the walls of the mesh. Their names
  * and triangles belong to the settings. */
 static struct surface *create_surfaces(const struct settings *s)
@@ -165,6 +173,8 @@ static struct surface *create_surfaces(const struct settings *s)
     struct surface *const made = alloc_zeroed((size_t)n, sizeof *made);
     for (int i = 0; i < listed; i++)
         made[i] = s->particles.surfaces.item[i].of;
+    for (int i = 0; i < listed; i++)
+        if (made[i].load.speed > 0.0) begin_load(&made[i]);
     if (listed < n) made[listed] = case_walls_surface(s);
     return made;
 }
@@ -178,6 +188,8 @@ static void free_surfaces(struct surface *made, int n)
         memcpy(&own, &made[n - 1].triangles, sizeof own);
         triangles_free(own);
     }
+    for (int i = 0; i < n; i++)
+        free(made[i].load.carrier);
     free(made);
 }
 
@@ -286,6 +298,29 @@ static int check_motion(const struct settings *s, const char *of, int i,
     return 0;
 }
 
+static int check_load(const struct settings *s, int i)
+{
+    const struct surface_setup *const one = &s->particles.surfaces.item[i];
+    const struct motion *const m = &one->of.motion;
+    const struct motion_load *const load = &one->of.load;
+
+    if (one->has_load != (load->speed > 0.0))
+        return settings_wrong(s, list, "%s: load and load_speed go together",
+                              one->of.name);
+    if (!one->has_load) return 0;
+    if (!(vector_length(load->force) > 0.0))
+        return settings_wrong(s, list,
+                              "the load of %s has no direction: expected a "
+                              "force [x, y, z] [N]",
+                              one->of.name);
+    if (motion_is_any(m) || one->course.file != NULL)
+        return settings_wrong(s, list,
+                              "%s has a load, which moves it alone: leave its "
+                              "velocity, amplitude, spin or course out",
+                              one->of.name);
+    return 0;
+}
+
 static int check_driven(const struct settings *s, int i)
 {
     const struct prescribed_setup *const all = s->particles.prescribed.item;
@@ -331,6 +366,7 @@ int case_surfaces_check(struct settings *s)
         code = check_plane(s, &one->of);
         if (code == 0)
             code = check_motion(s, list, i, &one->of.motion, &one->course);
+        if (code == 0) code = check_load(s, i);
     }
     for (int i = 0; i < s->particles.prescribed.n && code == 0; i++)
         code = check_driven(s, i);

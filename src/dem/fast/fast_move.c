@@ -79,6 +79,18 @@ static void push_surfaces(const struct dem *dem, double kicks)
                               kicks * dt);
 }
 
+/* Gives surfaces under load their velocity for step k. */
+static void follow_loads(const struct dem *dem, int k)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+
+    if (nb->surfaces == NULL || !nb->surfaces->scene.loaded || !dem->motion_on)
+        return;
+    if (omp_get_thread_num() == 0)
+        surfaces_follow_loads(nb->surfaces, time_after(dem, k));
+    neighbours_barrier(nb);
+}
+
 /* Puts the surfaces where they are at time t [s]. */
 static void move_surfaces(const struct neighbours *nb, double t)
 {
@@ -222,6 +234,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
     first.from = integrator_lag(by) / by->first;
     if (steps > 0) chunk_step_move(nb, &first);
     for (int k = 0; k < steps; k++) {
+        follow_loads(dem, k);
         move_surfaces(nb, time_after(dem, k + 1));
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         r->used += closer;
@@ -404,6 +417,7 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
         if (r->used + closer > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
         fast_move_set_prescribed(dem, k, dt);
+        follow_loads(dem, k);
         force_at_start(dem);
         compute_loads(dem, 0.5 * dt);
         predict(dem, dt);

@@ -68,6 +68,14 @@ struct carrier {
     double t; /* [s] */
 };
 
+/* A wall without mass that moves along the force that it is to exert, at most
+ * at a speed (surfaces_follow_loads). */
+struct motion_load {
+    double force[3];         /* [N] W */
+    double speed;            /* [m/s] 0: there is none */
+    struct carrier *carrier; /* that of the motion; it belongs to the case */
+};
+
 struct motion {
     const struct carrier *carrier; /* borrowed; NULL: as the following say */
     double from, until;  /* [s] at rest before and after; until 0: no end */

@@ -77,6 +77,7 @@ struct surface {
     double own[MODEL_NUMBERS]; /* of the keys that the shape alone reads */
     const struct triangles *triangles; /* borrowed; NULL of other shapes */
     struct motion motion;              /* the places above are of time 0 */
+    struct motion_load load;
 };
 
 /* As a case writes it. */
@@ -88,6 +89,7 @@ struct surface_setup {
     struct triangles *triangles; /* of the file */
     double scale;                /* [m] the unit of the file */
     int has_centre;              /* [-] 1: of.motion.centre is given */
+    int has_load;                /* [-] 1: of.load.force is given */
     struct motion_course course;
 };
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/surfaces/surface_contacts.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -202,6 +203,26 @@ void surface_contacts_count(struct surface_contacts *c, double t)
     e->released += t * c->power[ENERGY_FRICTION];
 }
 
+/* What a contact with a surface under load resists its motion with, from the
+ * law. */
+static void add_resistance(struct surface_contacts *c, int q,
+                           const struct bodies *b,
+                           const struct contact_constants *k)
+{
+    const struct surface_contact_point *const t = &c->touches.list[q];
+    struct surface_received *const to = &c->received[t->surface];
+    const int pair = c->material[2 * q] * b->n_materials;
+    const struct contact_constants *const of =
+        &k[pair + c->material[2 * q + 1]];
+    const double R = b->place[t->owner].R, delta = R - t->r, more = 1e-6 * R;
+    const double m = 1.0 / c->motion[2 * q].per_m;
+    const struct contact_response now = b->law->respond(of, delta, R, m);
+    const double F = b->law->respond(of, delta + more, R, m).elastic;
+
+    to->impedance += sqrt(m * (F - now.elastic) / more);
+    to->damping += now.eta_n;
+}
+
 /* What the contact has worn off in this step. */
 static void count_wear(struct surface_contacts *c,
                        const struct surface_scene *scene, int q,
@@ -290,6 +311,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     for (int a = 0; a < scene->n; a++) {
         memset(c->received[a].force, 0, sizeof c->received[a].force);
         memset(c->received[a].torque, 0, sizeof c->received[a].torque);
+        c->received[a].impedance = c->received[a].damping = 0.0;
     }
     chunk_begin_budget(&c->pairs.energy);
     if (n > 0) {
@@ -304,6 +326,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
         accumulate_load(c, q, s, c->pose, dt);
         if (s->has_budget) accumulate_parts(c, q, s);
         if (scene->wears) count_wear(c, scene, q, b, dt);
+        if (scene->loaded) add_resistance(c, q, b, k);
         save_contact(c, q);
     }
 }

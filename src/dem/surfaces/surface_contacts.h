@@ -31,7 +31,7 @@ struct surface_scene {
     const struct surface *surface;
     int n;
     const struct box_domain *box;
-    int wears; /* [-] 1: at least one of them does (wear.h) */
+    int wears, loaded; /* [-] 1: at least one of them does (wear.h), is */
 };
 
 struct near_face {
@@ -141,11 +141,13 @@ struct surface_histories {
 
 /* What one surface received from the particles of the chunk, over all steps. */
 struct surface_received {
-    double impulse[3]; /* [N s] */
-    double angular[3]; /* [N m s] about the centre of its motion */
-    double work;       /* [J] that it did on the particles */
-    double force[3];   /* [N] when the loads were last computed */
-    double torque[3];  /* [N m] */
+    double impulse[3];         /* [N s] */
+    double angular[3];         /* [N m s] about the centre of its motion */
+    double work;               /* [J] that it did on the particles */
+    double force[3];           /* [N] when the loads were last computed */
+    double torque[3];          /* [N m] */
+    double impedance, damping; /* [kg/s] then, of contacts with one under load:
+                                  sums of sqrt(m dF_n/d delta) and eta_n */
 };
 
 struct surface_contacts {

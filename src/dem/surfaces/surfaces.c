@@ -18,6 +18,7 @@ static double highest_speed(const struct surface_scene *scene)
         const struct surface *const one = &scene->surface[k];
         const double reach = surface_reach(one, scene->box->lo, scene->box->hi);
         speed = fmax(speed, motion_speed(&one->motion, reach));
+        speed = fmax(speed, one->load.speed);
     }
     return speed;
 }
@@ -28,14 +29,16 @@ struct surfaces *surfaces_create(const struct surface *list, int n,
     struct surfaces *const sf = alloc_zeroed(1, sizeof *sf);
 
     sf->wear = wear_create(list, n);
-    sf->scene = (struct surface_scene){list, n, box, sf->wear.n > 0};
+    sf->scene = (struct surface_scene){list, n, box, sf->wear.n > 0, 0};
     sf->n_chunks = count;
     sf->chunk = alloc_zeroed((size_t)count, sizeof *sf->chunk);
     for (int s = 0; s < count; s++)
         surface_contacts_init(&sf->chunk[s], &sf->scene);
     sf->speed = highest_speed(&sf->scene);
-    for (int k = 0; k < n; k++)
+    for (int k = 0; k < n; k++) {
         sf->carried |= list[k].motion.carrier != NULL;
+        sf->scene.loaded |= list[k].load.speed > 0.0;
+    }
     return sf;
 }
 
@@ -59,6 +62,35 @@ void surfaces_move(struct surfaces *sf, int s, double t)
     for (int k = 0; k < sf->scene.n; k++)
         if (motion_is_any(&sf->scene.surface[k].motion))
             c->pose[k] = motion_pose(&sf->scene.surface[k].motion, t);
+}
+
+/* v (Z + eta) = W - F + eta v_before along W, at most `speed`, which it has
+ * while it touches nothing: with the impedance Z of what it touches, so that it
+ * takes up a wave as more of the same would; and with the part eta of the
+ * contacts' dashpots that is in F, for the new v. */
+static void follow_load(const struct surfaces *sf, int k, double t)
+{
+    const struct surface *const s = &sf->scene.surface[k];
+    struct carrier *const c = s->load.carrier;
+    const struct surface_received got = surfaces_received(sf, k);
+    const double W = vector_length(s->load.force), most = s->load.speed;
+    const double F = -vector_dot(got.force, s->load.force) / W;
+    const double before = vector_dot(c->pose.velocity, s->load.force) / W;
+    const double resists = got.impedance + got.damping;
+    double v = most;
+
+    if (resists > 0.0) v = (W - F + got.damping * before) / resists;
+    v = motion_is_on(&s->motion, t) ? fmax(-most, fmin(most, v)) : 0.0;
+    vector_along(c->pose.centre, t - c->t, c->pose.velocity, c->pose.centre);
+    c->t = t;
+    for (int a = 0; a < 3; a++)
+        c->pose.velocity[a] = v / W * s->load.force[a];
+}
+
+void surfaces_follow_loads(struct surfaces *sf, double t)
+{
+    for (int k = 0; k < sf->scene.n; k++)
+        if (sf->scene.surface[k].load.speed > 0.0) follow_load(sf, k, t);
 }
 
 double surfaces_moved(const struct surfaces *sf, int s)
@@ -339,6 +371,8 @@ struct surface_received surfaces_received(const struct surfaces *sf,
             sum.force[k] += a->force[k];
         }
         sum.work += a->work;
+        sum.impedance += a->impedance;
+        sum.damping += a->damping;
     }
     return sum;
 }

@@ -31,6 +31,10 @@ void surfaces_free(struct surfaces *sf);
 /* Moves the surfaces to their positions at time t [s]. */
 void surfaces_move(struct surfaces *sf, int s, double t);
 
+/* Gives those under load the velocity from t [s] on, from the forces before it;
+ * by one thread. */
+void surfaces_follow_loads(struct surfaces *sf, double t);
+
 /* How far any of them may have moved since surfaces_find [m]. */
 double surfaces_moved(const struct surfaces *sf, int s);
 

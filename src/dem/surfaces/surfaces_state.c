@@ -123,10 +123,30 @@ static void carried_state(struct surface_contacts *c, int n, struct state *s)
                    n, 3);
 }
 
+/* Where those under load are, and what resists them. */
+static void load_state(struct surfaces *sf, int k, struct state *s)
+{
+    struct carrier *const c = sf->scene.surface[k].load.carrier;
+
+    state_begin_number(s, "load", k);
+    state_real(s, "t", "s", &c->t);
+    state_reals(s, "centre", "m", c->pose.centre, 3, 1);
+    state_reals(s, "velocity", "m/s", c->pose.velocity, 3, 1);
+    for (int q = 0; q < sf->n_chunks; q++) {
+        state_begin_number(s, "chunk", q);
+        state_real(s, "impedance", "kg/s", &sf->chunk[q].received[k].impedance);
+        state_real(s, "damping", "kg/s", &sf->chunk[q].received[k].damping);
+        state_end(s);
+    }
+    state_end(s);
+}
+
 void surfaces_state(struct surfaces *sf, const struct chunk *chunks,
                     int capacity, struct state *s)
 {
     state_begin(s, "surfaces");
+    for (int k = 0; k < sf->scene.n; k++)
+        if (sf->scene.surface[k].load.speed > 0.0) load_state(sf, k, s);
     for (int k = 0; k < sf->n_chunks; k++) {
         struct surface_contacts *const c = &sf->chunk[k];
         state_begin_number(s, "chunk", k);
