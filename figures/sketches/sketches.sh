@@ -1,5 +1,6 @@
 #!/bin/sh
-# Draws the sketches: what contacts, steps, averages, facets and beds look like.
+# Draws the sketches of which a program knows the numbers: averages of one sphere, and beds
+# to scale. The others stand as SVG, and are changed there.
 #
 #   sh figures/sketches/sketches.sh
 set -eu
@@ -10,10 +11,7 @@ draw() { # figure, program, cases of beds
     awk -f $tools/svg.awk -f "$program" "${@:-/dev/null}" >"$figure"
 }
 draw 01-beds beds cases/small-bed.cfg cases/mueller-bed.cfg cases/packed-column.cfg
-draw 02-kinematics kinematics
 draw 08-one-sphere one-sphere
-draw 10-step step
-draw 14-facet facet
 draw 30-beds beds cases/fluidization-ramp.cfg \
     diameter=1.775e-3 cases/fluidization-two-sizes.cfg diameter=1.42e-3 cases/seepage.cfg
 draw 23-beds beds grains=512 diameter=1 cases/ew18-liquid.cfg \

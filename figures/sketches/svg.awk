@@ -1,10 +1,9 @@
 # svg.awk -- lines, arrows, circles and words of the sketches, as SVG.
 #
-#   awk -f svg.awk -f kinematics.awk </dev/null >../02-kinematics.svg
+#   awk -f svg.awk -f one-sphere.awk </dev/null >../08/08-one-sphere.svg
 #
-# Coordinates are those of the picture: pixels to the right and down. A word may hold
-# _{below} and ^{above}. Nothing is said by colour alone: lines differ by dashes, areas
-# by shade or hatching, and all are labelled.
+# Coordinates are those of the picture: pixels to the right and down. Nothing
+# is said by colour alone: lines differ by dashes, areas by shade, and all are labelled.
 
 function begin(width, height) {
     blue = "#0b5a8a"; orange = "#c2571a"; ink = "#333333"; soft = "#777777"
@@ -36,10 +35,6 @@ function disc(x, y, r, inside, edge) {
     printf "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.5\"/>\n", x, y, r, inside, edge
 }
 
-function path(d, inside, edge) {
-    printf "<path d=\"%s\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.5\"/>\n", d, inside, edge
-}
-
 function line(x1, y1, x2, y2, colour, width, dashes) {
     printf "<line x1=\"%.2f\" y1=\"%.2f\" x2=\"%.2f\" y2=\"%.2f\" stroke=\"%s\" stroke-width=\"%g\"%s/>\n", \
         x1, y1, x2, y2, colour, width, dashes ? " stroke-dasharray=\"" dashes "\"" : ""
@@ -52,14 +47,8 @@ function arrow(x1, y1, x2, y2, colour, both) {
 }
 
 # The anchor is start, middle or end; a style of bold or italic may follow.
-function word(x, y, text, anchor, colour, style,    shift) {
+function word(x, y, text, anchor, colour, style) {
     gsub(/&/, "\\&amp;", text)
-    while (match(text, /[_^][{][^}]*[}]/)) {
-        shift = substr(text, RSTART, 1) == "_" ? 4 : -6
-        text = substr(text, 1, RSTART - 1) "<tspan dy=\"" shift "\" font-size=\"10\">" \
-               substr(text, RSTART + 2, RLENGTH - 3) "</tspan><tspan dy=\"" (-shift) "\">&#8203;</tspan>" \
-               substr(text, RSTART + RLENGTH)
-    }
     printf "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" fill=\"%s\"%s>%s</text>\n", x, y, \
         anchor ? anchor : "start", colour ? colour : ink, \
         style == "bold" ? " font-weight=\"bold\"" : style == "italic" ? " font-style=\"italic\"" : style, text
