@@ -7,64 +7,15 @@
 #   sh tests/live.sh build
 set -u
 build=$(cd "$1" && pwd)
-browser=
-for name in chromium chromium-browser google-chrome; do
-    command -v $name >/dev/null && browser=$name && break
-done
+. chapters/tools/chromium.inc
 [ -n "$browser" ] || { echo "steps in their pages: no Chromium"; exit 0; }
 grep -q 'id="live"' "$build"/book/step-*.html ||
     { echo "steps in their pages: the book was made without clang for wasm32"; exit 0; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-check=$build/live-check.html
-{
-    cat <<'PAGE'
-<!DOCTYPE html>
-<iframe style="width: 390px; height: 800px"></iframe>
-<pre></pre>
-<script>
-const frame = document.querySelector('iframe'), out = document.querySelector('pre');
-const done = box => new Promise(tell => {
-  const look = () => box.dataset.state === 'done' ? tell() : setTimeout(look, 20);
-  look();
-});
-async function open(name) {
-  frame.src = 'book/step-' + name + '.html#hurry';
-  await new Promise(tell => frame.onload = tell);
-  const page = frame.contentDocument, box = page.getElementById('live');
-  const part = c => box.querySelector('.' + c);
-  const say = s => out.append('@ ' + name + ' ' + s + '\n');
-  frame.contentWindow.addEventListener('error', e => say('ERROR ' + e.message));
-  frame.contentWindow.addEventListener('unhandledrejection', e => say('ERROR ' + e.reason));
-  const tell = () => out.append('@ ' + name + ' $' +
-    part('command').textContent.replace(/^\S+/, '') + '\n' + part('said').textContent);
-  await done(box);
-  tell();
-  const slider = part('numbers').querySelector('input');
-  slider.value = slider.value === slider.max ? slider.min : slider.max;
-  slider.dispatchEvent(new Event('input'));
-  await done(box);
-  tell();
-  const canvas = part('canvas');
-  const dots = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
-  if (!dots.some(d => d)) say('ERROR the canvas is empty');
-}
-(async () => {
-PAGE
-    for program in chapters/steps/[0-9]*.c; do
-        echo "  await open('$(basename "$program" .c)');"
-    done
-    echo "  out.append('@ all');"
-    echo "})();"
-    echo "</script>"
-} >"$check"
-timeout 400 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
-    --disable-background-networking --disable-component-update --disable-sync \
-    --user-data-dir="$work/profile" --allow-file-access-from-files \
-    --enable-logging=stderr --virtual-time-budget=900000 --dump-dom "file://$check" \
-    2>"$work/log" | sed -n '/^<pre>/,/^<\/pre>/p; s/^<iframe.*<pre>@/@/p' |
-    sed 's/^<pre>//; s/^<\/pre>.*//; s/&gt;/>/g; s/&lt;/</g; s/&amp;/\&/g' >"$work/said"
-rm -f "$check"
+steps=$(cd chapters/steps && ls [0-9]*.c | sed 's/[.]c$//')
+# shellcheck disable=SC2086 # one word a step
+opened "$work" 900000 "file://$PWD/tests/pages/live.html#$(echo "$build/book" $steps)" >"$work/said"
 grep -q '^@ all' "$work/said" || { echo "FAILED the browser gave up"; tail -3 "$work/said"; }
 failed=0
 facts=0
@@ -75,8 +26,7 @@ wrong() {
 grep 'CONSOLE.*\(Error\|Uncaught\)' "$work/log" && wrong "the console tells errors"
 grep '^@ .* ERROR' "$work/said" && wrong "a page tells errors"
 cp "$build"/steps/[0-9]* "$work"
-for program in chapters/steps/[0-9]*.c; do
-    name=$(basename "$program" .c)
+for name in $steps; do
     for k in 1 2; do
         # shellcheck disable=SC2046 # NAME=VALUE is one word
         set -- $(grep "^@ $name \\$" "$work/said" | sed -n "$k s/^[^\$]*\\\$//p")

@@ -7,99 +7,24 @@
 set -u
 build=$(cd "$1" && pwd)
 top=$PWD
-browser=
-for name in chromium chromium-browser google-chrome; do
-    command -v $name >/dev/null && browser=$name && break
-done
+. chapters/tools/chromium.inc
 [ -n "$browser" ] || { echo "reports in a browser: no Chromium"; exit 0; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-cat >grains.cfg <<'END'
-title = "grains </pre><script>console.error('a script of a stranger')</script>";
-mesh = { size = [0.02, 0.01, 0.04]; cells = [1, 1, 1]; };
-particles = { contact = "linear"; step = 1e-5;
-    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
-    bed = { count = 200; diameter = 1e-3; }; };
-effects = { gravity = [0.0, 0.0, -9.81]; };
-output = { end = 0.01; every = 0.005; };
-END
-cat >bodies.cfg <<'END'
-mesh = { size = [0.02, 0.04, 0.02]; cells = [8, 16, 8]; };
-fluid = { density = 1000; viscosity = 0.1; step = 1e-3; bottom = "no-slip"; top = "no-slip";
-          left = "no-slip"; right = "no-slip"; front_back = "no-slip"; };
-bodies = { stiffness = 1000; spheres = ( { position = [0.01, 0.03, 0.01]; diameter = 0.008; density = 2000; } ); };
-effects = { gravity = [0.0, -9.81, 0.0]; };
-output = { end = 0.01; every = 0.005; };
-END
-cat >poly.cfg <<END
-mesh = { polymesh = "$top/tests/data/poly/dual"; };
-fluid = { density = 1.2; viscosity = 0.1; step = 0.01; bottom = { inlet = 0.2; };
-          top = { outlet = 0.0; }; left = "no-slip"; right = "no-slip"; front = "slip"; back = "slip"; };
-output = { end = 0.05; every = 0.05; };
-END
-cp "$top/cases/small-bed.cfg" bed.cfg
-kinds="bed grains bodies poly"
+kinds="small-bed grains bodies dual"
 for kind in $kinds; do
     end=
-    [ $kind != bed ] || end='-s output.end=0.05'
+    file=$top/tests/data/vtk/$kind.cfg
+    [ $kind != small-bed ] || { end='-s output.end=0.05' && file=$top/cases/$kind.cfg; }
     # shellcheck disable=SC2086
-    { "$build/winnow" run $kind.cfg -o $kind --quiet $end && "$build/winnow" report $kind; } >said 2>&1 ||
+    { "$build/winnow" run "$file" -o $kind --quiet $end && "$build/winnow" report $kind; } >said 2>&1 ||
         { echo "FAILED $kind:" && cat said && exit 1; }
 done
-"$build/winnow" report bed grains >said && cp bed/report.html two.html && "$build/winnow" report bed >said
+"$build/winnow" report small-bed grains >said && cp small-bed/report.html two.html && "$build/winnow" report small-bed >said
 # As a build without the libraries makes it.
-awk '/^<\/script>$/ { closed++ } !(open > closed && open < 3) { print } /^<script>$/ { open++ }' bed/report.html >bare.html
-cat >look.html <<'PAGE'
-<!DOCTYPE html>
-<style>iframe { border: 0; height: 800px; }</style><iframe></iframe><pre></pre>
-<script>
-const frame = document.querySelector('iframe'), out = document.querySelector('pre');
-const wait = ms => new Promise(done => setTimeout(done, ms));
-function colours(canvas) {
-  const copy = document.createElement('canvas');
-  copy.width = canvas.width; copy.height = canvas.height;
-  const pen = copy.getContext('2d');
-  pen.drawImage(canvas, 0, 0);
-  return new Set(new Uint32Array(pen.getImageData(0, 0, copy.width, copy.height).data.buffer)).size;
-}
-async function look(kind, page, width) {
-  const say = (...words) => out.append(['@', kind, ...words].join(' ') + '\n');
-  frame.style.width = width + 'px';
-  frame.src = page;
-  await new Promise(done => frame.onload = done);
-  frame.contentWindow.addEventListener('error', e => say('ERROR', e.message));
-  const doc = frame.contentDocument, all = q => [...doc.querySelectorAll(q)];
-  if (doc.documentElement.scrollWidth > width + 1) say('ERROR wider than ' + width);
-  for (const id of ['scene', 'slice'])
-    for (const canvas of all('#' + id + ' canvas:not(.bar)')) say(id, width, colours(canvas));
-  const clock = () => doc.querySelector('output').textContent, before = clock();
-  all('button')[1].click();
-  if (clock() === before) say('ERROR a step back in time changes nothing');
-  all('button')[0].click();
-  await wait(500);
-  all('button')[0].click();
-  for (const box of all('select'))
-    for (const o of box.options) { box.value = o.value; box.dispatchEvent(new Event('change')); }
-  for (const note of all('#scene p, p.note')) say('NOTE', note.textContent);
-  if (width < 1000) return;
-  say('columns', all('figure').length, all('figure .plot canvas').length);
-  for (const cell of all('td.number')) say('number', cell.dataset.key, cell.textContent);
-  say('title', doc.querySelector('h1').textContent);
-}
-(async () => {
-PAGE
-for kind in $kinds; do
-    echo "await look('$kind', '$kind/report.html', 390); await look('$kind', '$kind/report.html', 1280);"
-done >>look.html
-echo "await look('two', 'two.html', 390); await look('two', 'two.html', 1280);
-await look('bare', 'bare.html', 390); await look('bare', 'bare.html', 1280); out.append('@ all'); })();</script>" >>look.html
-timeout 300 "$browser" --headless --no-sandbox --disable-quic --no-first-run --hide-scrollbars \
-    --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist \
-    --disable-background-networking --disable-component-update --disable-sync \
-    --user-data-dir="$work/profile" --allow-file-access-from-files --enable-logging=stderr \
-    --virtual-time-budget=120000 --dump-dom "file://$work/look.html" 2>log |
-    sed -n 's/^.*<pre>@/@/; s/&gt;/>/g; s/&lt;/</g; s/&amp;/\&/g; s/^\(@ all\).*/\1/; /^@/p' >said
+awk '/^<\/script>$/ { closed++ } !(open > closed && open < 3) { print } /^<script>$/ { open++ }' small-bed/report.html >bare.html
+opened "$work" 120000 "file://$top/tests/pages/report.html#$work $kinds two bare" >said
 facts=0
 failed=0
 wrong() { failed=$((failed + 1)) && echo "FAILED $*"; }
@@ -127,7 +52,7 @@ for kind in $kinds; do
     fact "$kind: every column has a plot" grep -q "^@ $kind columns $((columns - 1)) $((2 * columns - 2))\$" said
     if grep -q "^@ $kind NOTE .*WebGL" said; then
         echo "    $kind: no scene, for this browser has no WebGL"
-    elif [ $kind != poly ]; then
+    elif [ $kind != dual ]; then
         fact "$kind: the scene has colours" awk -v k=$kind '$2 == k && $3 == "scene" { n += $5 > 20 } END { exit n != 2 }' said
     fi
     [ $kind = grains ] ||

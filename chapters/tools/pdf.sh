@@ -4,10 +4,7 @@
 #   sh chapters/tools/pdf.sh build/book.plain build/course.pdf
 set -eu
 book=$(cd "$1" && pwd) pdf=$2
-browser=
-for name in chromium chromium-browser google-chrome; do
-    command -v $name >/dev/null && browser=$name && break
-done
+. "$(dirname "$0")/chromium.inc"
 [ -n "$browser" ] || { echo "pdf: asks for Chromium (apt-get install chromium)" >&2; exit 1; }
 all=$book/all.html
 trap 'rm -rf "$all" "$all.profile"' EXIT
