@@ -1,5 +1,6 @@
 #!/bin/sh
-# Builds a small program with Winnow's library, and runs it.
+# Builds a small program with Winnow's library, and runs it: for results that no case
+# gives, a page of C that uses one room alone.
 #
 #   sh figures/run.sh figures/06/06-surface.c [PATCH...] [-- ARGUMENT...]
 #
@@ -32,8 +33,9 @@ objects=
 top=$PWD
 compile() { # file
     objects="$objects $work/$(echo "$1" | tr / _).o"
-    ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O2 -fopenmp \
-        -I"$top/src" -I"$top/tests" -c -o "${objects##* }" "$1"
+    # shellcheck disable=SC2046 # one word a flag
+    ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O2 -fopenmp -Wall -Wextra \
+        -I"$top/src" -I"$top/tests" $(pkg-config --cflags hdf5 2>/dev/null) -c -o "${objects##* }" "$1"
 }
 compile "$program"
 for file in $changed; do

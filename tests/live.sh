@@ -15,7 +15,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 steps=$(cd chapters/steps && ls [0-9]*.c | sed 's/[.]c$//')
 # shellcheck disable=SC2086 # one word a step
-opened "$work" 900000 "file://$PWD/tests/pages/live.html#$(echo "$build/book" $steps)" >"$work/said"
+opened "$work" 900000 "file://$PWD/tests/pages/live.html#$(echo "$build/book" $steps)" --disable-gpu >"$work/said"
 grep -q '^@ all' "$work/said" || { echo "FAILED the browser gave up"; tail -3 "$work/said"; }
 failed=0
 facts=0

@@ -24,7 +24,8 @@ done
 "$build/winnow" report small-bed grains >said && cp small-bed/report.html two.html && "$build/winnow" report small-bed >said
 # As a build without the libraries makes it.
 awk '/^<\/script>$/ { closed++ } !(open > closed && open < 3) { print } /^<script>$/ { open++ }' small-bed/report.html >bare.html
-opened "$work" 120000 "file://$top/tests/pages/report.html#$work $kinds two bare" >said
+opened "$work" 120000 "file://$top/tests/pages/report.html#$work $kinds two bare" \
+    --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist >said
 facts=0
 failed=0
 wrong() { failed=$((failed + 1)) && echo "FAILED $*"; }

@@ -13,7 +13,7 @@ tools=$(cd "$(dirname "$0")" && pwd)
 [ -n "$browser" ] || { echo "book: without Chromium no page is opened"; exit 0; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-opened "$work" 600000 "file://$tools/browser.html#$book $(cd "$book" && find . -name '*.html' | LC_ALL=C sort | tr '\n' ' ' | sed 's/ $//')" >"$work/said"
+opened "$work" 600000 "file://$tools/browser.html#$book $(cd "$book" && find . -name '*.html' | LC_ALL=C sort | tr '\n' ' ' | sed 's/ $//')" --disable-gpu >"$work/said"
 grep '^WRONG' "$work/said" && failed=1 || failed=0
 grep -q '^opened' "$work/said" || { echo "book: the browser gave up"; failed=1; }
 echo "book: $(sed -n 's/^opened/pages opened:/p' "$work/said")"

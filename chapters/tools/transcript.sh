@@ -98,7 +98,7 @@ slow() { head -1 "$1" | grep -q '^# slow'; }
 
 # The files that a text names but for pictures, which commands make.
 named() {
-    sed 's|program\.sh \([0-9a-z]*\)\([^ ]*\)|program.sh figures/\1/\1\2.c|' "$@" |
+    cat "$@" |
         grep -oE '(figures|figures/[0-9a-z]+|cases|chapters/tools|tests|tests/bench)/[A-Za-z0-9_.-]+\.[a-z]+' |
         grep -v -E '\.(svg|png)$' | sort -u
 }
@@ -124,7 +124,7 @@ reached() { # program.c...
 depends() {
     commands=$(sed -n 's/^\$ //p' "$1")
     files=$(echo "$commands" | named)
-    scripts=$(echo "$files" | grep '\.sh$' | grep -v -E '/(program|run|last)\.sh$')
+    scripts=$(echo "$files" | grep '\.sh$' | grep -v -E '/(run|last)\.sh$')
     # shellcheck disable=SC2086,SC2046 # one word a file
     [ -z "$scripts" ] || files=$(printf '%s\n' $files $(named $scripts) | sort -u)
     echo "$files"

@@ -4,7 +4,7 @@
  * linear convection, two corrections, tolerance 1e-6. The median of some steps
  * after the first.
  *
- *   sh figures/program.sh 07-flow */
+ *   sh figures/run.sh figures/07/07-flow.c */
 #include "fluid/fluid.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The linear solvers alone, on boxes of cells with one open end.
  *
- *     sh figures/program.sh 07-solvers PART
+ *     sh figures/run.sh figures/07/07-solvers.c -- PART
  */
 #include "base/alloc.h"
 #include "linear/solvers.h"

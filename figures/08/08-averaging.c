@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The averaging room alone: what each method makes of given particles.
  *
- *     sh figures/program.sh 08-averaging PART
+ *     sh figures/run.sh figures/08/08-averaging.c -- PART
  */
 #include "averaging/averaging.h"
 

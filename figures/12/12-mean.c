@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The spread of numbers that lie far from zero, in two ways.
  *
- *     sh figures/program.sh 12-mean
+ *     sh figures/run.sh figures/12/12-mean.c
  */
 #include "output/means/means.h"
 

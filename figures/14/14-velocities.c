@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* 14-velocities.c -- runs a case of particles alone; their last velocities.
  *
- *     sh figures/program.sh 14-velocities cases/collision-3d.cfg
+ *     sh figures/run.sh figures/14/14-velocities.c -- cases/collision-3d.cfg
  */
 #include <math.h>
 #include <stdio.h>

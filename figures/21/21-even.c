@@ -4,7 +4,7 @@
  * cell, and the root mean square of the error. The bell is twice as wide, which
  * makes it about the same Gaussian (the chapter on averaging).
  *
- *     sh figures/program.sh 21-even
+ *     sh figures/run.sh figures/21/21-even.c
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The places of all spheres of a case at a time, in thousandths of a diameter.
  *
- *     sh figures/program.sh 26-bed cases/mueller-bed.cfg 0.3
+ *     sh figures/run.sh figures/26/26-bed.c -- cases/mueller-bed.cfg 0.3
  * >figures/data/26-bed.txt
  */
 #include <math.h>

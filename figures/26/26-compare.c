@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All methods of averaging on the same particles and the same meshes.
  *
- *     sh figures/program.sh 26-compare table slot
- *     sh figures/program.sh 26-compare table bed
- *     sh figures/program.sh 26-compare picture slot
- *     sh figures/program.sh 26-compare turn
+ *     sh figures/run.sh figures/26/26-compare.c -- table slot
+ *     sh figures/run.sh figures/26/26-compare.c -- table bed
+ *     sh figures/run.sh figures/26/26-compare.c -- picture slot
+ *     sh figures/run.sh figures/26/26-compare.c -- turn
  *
  * slot: rows of spheres a little out of place, with a bubble in them. bed: the
  * spheres of cases/mueller-bed.cfg at 0.3 s, from figures/data/26-bed.txt.

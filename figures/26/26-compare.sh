@@ -8,5 +8,5 @@ export OMP_NUM_THREADS=1
 for name in slot table-bed turn; do
     sh chapters/tools/transcript.sh figures/26/26-$name.txt
 done
-sh figures/program.sh 26-compare picture slot >figures/26/26-fields.txt
+sh figures/run.sh figures/26/26-compare.c -- picture slot >figures/26/26-fields.txt
 gnuplot figures/26/26-fields.gp

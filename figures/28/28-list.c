@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lists the arrays of a checkpoint: how many numbers, unit, name.
  *
- *   sh figures/program.sh 28-list out/seen/checkpoint
+ *   sh figures/run.sh figures/28/28-list.c -- out/seen/checkpoint
  *
  * With nothing but the library of HDF5: no file of Winnow's is included. */
 #if __has_include(<hdf5.h>)

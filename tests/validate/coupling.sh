@@ -120,7 +120,7 @@ springs() {
 # Who carries the bed of Case 1.
 weight() {
     if [ -z "${END:-}" ]; then sh chapters/tools/transcript.sh figures/30/30-weight.txt
-    else sh figures/program.sh 30-weight "$END" 1.0; fi
+    else sh figures/run.sh figures/30/30-weight.c -- "$END" 1.0; fi
 }
 
 [ $# -gt 0 ] || set -- two sensor ramp seepage springs weight

@@ -9,6 +9,8 @@
 . "$(dirname "$0")/runs.inc"
 [ $# -gt 0 ] || set -- arrays methods places falls courses densities
 
+pi=3.14159265358979
+
 # NAME CASE OVERRIDES...
 run() {
     to=$out/$1 scene=$2
@@ -19,22 +21,31 @@ run() {
     }
 }
 
+# FORMAT EXPRESSION
+calc() { awk "BEGIN { pi = $pi; printf(\"$1\", $2) }"; }
+
+# PROGRAM RUN/TABLE VARIABLE=VALUE...: awk on the rows of a table of a run; at[NAME] is the
+# number of a column.
+rows() {
+    program=$1 table=$out/$2
+    shift 2
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }'"$program" \
+        pi=$pi "$@" "$table"
+}
+
 # SOLID CELLS VN END OVERRIDES...: the drag over that of Stokes, after END [s] and
 # 120 steps at least
 drag() {
     solid=$1 cells=$2 vn=$3
-    end=$(awk "BEGIN { n = 120 * $vn / ($cells * $cells); print (n > $4 ? n : $4) }")
+    step=$(calc %.9g "$vn / ($cells * $cells)")
+    end=$(calc %g "120 * $step > $4 ? 120 * $step : $4")
     shift 4
-    d=$(awk "BEGIN { printf \"%.6f\", exp(log(6 * $solid / 3.14159265358979) / 3) }")
-    step=$(awk "BEGIN { printf \"%.9g\", $vn / ($cells * $cells) }")
+    d=$(calc %.6f "exp(log(6 * $solid / pi) / 3)")
     run array cases/sphere-array.cfg -s "mesh.cells=[$cells,$cells,$cells]" \
         -s "fluid.step=$step" -s "output.end=$end" -s "output.every=$end" \
         -s "bodies.spheres.0.diameter=$d" "$@"
-    awk -F, -v d="$d" '
-        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
-        { F = $at["force_on_bodies_x [N]"]; U = $at["mean_flow_x [m/s]"] }
-        END { printf "%.4f", F / (3 * 3.14159265358979 * d * U) }' \
-        $out/array/history.csv
+    rows '{ F = $at["force_on_bodies_x"]; U = $at["mean_flow_x"] }
+        END { printf "%.4f", F / (3 * pi * d * U) }' array/history.csv d="$d"
 }
 
 # [ZH82] Table: solid fraction, drag; then the time to become steady.
@@ -43,10 +54,7 @@ arrays() {
     while read -r solid exact end list; do
         for n in $list; do
             found=$(drag "$solid" "$n" 1 "$end")
-            awk -v s="$solid" -v n="$n" -v K="$found" -v Z="$exact" '
-                BEGIN { printf "%7s %6d %6.2f %9s %9s %8.2f\n", s, n,
-                        n * exp(log(6 * s / 3.14159265358979) / 3), K, Z,
-                        100 * (K / Z - 1) }'
+            calc '%7s %6d %6.2f %9s %9s %8.2f\n' "$solid, $n, $n * exp(log(6 * $solid / pi) / 3), \"$found\", \"$exact\", 100 * ($found / $exact - 1)"
         done
         echo
         echo
@@ -62,10 +70,10 @@ methods() {
     echo "# nu dt / h^2, drag over that of [ZH82]: hold, fictitious-domain, piso-ib"
     for vn in 0.03 0.1 0.3 1 3 10; do
         printf '%5s' $vn
-        end=$(awk "BEGIN { print ($vn > 3 ? 0.8 : 0.3) }")
+        end=$(calc %g "$vn > 3 ? 0.8 : 0.3")
         for method in hold fictitious-domain piso-ib; do
             found=$(drag 0.216 16 $vn "$end" -s bodies.method=$method -s fluid.time=euler)
-            awk "BEGIN { printf \" %8.4f\", $found / 7.442 }"
+            calc ' %8.4f' "$found / 7.442"
         done
         echo
     done
@@ -76,9 +84,9 @@ places() {
     echo "# solid fraction, shift of the sphere in cells: x, y, z; drag over that of [ZH82]"
     while read -r solid exact end n; do
         for x in 0 0.333; do for y in 0 0.333; do for z in 0 0.333; do
-            at=$(awk "BEGIN { printf \"[%.7f,%.7f,%.7f]\", 0.5 + $x / $n, 0.5 + $y / $n, 0.5 + $z / $n }")
+            at=$(calc '[%.7f,%.7f,%.7f]' "0.5 + $x / $n, 0.5 + $y / $n, 0.5 + $z / $n")
             found=$(drag "$solid" "$n" 1 "$end" -s "bodies.spheres.0.position=$at")
-            awk "BEGIN { printf \"%6s %6s %6s %6s %8.4f\n\", $solid, $x, $y, $z, $found / $exact }"
+            calc '%6s %6s %6s %6s %8.4f\n' "$solid, $x, $y, $z, $found / $exact"
         done; done; done
     done <<TABLE
 0.216 7.442 0.2 16
@@ -92,21 +100,16 @@ carried() {
     echo "# rho_p/rho  velocity of the sphere, mean flow, slip over nu/d; drag over that of Stokes, of one that is held"
     held=$(drag 0.064 16 1 0.8 -s "bodies.spheres.0.position=[0.53,0.5,0.47]")
     for ratio in 0.2 3 20; do
-        gradient=$(awk "BEGIN { printf \"%.12g\", -($ratio - 1) * 0.064e-6 }")
+        gradient=$(calc %.12g "-($ratio - 1) * 0.064e-6")
         run carried cases/sphere-array.cfg -s fluid.step=0.00390625 -s fluid.tolerance=1e-8 \
             -s "fluid.mean_gradient=[$gradient,0.0,0.0]" -s output.end=0.8 -s output.every=0.8 \
             -s fluid.piso_tolerance=1e-4 -s effects.gravity=[-1e-6,0.0,0.0] \
             -s bodies.spheres.0.position=[0.53,0.5,0.47] -s bodies.spheres.0.diameter=0.496285 \
             -s 'bodies.spheres.0.motion="free"' -s bodies.spheres.0.density=$ratio
-        awk -F, -v r=$ratio -v held="$held" '
-            FNR == 1 { file++ }
-            file == 1 && FNR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
-            FNR == 1 { next }
-            file == 1 { U = $at["mean_flow_x"]; next }
-            { v = $6 }
+        rows '{ U = $at["mean_flow_x"] } END { print U }' carried/history.csv |
+            { read -r U && rows '{ v = $6 }
             END { d = 0.496285; printf "%5s %11.3e %11.3e %11.3e  %.4f %s\n", r, v * d, U * d, (U - v) * d,
-                         (r - 1) * 0.064e-6 / (3 * 3.14159265358979 * d * (U - v)), held }' \
-            $out/carried/history.csv $out/carried/bodies.csv
+                         (r - 1) * 0.064e-6 / (3 * pi * d * (U - v)), held }' carried/bodies.csv r=$ratio held="$held" U="$U"; }
     done
 }
 
@@ -119,12 +122,11 @@ falls() {
             once "fall-$name-$per" cases/falling-sphere.cfg -s "mesh.cells=[$mesh]" \
                 -s "fluid.density=$rho" -s "fluid.viscosity=$mu" \
                 -s "fluid.step=$step" -s "output.end=$end" -s output.every=10
-            awk -F, -v name="$name" -v per="$per" -v dt="$step" -v U="$measured" '
-                NR > 1 && -$7 > most { most = -$7 }
-                END { printf "%6s %8s %9s %12.5f %15s %11.2f\n", name, per, dt,
-                      most, U, 100 * (most / U - 1) }' "$out/fall-$name-$per/bodies.csv"
-            awk -F, 'NR > 1 && NR % 4 == 2 { printf "%.3f %.6f %.5f\n", $1, $4 - 0.0075, $7 }' \
-                "$out/fall-$name-$per/bodies.csv" >"$out/fall-$name-$per.course"
+            rows '-$7 > most { most = -$7 }
+                END { printf "%6s %8s %9s %12.5f %15s %11.2f\n", name, per, dt, most, U, 100 * (most / U - 1) }' \
+                "fall-$name-$per/bodies.csv" name="$name" per="$per" dt="$step" U="$measured"
+            rows 'NR % 4 == 2 { printf "%.3f %.6f %.5f\n", $1, $4 - 0.0075, $7 }' \
+                "fall-$name-$per/bodies.csv" >"$out/fall-$name-$per.course"
         done
     done <<TABLE
 E1 970 0.373 0.0360 2.4 0.008
@@ -148,35 +150,49 @@ densities() {
     echo "# rho_p/rho  step [s]  velocity at 0.2 s and 0.4 s [m/s]"
     for ratio in 0.01 0.1 0.5 1.02 1.17 8 100; do
         for step in 0.008 0.002; do
-            rho=$(awk "BEGIN { print 960 * $ratio }")
-            g=$(awk "BEGIN { r = $ratio - 1; printf \"%.4f\", -1.6 / (r < 0 ? -r : r) }")
+            rho=$(calc %g "960 * $ratio")
+            g=$(calc %.4f "$ratio > 1 ? -1.6 / ($ratio - 1) : -1.6 / (1 - $ratio)")
             run density cases/falling-sphere.cfg -s "mesh.cells=[24,38,24]" \
                 -s "fluid.step=$step" -s output.end=0.4 -s output.every=10 \
                 -s "effects.gravity=[0.0,$g,0.0]" -s "bodies.spheres.0.density=$rho" \
                 -s "bodies.spheres.0.position=[0.05,0.08,0.05]"
-            awk -F, -v r="$ratio" -v dt="$step" '
-                NR > 1 && $1 < 0.2001 { half = $7 }
-                END { printf "%8s %9s %10.5f %10.5f\n", r, dt, half, $7 }' \
-                $out/density/bodies.csv
+            rows '$1 < 0.2001 { half = $7 } END { printf "%8s %9s %10.5f %10.5f\n", r, dt, half, $7 }' \
+                density/bodies.csv r="$ratio" dt="$step"
         done
     done
 }
 
-# NAME GRAINS CELLS STEP END: EW18's grains in a periodic box, 12 cells a diameter, in
-# units of d, u_in and the density of the fluid; carried by the mean gradient.
-suspension_case() {
-    awk -v n="$2" -v L="$(awk "BEGIN { printf \"%.6f\", $3 / 12 }")" -v seed=1 \
-        -f tests/validate/suspension.awk >"$out/$1.spheres"
-    awk -v name="$1" -v n="$2" -v c="$3" -v dt="$4" -v end="$5" 'BEGIN {
-        L = sprintf("%.6f", c / 12); g = "6.046875"
-        printf "title = \"%s\";\n", name
-        printf "mesh = { size = [%s, %s, %s]; cells = [%d, %d, %d]; periodic = [true, true, true]; };\n", L, L, L, c, c, c
-        printf "fluid = { density = 1.0; viscosity = 0.125; step = %s; time = \"bdf2\"; convection = \"linear\"; tolerance = 1e-6;\n", dt
-        printf "  mean_gradient = [0.0, %.9g, 0.0]; };\n", -9 * g * n * 3.14159265358979 / 6 / (c / 12) ^ 3
-        printf "bodies = { filter = 2.0; stiffness = 30000.0; restitution = 0.9; friction = 0.3; virtual_mass = 0.5;\n  spheres = (\n@include \"%s.spheres\"\n  ); };\n", name
-        printf "effects = { gravity = [0.0, -%s, 0.0]; };\n", g
-        printf "output = { end = %s; every = %s; };\n", end, end
-    }' >"$out/$1.cfg"
+# NAME GRAINS CELLS STEP SEED MATERIAL BODIES REST: EW18's grains at random places of a
+# periodic box of so many cells, PER in each diameter (12), in units of d, u_in and the
+# density of the fluid; carried by the mean gradient. MATERIAL is what each has instead of
+# a density of 10.
+periodic() {
+    name=$1 n=$2 c=$3
+    L=$(calc %.6f "$c / ${PER:-12}")
+    awk -v n="$n" -v L="$L" -v seed="$5" -f tests/validate/suspension.awk |
+        sed "s/density = 10.0/$6/" >"$out/$name.spheres"
+    cat >"$out/$name.cfg" <<CASE
+title = "$name";
+mesh = { size = [$L, $L, $L]; cells = [$c, $c, $c]; periodic = [true, true, true]; };
+fluid = { density = 1.0; viscosity = 0.125; step = $4; time = "bdf2"; convection = "linear"; tolerance = 1e-6;
+  mean_gradient = [0.0, $(calc %.9g "-9 * 6.046875 * $n * pi / 6 / ($c / ${PER:-12}) ^ 3"), 0.0]; };
+bodies = { $7 spheres = (
+@include "$name.spheres"
+  ); };
+$8
+CASE
+    once "$name" "$out/$name.cfg"
+}
+
+# LAW EPS RE FORMAT: the whole force on such grains over that of the law
+over_law() {
+    F=$(winnow eval "drag:$1" eps_f="$2" Re="$3" | awk '{ print $3 }')
+    calc "$4" "9 * 6.046875 * pi / 6 / (3 * pi * 0.125 * $3 * 0.125 / $2 * $F)"
+}
+
+# NAME FROM
+samples() {
+    awk -F, -v nu=0.125 -v from="$2" -f tests/validate/samples.awk "$out/$1/history.csv" "$out/$1/bodies.csv"
 }
 
 # NAME: the drag on grains that are resolved; of each line of the input the grains, cells,
@@ -194,15 +210,14 @@ boxes() {
             ;;
         esac
         name=$part_of-$n-$cells
-        suspension_case "$name" "$n" "$cells" "$step" "$end"
-        once "$name" "$out/$name.cfg"
-        found=$(awk -F, -v nu=0.125 -v from=6 -f tests/validate/samples.awk \
-            "$out/$name/history.csv" "$out/$name/bodies.csv")
-        eps=$(awk "BEGIN { printf \"%.5f\", 1 - $n * 3.14159265358979 / 6 / ($cells / 12) ^ 3 }")
+        periodic "$name" "$n" "$cells" "$step" 1 "density = 10.0" \
+            "filter = 2.0; stiffness = 30000.0; restitution = 0.9; friction = 0.3; virtual_mass = 0.5;" \
+            "effects = { gravity = [0.0, -6.046875, 0.0]; }; output = { end = $end; every = $end; };"
+        found=$(samples "$name" 6)
+        eps=$(calc %.5f "1 - $n * pi / 6 / ($cells / 12) ^ 3")
         ratios=
         for law in beetstra di-felice di-felice-printed; do
-            ratios="$ratios $(winnow eval drag:$law eps_f="$eps" Re="${found%% *}" | awk -v eps="$eps" -v Re="${found%% *}" '
-                { printf "%.3f", 9 * 6.046875 * 3.14159265358979 / 6 / (3 * 3.14159265358979 * 0.125 * Re * 0.125 / eps * $3) }')"
+            ratios="$ratios $(over_law $law "$eps" "${found%% *}" %.3f)"
         done
         echo "$eps $ratios  $found"
     done
@@ -222,31 +237,17 @@ TABLE
 # periodic box, in a flow of Re = 8: 8, 12 and 16 cells in a diameter. A minute; with
 # CELLS="8 12 16 24" in the environment three.
 frozen() {
-    n=22 L=3 g=6.046875 list=${CELLS:-8 12 16}
-    awk -v n=$n -v L=$L -v seed=1 -f tests/validate/suspension.awk |
-        sed 's/density = 10.0/motion = "fixed"/' >$out/frozen.spheres
+    list=${CELLS:-8 12 16}
     for c in $list; do
-        cat >$out/frozen-$c.cfg <<CASE
-title = "Grains that are held";
-mesh = { size = [3.0, 3.0, 3.0]; cells = [$((3 * c)), $((3 * c)), $((3 * c))]; periodic = [true, true, true]; };
-fluid = { density = 1.0; viscosity = 0.125; step = 0.01; time = "bdf2"; convection = "linear"; tolerance = 1e-6;
-          mean_gradient = [0.0, $(awk "BEGIN { printf \"%.9g\", -9 * $g * $n * 3.14159265358979 / 6 / $L ^ 3 }"), 0.0]; };
-bodies = { spheres = (
-@include "frozen.spheres"
-); };
-output = { end = 1.5; every = 1.5; history = 0.5; picture = false; };
-CASE
-        once frozen-$c $out/frozen-$c.cfg
+        PER=$c periodic frozen-$c 22 $((3 * c)) 0.01 1 'motion = "fixed"' "" \
+            "output = { end = 1.5; every = 1.5; history = 0.5; picture = false; };"
     done
     echo "# cells in d, Re of the flow after 1 and 1.5, whole force over Beetstra's; of the forces on the single grains the"
     echo "# deviation, and the root mean square of what differs from those of the last row, both over their mean"
-    eps=$(awk "BEGIN { printf \"%.5f\", 1 - $n * 3.14159265358979 / 6 / $L ^ 3 }")
+    eps=$(calc %.5f "1 - 22 * pi / 6 / 27")
     for c in $list; do
-        Re=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
-            { before = now; now = $at["mean_flow_y [m/s]"] / 0.125 }
-            END { printf "%.4f %.4f", before, now }' $out/frozen-$c/history.csv)
-        ratio=$(winnow eval drag:beetstra eps_f="$eps" Re="${Re#* }" | awk -v eps="$eps" -v Re="${Re#* }" -v n=$n '
-            { printf "%.4f", 9 * 6.046875 * 3.14159265358979 / 6 / (3 * 3.14159265358979 * 0.125 * Re * 0.125 / eps * $3) }')
+        Re=$(rows '{ before = now; now = $at["mean_flow_y"] / 0.125 } END { printf "%.4f %.4f", before, now }' frozen-$c/history.csv)
+        ratio=$(over_law beetstra "$eps" "${Re#* }" %.4f)
         awk -F, -v c=$c -v Re="$Re" -v ratio="$ratio" '
             FNR == 1 { file++; next }
             $1 < 1.499 { next }
@@ -257,38 +258,22 @@ CASE
     done
 }
 
-# RATIO SEED MOTION STEP END: 22 grains in a periodic box of 3 d with 12 cells in each, under
-# the weight of EW18's liquid bed whatever the ratio of the densities is.
-stokes_case() {
-    name=stokes-$1-$2
-    awk -v n=22 -v L=3 -v seed="$2" -f tests/validate/suspension.awk |
-        sed "s/density = 10.0/$3/" >"$out/$name.spheres"
-    awk -v name="$name" -v r="$1" -v dt="$4" -v end="$5" 'BEGIN {
-        w = 9 * 6.046875
-        printf "title = \"%s\";\n", name
-        print "mesh = { size = [3.0, 3.0, 3.0]; cells = [36, 36, 36]; periodic = [true, true, true]; };"
-        printf "fluid = { density = 1.0; viscosity = 0.125; step = %s; time = \"bdf2\"; convection = \"linear\"; tolerance = 1e-6;\n", dt
-        printf "  mean_gradient = [0.0, %.9g, 0.0]; };\n", -w * 22 * 3.14159265358979 / 6 / 27
-        print "bodies = { filter = 2.0; restitution = 0.9; friction = 0.3; virtual_mass = 0.5;"
-        if (r > 1) printf "  stiffness = %.9g;\n", 3000 * r
-        printf "  spheres = (\n@include \"%s.spheres\"\n  ); };\n", name
-        if (r > 1) printf "effects = { gravity = [0.0, %.9g, 0.0]; };\n", -w / (r - 1)
-        printf "output = { end = %s; every = %s; history = %s; picture = false; };\n", end, end, dt
-    }' >"$out/$name.cfg"
-    once "$name" "$out/$name.cfg"
-}
-
-# RATIO SEED FROM: the Stokes number, then what stands above `boxes` without the laws.
+# RATIO SEED MATERIAL STEP END FROM: 22 grains in a periodic box of 3 d, under the weight of
+# EW18's liquid bed whatever the ratio of the densities is. Prints this and the Stokes
+# number, then what stands above `boxes` without the laws.
 stokes_row() {
-    found=$(awk -F, -v nu=0.125 -v from="$3" -f tests/validate/samples.awk \
-        "$out/stokes-$1-$2/history.csv" "$out/stokes-$1-$2/bodies.csv")
-    winnow eval drag:beetstra eps_f=0.57335 Re="${found%% *}" |
-        awk -v r="$1" -v seed="$2" -v found="$found" '{
-            split(found, f)
-            F = 9 * 6.046875 * 3.14159265358979 / 6
-            law = 3 * 3.14159265358979 * 0.125 * f[1] * 0.125 / 0.57335 * $3
-            printf "%4s %7.2f  %d  %.3f  %.3f  %.3f  %.3f %.3f\n", r == 1 ? "held" : r, r == 1 ? 0 : r * f[1] / 18, seed, f[1], F / law, f[5] / f[4], f[11], f[12]
-        }'
+    name=stokes-$1-$2 stiffness='' gravity=''
+    [ "$1" = 1 ] || {
+        stiffness="stiffness = $(calc %.9g "3000 * $1");"
+        gravity="effects = { gravity = [0.0, $(calc %.9g "-9 * 6.046875 / ($1 - 1)"), 0.0]; };"
+    }
+    periodic "$name" 22 36 "$4" "$2" "$3" "filter = 2.0; restitution = 0.9; friction = 0.3; virtual_mass = 0.5; $stiffness" \
+        "$gravity output = { end = $5; every = $5; history = $4; picture = false; };"
+    # shellcheck disable=SC2046 # words
+    set -- "$1" "$2" $(samples "$name" "$6")
+    Re=$3
+    calc '%4s %7.2f  %d  %.3f  %.3f  %.3f  %.3f %.3f\n' "$1 == 1 ? \"held\" : $1, $1 == 1 ? 0 : $1 * $Re / 18, $2, $Re,
+        $(over_law beetstra 0.57335 "$Re" %.9f), $7 / $6, ${13}, ${14}"
 }
 
 # Does a grain that is free bear what one bears that is held? Held at random places of eight
@@ -297,16 +282,12 @@ stokes_row() {
 stokes() {
     echo "# rho_r  St  seed  Re of the slip  whole force over Beetstra's  sigma(C_d)/C_d  roots of the granular temperature along, across"
     for seed in 1 2 3 4 5 6 7 8; do
-        stokes_case 1 $seed 'motion = "fixed"' 0.01 1.5
-        stokes_row 1 $seed 1.2
+        stokes_row 1 $seed 'motion = "fixed"' 0.01 1.5 1.2
     done
     for seed in 1 2; do
-        for run in "2 16 6" "10 16 6" "40 20 8"; do
-            # shellcheck disable=SC2086 # three words
-            set -- $run
-            stokes_case "$1" $seed "density = $1.0" 0.008 "$2"
-            stokes_row "$1" $seed "$3"
-        done
+        stokes_row 2 $seed "density = 2.0" 0.008 16 6
+        stokes_row 10 $seed "density = 10.0" 0.008 16 6
+        stokes_row 40 $seed "density = 40.0" 0.008 20 8
     done
 }
 
@@ -338,18 +319,16 @@ rebound() {
     echo "# roughness over R  St at 0.1 d  rebound over dry  exp(-35/St) of [Legendre05]"
     for rough in 1e-3 1e-5; do
         for st in 10 20 40 100 300 1000; do
-            mu=$(awk "BEGIN { print 8 / 9 / $st }")
+            mu=$(calc %g "8 / 9 / $st")
             run rebound cases/rebound-in-oil.cfg -s "fluid.viscosity=$mu" \
                 -s "bodies.roughness=$rough"
-            awk -F, -v rough=$rough -v mu="$mu" '
-                NR == 1 { next }
-                { z = $4 - 0.5 }
+            rows '{ z = $4 - 0.5 }
                 z > 0.1 && !near { u = -$7 }
                 z < 0.05 { near = 1 }
                 near && $7 > back { back = $7 }
                 END { st = 8 * u / (9 * mu)
                       printf "%6s %7.2f %8.3f %8.3f\n", rough, st, back / u / 0.97, exp(-35 / st) }' \
-                $out/rebound/bodies.csv
+                rebound/bodies.csv rough=$rough mu="$mu"
         done
     done
 }
@@ -359,26 +338,34 @@ rebound() {
 # minute.
 impact() {
     echo "# rho_p/rho  C_v  steps of an impact  speed after over before"
-    for how in "8 0 8" "8 0.5 8" "8 2 8" "8 8 8" "8 2 4" "8 2 16" "4 0.5 8" "4 2 8" "20 0.5 8" "20 2 8"; do
-        # shellcheck disable=SC2086 # three words
-        set -- $how
-        step=$(awk "BEGIN { print 0.04 / $3 }")
-        stiffness=$(awk "BEGIN { p = 3.14159265358979; print ($1 + 0.5) * p * p * p / 6 / 0.0016 }")
+    while read -r rho C n; do
+        step=$(calc %g "0.04 / $n")
+        stiffness=$(calc %g "($rho + 0.5) * pi * pi * pi / 6 / 0.0016")
         cat >$out/impact.cfg <<CASE
 title = "An impact";
 mesh = { size = [4.0, 4.0, 4.0]; cells = [24, 24, 24]; };
 fluid = { density = 1.0; viscosity = 1e-4; step = $step; time = "bdf2"; convection = "upwind"; tolerance = 1e-6;
           sides = "slip"; front_back = "slip"; bottom = "slip"; top = "slip"; };
-bodies = { restitution = 1.0; virtual_mass = $2; stiffness = $stiffness; lubrication = false;
-           spheres = ( { position = [2.0, 0.6, 2.0]; diameter = 1.0; density = $1.0; velocity = [0.0, -1.0, 0.0]; } ); };
+bodies = { restitution = 1.0; virtual_mass = $C; stiffness = $stiffness; lubrication = false;
+           spheres = ( { position = [2.0, 0.6, 2.0]; diameter = 1.0; density = $rho.0; velocity = [0.0, -1.0, 0.0]; } ); };
 output = { end = 0.2; every = 0.2; history = $step; };
 CASE
         run impact $out/impact.cfg
-        awk -F, -v r="$1" -v C="$2" -v n="$3" '
-            NR > 1 && $4 > 0.5 && $7 < 0 { before = -$7 }
-            NR > 1 && $4 > 0.5 && $7 > 0 && !after { after = $7 }
-            END { printf "%6s %6s %4s %12.3f\n", r, C, n, after / before }' $out/impact/bodies.csv
-    done
+        rows '$4 > 0.5 && $7 < 0 { before = -$7 }
+            $4 > 0.5 && $7 > 0 && !after { after = $7 }
+            END { printf "%6s %6s %4s %12.3f\n", r, C, n, after / before }' impact/bodies.csv r="$rho" C="$C" n="$n"
+    done <<TABLE
+8 0 8
+8 0.5 8
+8 2 8
+8 8 8
+8 2 4
+8 2 16
+4 0.5 8
+4 2 8
+20 0.5 8
+20 2 8
+TABLE
 }
 
 # NAME RHO_R V WIDTH BODIES: the added mass C_a of a body whose velocity the others are
@@ -395,16 +382,15 @@ output = { end = 0.6; every = 0.6; history = 0.05; };
 CASE
     run swing $out/swing.cfg
     C=$(winnow check $out/swing.cfg | awk '/largest virtual mass/ { print $4 }')
-    awk -F, -v name="$1" -v r="$2" -v C="$C" -v V="$3" -v w="$4" '
-        NR > 1 && $2 == 0 { v[++n] = $7 }
+    rows '$2 == 0 { v[++n] = $7 }
         END {
             for (i = 5; i < n; i++) {
                 D = v[i] - v[i - 1]; x = 0.5 * (v[i - 1] - v[i - 2]) - 1.5 * D
                 y = (r + C) * (v[i + 1] - v[i]) - (1 + C) * D
                 xy += x * y; xx += x * x
             }
-            printf "%-28s %5.2f %8.2f %8.2f %8.2f\n", name, r, C, 0.5 * sqrt(6 * V / 3.14159265358979 / w ^ 3), xy / xx - 1
-        }' $out/swing/bodies.csv
+            printf "%-28s %5.2f %8.2f %8.2f %8.2f\n", name, r, C, 0.5 * sqrt(6 * V / pi / width ^ 3), xy / xx - 1
+        }' swing/bodies.csv name="$1" r="$2" C="$C" V="$3" width="$4"
 }
 
 # What fluid a body that is kicked accelerates with it, alone and beside another one.
@@ -416,9 +402,8 @@ swing() {
     swing_row "sphere" 1 $V 1 "spheres = ( { position = [2.0, 2.0, 2.0]; diameter = 1.0; $up } );"
     swing_row "sphere, a cell from a wall" 1 $V 1 "spheres = ( { position = [2.0, 0.625, 2.0]; diameter = 1.0; $up } );"
     for z in 2 1 0.25; do
-        at=$(awk "BEGIN { print 0.5 + $z / 16 }")
-        swing_row "two spheres, gap $z h" 1 $V 1 "spheres = ( { position = [2.0, $(awk "BEGIN { print 2 + $at }"), 2.0]; diameter = 1.0; $up },
-            { position = [2.0, $(awk "BEGIN { print 2 - $at }"), 2.0]; diameter = 1.0; $down } );"
+        swing_row "two spheres, gap $z h" 1 $V 1 "spheres = ( { position = [2.0, $(calc %g "2.5 + $z / 16"), 2.0]; diameter = 1.0; $up },
+            { position = [2.0, $(calc %g "1.5 - $z / 16"), 2.0]; diameter = 1.0; $down } );"
     done
     swing_row "cube" 1 1 1 "boxes = ( { position = [2.0, 2.0, 2.0]; size = [1.0, 1.0, 1.0]; motion = \"free\"; $up } );"
     swing_row "rod, 1:2" 1 1.570796 1 "cylinders = ( { position = [2.0, 2.0, 2.0]; diameter = 1.0; length = 2.0; axis = [1.0, 0.0, 0.0]; motion = \"free\"; $up } );"
@@ -457,18 +442,15 @@ pile() {
 # Drafting, kissing, tumbling: when the gap closes, and when the order has changed.
 two() {
     run two cases/two-spheres-fall.cfg
-    awk -F, '
-        NR == 1 { next }
-        $2 == 0 { x = $3; y = $4; z = $5; v = $7; next }
+    rows '$2 == 0 { x = $3; y = $4; z = $5; v = $7; next }
         { dx = $3 - x; dy = $4 - y; dz = $5 - z; gap = sqrt(dx * dx + dy * dy + dz * dz) - 1
-          row = sprintf("%5.1f %8.3f %8.3f %7.3f %6.0f", $1, v, $7, gap, atan2(sqrt(dx * dx + dz * dz), dy) * 180 / 3.14159265358979)
+          row = sprintf("%5.1f %8.3f %8.3f %7.3f %6.0f", $1, v, $7, gap, atan2(sqrt(dx * dx + dz * dz), dy) * 180 / pi)
           if (++n % 5 == 1) rows = rows row "\n"
           if (gap < 0.01 && !kiss) kiss = $1
           if (dy < 0 && !over) over = $1 }
         END { print "# time  velocity of the lower, of the upper one  gap  tilt [degrees]"
               printf "%s", rows
-              printf "# they touch at %.1f; the upper one is ahead from %.1f on\n", kiss, over }' \
-        $out/two/bodies.csv
+              printf "# they touch at %.1f; the upper one is ahead from %.1f on\n", kiss, over }' two/bodies.csv
 }
 
 # Fifty free spheres, carried as a whole by the mean gradient: the momentum of fluid
@@ -490,7 +472,7 @@ fifty() {
             printf "%s{ position = [%.5f, %.5f, %.5f]; diameter = 1.0; density = %g; }\n",
                    j ? "," : "", x[j, 0], x[j, 1], x[j, 2], 2 + j % 3
     }' >$out/fifty.spheres
-    gradient=$(awk 'BEGIN { printf "%.12f", -99 * 3.14159265358979 / 6 / 125 }')
+    gradient=$(calc %.12f "-99 * pi / 6 / 125")
     cat >$out/fifty.cfg <<CASE
 title = "Fifty free spheres";
 mesh = { size = [5.0, 5.0, 5.0]; cells = [30, 30, 30]; periodic = [true, true, true]; };
@@ -532,9 +514,8 @@ bed() {
     echo "# density [kg/m^3]: height of the centre [mm] after 0, 0.1, ... 0.6 s"
     for rho in 1100 1700 2300; do
         narrow_bed $rho -s bodies.spheres.0.density=$rho
-        awk -F, -v rho=$rho 'BEGIN { printf "%s:", rho }
-            NR > 1 && (NR - 2) % 100 == 0 { printf " %.2f", 1e3 * $4 }
-            END { print "" }' "$out/bed-$rho/bodies.csv"
+        printf '%s:' $rho
+        rows '(NR - 2) % 100 == 0 { printf " %.2f", 1e3 * $4 } END { print "" }' "bed-$rho/bodies.csv"
     done
 }
 
@@ -566,7 +547,7 @@ ten() {
 # WIDTH COUNT VELOCITY END: a sphere of six grains that is held in the middle of a bed,
 # 14 mm deep when it is packed; means from 0.6 s on, or over the second half.
 held_in() {
-    W=$1 n=$2 u=$3 end=$4 half=$(awk "BEGIN { print $1 / 2000 }")
+    W=$1 n=$2 u=$3 end=$4 half=$(calc %g "$1 / 2000")
     run "held-$W-$u" cases/sphere-in-bed.cfg \
         -s "mesh.size=[0.0$W,0.032,0.0$W]" -s "mesh.cells=[$W,32,$W]" \
         -s "particles.bed.count=$n" -s "fluid.bottom.inlet=$u" \
@@ -577,17 +558,15 @@ held_in() {
 
 # NAME WIDTH COUNT VELOCITY DIAMETER END FROM: what the fluid and the grains give it.
 held_of() {
-    awk -F, -v W="$2" -v N="$3" -v u="$4" -v D="$5" -v end="$6" -v from="$7" '
-        NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
-        $1 > from && $1 < end + 1e-6 {
+    rows '$1 > from && $1 < end + 1e-6 {
             n++; f += $at["force_on_bodies_y"]; g += $at["force_of_grains_y"]
             p += $at["pressure_drop"]; H += 2 * $at["mean_height"] }
-        END { V = 3.14159265358979 * D ^ 3 / 6; Vg = 9.81 * V
+        END { V = pi * D ^ 3 / 6; Vg = 9.81 * V
               eps = 1 - N * 3.14159265358979e-9 / 6 / (W * W * 1e-6 * H / n - V)
               printf "%2d %5s  %3.1f to %4.2f  %4.0f %4.0f %4.0f  %5.3f %4.0f   %5.2f %5.2f\n", W, u, from, end,
                      f / n / Vg, g / n / Vg, (f + g) / n / Vg, eps, 1500 * (1 - eps),
                      (f + g) / n / Vg / (1500 * (1 - eps)), f / n / V / (p / H) }' \
-        "$out/$1/history.csv"
+        "$1/history.csv" W="$2" N="$3" u="$4" D="$5" end="$6" from="$7"
 }
 
 # WIDTH COUNT VELOCITY END FROM
