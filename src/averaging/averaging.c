@@ -194,6 +194,8 @@ void averaging_set_wall(struct averaging *a, struct averaging_wall *wall)
     a->wall = wall;
 }
 
+/* The field with values inside solids in the mesh, where there are any, else
+ * itself. */
 const double *averaging_extended(struct averaging *a, int m,
                                  const double *field)
 {

@@ -62,6 +62,8 @@ static void diffusion_apply_exponential(struct diffusion *d, int m, double *u,
     r->worst = (struct solve_report){.converged = 1};
 }
 
+/* Diffuses m fields u in place by the scheme of the case, in steps or
+ * exponentially. */
 static void diffusion_smooth(struct diffusion *d, int m, double *u,
                              struct averaging_report *r)
 {

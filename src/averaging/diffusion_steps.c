@@ -59,6 +59,8 @@ static void right_side(struct diffusion_steps *d, int m, double factor,
             d->rhs[k] = V[c] * u[k] - (factor > 0.0 ? factor * d->rhs[k] : 0.0);
 }
 
+/* Keeps the worse of two reports of a solver: most iterations, largest
+ * residual. */
 static void worse_of(struct solve_report *worst, const struct solve_report *one)
 {
     const int failed = worst->converged && !one->converged;

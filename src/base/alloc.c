@@ -77,6 +77,7 @@ double *alloc_doubles(int n)
     return alloc_zeroed(counted(n), sizeof(double));
 }
 
+/* n ints, all zero. */
 int *alloc_ints(int n)
 {
     return alloc_zeroed(counted(n), sizeof(int));

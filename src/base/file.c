@@ -20,6 +20,7 @@ struct file {
     char *partial; /* name until file_commit */
 };
 
+/* The text a b c, allocated. */
 static char *joined(const char *a, const char *b, const char *c)
 {
     const size_t la = strlen(a), lb = strlen(b), lc = strlen(c);
@@ -31,6 +32,8 @@ static char *joined(const char *a, const char *b, const char *c)
     return s;
 }
 
+/* Prints that an action on a path failed and why (0: a write failed);
+ * returns 1. */
 static int file_report_failure(const char *what, const char *path, int reason)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path,
@@ -38,6 +41,7 @@ static int file_report_failure(const char *what, const char *path, int reason)
     return 1;
 }
 
+/* Frees the memory of a file that is closed. */
 static void file_release(struct file *f)
 {
     free(f->path);
@@ -76,6 +80,8 @@ static FILE *open_new(const char *path)
  * later has replaced ours, and will rename its own. */
 enum owner { NOBODY, ANOTHER, OURS };
 
+/* Whether the name of the partial file leads to our file, another one or
+ * none. */
 static enum owner owner_of(const struct file *f)
 {
     struct stat own, named;

@@ -4,11 +4,13 @@
 
 #include <math.h>
 
+/* The scalar product of a and b. */
 static inline double vector_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* The length of a. */
 static inline double vector_length(const double a[3])
 {
     return sqrt(vector_dot(a, a));

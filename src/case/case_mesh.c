@@ -198,6 +198,7 @@ void case_mesh_ends(const struct settings *s, double lo[3], double hi[3])
     }
 }
 
+/* 1 for each direction in which the mesh is periodic, else 0. */
 void case_mesh_periodic(const struct settings *s, int periodic[3])
 {
     const struct mesh *const m = s->poly;

@@ -92,6 +92,8 @@ static void set_held_forces(struct simulation *sim)
     effects_call(sim, EFFECTS_BEFORE_PARTICLES);
 }
 
+/* Sets the external force [N] on each particle to the constant forces of the
+ * effects. */
 static void apply_held_forces(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
@@ -173,6 +175,7 @@ static int move_with_drag(struct simulation *sim, double *clock)
     return failed;
 }
 
+/* Moves the particles for a step of the fluid without sub-steps of the drag. */
 static int move_freely(struct simulation *sim, double *clock)
 {
     apply_held_forces(sim);
@@ -195,6 +198,8 @@ static int move_others(struct simulation *sim)
     return failed;
 }
 
+/* Counts the step, sets the time [s] and calls the effects that act after a
+ * step. */
 static void finish_step(struct simulation *sim)
 {
     sim->steps++;

@@ -17,6 +17,7 @@ double processes_total(const struct simulation *sim, double x)
     return x;
 }
 
+/* The largest x of all processes, or x where there is one. */
 int processes_largest(const struct simulation *sim, int x)
 {
     return sim->processes == NULL ? x

@@ -113,6 +113,7 @@ void transfer_velocity(struct simulation *sim, double *u_f)
                                      u_f);
 }
 
+/* Interpolates the fluid velocity [m/s] to each particle. */
 void transfer_fluid(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;

@@ -57,6 +57,7 @@ static int link_cells_coordinate(const struct link_cells *l, int k, double x)
     return number_clamped(in / l->width[k], 0, l->cells[k] - 1);
 }
 
+/* The number of the cell at c. */
 static int link_cells_cell_of(const struct link_cells *l, const int c[3])
 {
     return (c[2] * l->cells[1] + c[1]) * l->cells[0] + c[0];

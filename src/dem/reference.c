@@ -176,6 +176,7 @@ static struct history *history_of(struct reference *r, int i, int partner)
 /* A mass [kg] that two have of which neither can move (solid_bodies.h). */
 static const double immovable = 1e50;
 
+/* Keeps the deepest overlap over the diameter [-], with its pair. */
 static void note_overlap(struct reference *r, const struct contact *c, int i,
                          int partner)
 {
@@ -307,6 +308,8 @@ static void reference_add_partners(struct reference *r, int i, double dt)
             if (j > i) reference_add_pair(r, i, j, dt);
 }
 
+/* Puts every sphere into its cell; cells are as wide as the widest one and
+ * the range. */
 static void sort_into_cells(struct reference *r)
 {
     double widest = 0.0;

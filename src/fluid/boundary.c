@@ -451,6 +451,7 @@ void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
         vector_along(boundary_wall_velocity(b, j), 0.0, S, u);
 }
 
+/* Sets the flux [m^3/s] of each inlet face from the velocity of the case. */
 void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
 {
     const struct mesh *const m = fl->mesh;

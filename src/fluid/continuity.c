@@ -67,6 +67,7 @@ struct largest {
     double defect, through, cfl; /* [m^3/s], [m^3/s], [-] */
 };
 
+/* The larger of a and b; a, if b is not a number. */
 static double continuity_larger(double a, double b)
 {
     return b > a ? b : a;

@@ -152,6 +152,7 @@ static void set_momentum_gained(struct fluid *fl)
     }
 }
 
+/* Moves the time levels on by one: new becomes old, old becomes older. */
 void ddt_end(struct fluid *fl)
 {
     const int n = fl->mesh->n_cells;

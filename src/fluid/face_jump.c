@@ -93,6 +93,8 @@ FACE_KERNEL split_by_flux(int f, int o, int n, const void *with)
                fl->levels->convecting_flux[f]);
 }
 
+/* Splits the inertia of each face between its cells, by velocities or by the
+ * flux. */
 static void split_jumps(struct fluid *fl)
 {
     if (piso_nondissipative(fl))

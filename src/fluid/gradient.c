@@ -112,6 +112,8 @@ void gradient_of_faces(struct fluid *fl)
     PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
 }
 
+/* Computes the pressures of the faces [Pa] and the gradient of each cell
+ * [Pa/m]. */
 void gradient_update(struct fluid *fl)
 {
     inner_pressures(fl);
@@ -162,6 +164,8 @@ static double required_gradient(const struct fluid *fl, int k)
     return (flow - V * fl->options.mean_flow[k]) / loss;
 }
 
+/* Adds to the fluxes what the mean pressure gradient [Pa/m] of a periodic box
+ * drives. */
 void gradient_add_mean(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;

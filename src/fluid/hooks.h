@@ -40,6 +40,7 @@ static inline double shared_largest(const struct shared_solution *s, double x)
     return s == 0 ? x : s->largest(s->parts, x);
 }
 
+/* The smallest x of all processes. */
 static inline double shared_smallest(const struct shared_solution *s, double x)
 {
     return -shared_largest(s, -x);

@@ -20,6 +20,7 @@ struct sum {
     double gross;      /* [N s] the sum of their magnitudes */
 };
 
+/* Adds an impulse [N s] along k, and its size to the gross sum. */
 static void momentum_balance_add(struct sum *s, int k, double impulse)
 {
     s->impulse[k] += impulse;
@@ -97,6 +98,7 @@ static void add_mean_gradient(const struct fluid *fl, struct sum *s)
     }
 }
 
+/* Adds the impulse [N s] of the bodies that the mesh resolves. */
 static void add_immersed(const struct immersed *bodies, struct sum *s)
 {
     for (int k = 0; k < 3; k++)

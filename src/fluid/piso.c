@@ -20,6 +20,7 @@ static void count_relabelled(struct fluid *fl)
         fl->relabelled[k] += scale * sum[k];
 }
 
+/* Whether every pressure and velocity is a finite number. */
 static int all_finite(const struct fluid *fl)
 {
     double sum = 0.0; /* of zeros; or it is not a number */
@@ -30,6 +31,7 @@ static int all_finite(const struct fluid *fl)
     return sum == 0.0;
 }
 
+/* Keeps the report of the solution with the most iterations, or that failed. */
 static void keep_worst_report(struct solve_report *worst,
                               struct solve_report now)
 {

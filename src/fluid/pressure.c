@@ -122,6 +122,7 @@ static void store_jump_fluxes(const struct fluid *fl)
     }
 }
 
+/* Finds the mobility of each face (6.6), and what its old flux contributes. */
 static void face_mobilities(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -273,6 +274,8 @@ FACE_KERNEL inner_pressure_flux(int f, int o, int n, const void *with)
     fl->phi[f] -= fl->pressure->conductance[f] * (fl->p[n] - fl->p[o]);
 }
 
+/* Adds to each flux [m^3/s] the part that the pressures beside the face
+ * drive. */
 static void add_pressure_fluxes(struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;

@@ -135,6 +135,8 @@ static void neighbour_rows(int first, int last, const struct fluid *fl)
         H[i] -= momentum->slip[i] * u[i];
 }
 
+/* H [N] of (6.2): known terms less what the neighbours' velocities
+ * contribute. */
 void velocity_neighbour_sum(struct fluid *fl)
 {
     struct momentum_system *const momentum = fl->momentum;

@@ -261,6 +261,8 @@ static void cg_many_advance(int first, int last, const struct cg_many_work *w,
     FOR_FIELD_GROUPS(w->m, advance_rows, first, last, w, alpha, x, sums);
 }
 
+/* Takes a step of each field along its direction; returns the sums of the
+ * residuals. */
 static struct sums advance_all(const struct cg_many_work *w,
                                const struct fields *alpha, double *x)
 {

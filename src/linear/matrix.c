@@ -86,6 +86,7 @@ struct csr *csr_create(int n, int n_links, const int *owner,
     return A;
 }
 
+/* Frees a matrix; NULL is allowed. */
 void csr_free(struct csr *A)
 {
     if (A == NULL) return;
@@ -217,6 +218,7 @@ static const double *entries(const struct ldu *A, const struct face_piece *p)
     return (p->out > 0.0 ? A->upper : A->lower) + p->face;
 }
 
+/* Whether a piece of successive faces consists of links between two cells. */
 static int is_inner(const struct ldu *A, const struct face_piece *p)
 {
     return p->face < A->n_links;

@@ -5,6 +5,7 @@
 
 enum { LANES = 32 };
 
+/* The sum of x y over first ... last - 1, in 32 interleaved sums. */
 double reduce_range(int first, int last, const double *x, const double *y)
 {
     double lane[LANES] = {0.0};

@@ -37,6 +37,7 @@ static double *edges_create(double size, int n, double grading)
     return edge;
 }
 
+/* The width [m] of cell i along axis k. */
 static double width(const struct box *b, int k, int i)
 {
     return b->edge[k][i + 1] - b->edge[k][i];
@@ -67,6 +68,7 @@ static double face_area(const struct box *b, int k, const int at[3])
     return width(b, k1, at[k1]) * width(b, k2, at[k2]);
 }
 
+/* The number of the cell at the place (i, j, k), with i fastest. */
 static int cell_index(const struct box *b, const int at[3])
 {
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);

@@ -42,6 +42,7 @@ void table_head_clear(struct table_head *h)
     *h = (struct table_head){0};
 }
 
+/* Prints which action on which table failed and why; returns 1. */
 static int table_report_failure(const char *what, const char *path)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));

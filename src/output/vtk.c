@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 
+/* Whether the name of a file ends in .vtu. */
 static int vtk_is_grid(const char *path)
 {
     const char *const end = strrchr(path, '.');

@@ -124,6 +124,7 @@ static void compressor_init(z_stream *z, int level)
     }
 }
 
+/* Makes the list of block sizes long enough for n. */
 static void vtk_blocks_make_room(struct vtk_blocks *b, size_t n)
 {
     if (n <= b->n_size) return;
@@ -165,6 +166,7 @@ static size_t vtk_blocks_pack(struct vtk_blocks *b, z_stream *z, size_t bytes)
     return done ? (size_t)z->total_out : 0;
 }
 
+/* Writes n numbers of eight bytes. */
 static void put_words(FILE *out, const uint64_t *word, size_t n)
 {
     fwrite(word, sizeof word[0], n, out);

@@ -117,6 +117,7 @@ void recorder_free(struct recorder *r)
 
 /* --- extremes for the summary --------------------------------------------- */
 
+/* Keeps the largest overlap, residuals and Courant number, the lowest eps. */
 static void update_extremes(struct recorder *r)
 {
     const struct simulation *const sim = r->sim;
@@ -139,6 +140,7 @@ static void update_extremes(struct recorder *r)
 
 /* --- rows and fields ------------------------------------------------------ */
 
+/* Adds a row to history.csv, with the columns of the effects behind its own. */
 static int recorder_add_row(struct recorder *r)
 {
     const struct effect_state *const all = r->sim->effects;
@@ -153,6 +155,7 @@ static int recorder_add_row(struct recorder *r)
     return table_add(r->history, row) != 0;
 }
 
+/* Writes the fields of the snapshot for ParaView, and those of the models. */
 static int recorder_add_fields(struct recorder *r)
 {
     int failed = field_output_add(r->pictures, r->snapshot);
@@ -161,6 +164,8 @@ static int recorder_add_fields(struct recorder *r)
     return failed;
 }
 
+/* Copies the present state, and gathers it where several processes compute
+ * it. */
 static void recorder_take_snapshots(struct recorder *r)
 {
     struct processes *const others = r->sim->processes;

@@ -205,6 +205,8 @@ static double fastest_motion(const struct settings *s)
     return most;
 }
 
+/* The scales of a case that are known before its run: cells, steps, speeds,
+ * times. */
 struct case_scales case_scales_of(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);

@@ -31,23 +31,29 @@ static double numerator(double s, double last)
     return 1.0 + 3.0 * sqrt(s / 2.0) + 135.0 / 64.0 * s * log(s) + last * s;
 }
 
+/* Force in slow flow over Stokes' law [-] at the solids fraction s, as Re
+ * goes to 0. */
 static double F_0(double s)
 {
     return slow_flow(s, numerator(s, 17.14) /
                             (1.0 + s * (0.681 + s * (-8.48 + s * 8.16))));
 }
 
+/* Coefficient [-] of the square of Re in slow flow, at the solids fraction
+ * s. */
 static double F_1(double s)
 {
     return s <= 0.1 ? sqrt(2.0 / s) / 40.0 : 0.11 + 0.00051 * exp(11.6 * s);
 }
 
+/* Force [-] at Re = 0 on the straight line of fast flow, at s. */
 static double F_2(double s)
 {
     return slow_flow(s, numerator(s, 17.89) /
                             (1.0 + s * (0.681 + s * (-11.03 + s * 15.41))));
 }
 
+/* Slope [-] of the force with Re in fast flow, at the solids fraction s. */
 static double F_3(double s)
 {
     return s < 0.0953 ? 0.9351 * s + 0.03667
@@ -198,12 +204,14 @@ const struct drag_law drag_tenneti = {
 
 static const double last_Re = 1000.0;
 
+/* Force over Stokes' law [-] in slow flow; K_0 is a function of eps_f alone. */
 static double K_1(double eps_f, double K_0)
 {
     return (1.0 + 128.0 * K_0 + 715.0 * K_0 * K_0) /
            (eps_f * eps_f * (1.0 + 49.5 * K_0));
 }
 
+/* Growth of the force with Re [-] for a single sphere. */
 static double K_2(double Re)
 {
     return (1.0 + 0.130 * Re + 6.66e-4 * Re * Re) /
@@ -211,6 +219,7 @@ static double K_2(double Re)
            1.0;
 }
 
+/* Growth of the force with Re [-] in a dense bed, at eps_f. */
 static double K_3(double eps_f, double Re, double K_0)
 {
     const double e2 = eps_f * eps_f;

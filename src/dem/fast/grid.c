@@ -94,12 +94,16 @@ static void grid_divide(struct grid *g, const struct particles *ps,
     }
 }
 
+/* The index of the cell along axis k that contains x [m], the first or last
+ * outside. */
 static int grid_coordinate(const struct grid *g, int k, double x)
 {
     return number_clamped((x - g->origin[k]) * g->inverse[k], 0,
                           g->cells[k] - 1);
 }
 
+/* The number of the cell at c, with the slowest index along the longest
+ * side. */
 static int grid_cell_number(const struct grid *g, const int c[3])
 {
     const int *const a = g->axis;

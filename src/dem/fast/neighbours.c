@@ -57,6 +57,7 @@ void neighbours_free(struct neighbours *nb)
     free(nb);
 }
 
+/* The chunks whose lists this thread makes, an equal number for each thread. */
 struct chunk_range neighbours_static_range(const struct neighbours *nb)
 {
     const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
@@ -266,6 +267,8 @@ static void restore_history(struct neighbours *nb,
     chunk_restore_history(chunk_of(nb, k.owner), &k);
 }
 
+/* Sorts the particles and builds all neighbour lists; displacements are
+ * kept. */
 static void rebuild(struct neighbours *nb)
 {
     const struct chunk_range mine = neighbours_static_range(nb);

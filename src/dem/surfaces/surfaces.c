@@ -166,6 +166,7 @@ void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
     c->built_time = c->time;
 }
 
+/* Chooses, for chunk s, the faces that are nearer than the margin [m]. */
 void surfaces_choose_contacts(struct surfaces *sf, int s,
                               const struct bodies *b, double margin)
 {

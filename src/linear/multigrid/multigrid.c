@@ -43,6 +43,7 @@ struct level {
                   same ratio of lengths for coefficients to a wall, 1 inside */
 };
 
+/* For each group the list of its members, in ascending order. */
 static struct level_members members_of(int n_groups, int n, const int *group)
 {
     struct level_members m = {alloc_ints(n_groups + 1), NULL, NULL};
@@ -361,6 +362,8 @@ static void multigrid_smooth(struct level *v)
                    w.second, v->y);
 }
 
+/* Solves the coarsest level by elimination, or by many sweeps where it is
+ * large. */
 static void solve_coarsest(struct multigrid *mg)
 {
     struct level *const v = &mg->level[mg->n_levels - 1];
@@ -448,6 +451,8 @@ static void direction_rows(int first, int last, const float *y, double scale,
         p[i] = scale * (double)y[i] + beta * p[i];
 }
 
+/* The new direction, the preconditioned residual plus beta times the old
+ * one. */
 static void multigrid_kind_direction(const void *matrix, const double *r,
                                      double beta, double *p)
 {

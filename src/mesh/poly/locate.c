@@ -39,6 +39,7 @@ struct bins {
     double slack; /* [m] gaps between warped faces are no wider */
 };
 
+/* The grid of bins in which cells are looked up. */
 static struct bins *bins_of(const struct mesh *m)
 {
     return (struct bins *)m->search;
@@ -91,6 +92,7 @@ static void nearest_image(const struct mesh *m, double o[3])
     }
 }
 
+/* Keeps cell c if the point exceeds its faces by less [m] than those so far. */
 static void try_cell(struct walk *w, int c, double excess)
 {
     if (w->best >= 0 && excess >= w->excess) return;
