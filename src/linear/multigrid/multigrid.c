@@ -451,8 +451,7 @@ static void direction_rows(int first, int last, const float *y, double scale,
         p[i] = scale * (double)y[i] + beta * p[i];
 }
 
-/* The new direction, the preconditioned residual plus beta times the old
- * one. */
+/* The new direction: the preconditioned residual plus beta times the old. */
 static void multigrid_kind_direction(const void *matrix, const double *r,
                                      double beta, double *p)
 {
