@@ -71,7 +71,7 @@ shortened() {
 
 # The whole form of `winnow run CASE ...`.
 bounded() {
-    seconds=$(cd "$work" && build/winnow check "$3" | awk '$1 == "time" { print int($2) }')
+    seconds=$(cd "$work" && build/winnow check "$3" | awk '$1 == "time" { print int($2) * (/at least/ ? 10 : 1) }')
     if [ "${seconds:-61}" -le 60 ]; then echo "$*"
     elif [ "${seconds:-61}" -le 1800 ]; then ended "$@"
     else shortened "$@"; fi

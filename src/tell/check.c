@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tell/check.h"
 
+#include "base/clock.h"
+#include "coupling/coupling.h"
 #include "averaging/averaging.h"
 #include "mesh/measures.h"
 #include "dem/contact.h"
@@ -15,7 +17,9 @@
 #include "case/case_file.h"
 #include "case/command.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
+#include <omp.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -179,7 +183,67 @@ static void print_interval(const struct settings *s, const char *name,
     text_line(name, given, "s", remark);
 }
 
-static void print_cost(const struct settings *s, const struct case_scales *k)
+/* The first steps of a case, for at most `enough` of one core; nothing is
+ * written. A bed does not settle for that, so that its grains do not touch. */
+static const double enough = 0.3; /* [s] */
+
+static long first_steps(const struct settings *s, double *seconds, int *code,
+                        char why[BREAKDOWN_TEXT])
+{
+    const int threads = omp_get_max_threads();
+    const long most = GSL_MIN(20, case_steps_until_end(s));
+    struct settings now = *s;
+    long n = 0;
+
+    now.particles.bed.settle = 0.0;
+    now.particles.bed_file = NULL;
+    omp_set_num_threads(1);
+    struct simulation *const sim = build_simulation(&now, code);
+    int failed = sim != NULL && coupling_start(sim) != 0;
+    *seconds = 0.0;
+    while (sim != NULL && !failed && n < most && *seconds < enough) {
+        const double began = clock_processor();
+        failed = coupling_step(sim) != 0;
+        *seconds += clock_processor() - began;
+        n += !failed;
+    }
+    if (failed) breakdown_describe(sim, why);
+    build_free(sim);
+    omp_set_num_threads(threads);
+    return n;
+}
+
+/* What a step of the case takes tells how long it runs, and whether it will
+ * end at once. A step that takes too long for this is left to --try. */
+static int print_time(const struct settings *s, const struct case_scales *k)
+{
+    const int settles = s->particles.has_bed && s->particles.bed.settle > 0.0;
+    char remark[96], why[BREAKDOWN_TEXT] = "";
+    double seconds;
+    int code = 0, comes = 0;
+
+    for (int i = 0; i < s->particles.insert.n; i++)
+        comes |= !insertion_at_once(&s->particles.insert.item[i].of);
+    if (processes_engine != NULL) return 0;
+    if (case_scales_cost(k, s->has.fluid) * k->dt / k->end > enough) {
+        printf("  time: winnow check %s --try %.2g tells\n", s->file,
+               20.0 * k->dt);
+        return 0;
+    }
+    const long n = first_steps(s, &seconds, &code, why);
+    if (why[0] != '\0' && !settles) printf("  the run ENDS: %s\n", why);
+    if (n < 1 || why[0] != '\0') return code;
+    snprintf(remark, sizeof remark, "of one core, %sfrom its first %ld steps%s",
+             settles || comes ? "at least; " : "about, ", n,
+             settles ? ", before the bed has settled"
+             : comes ? ", before all grains have come"
+                     : "");
+    text_line("time", seconds / (double)n * (double)case_steps_until_end(s),
+              "s", remark);
+    return code;
+}
+
+static int print_cost(const struct settings *s, const struct case_scales *k)
 {
     const struct output_options *const o = &s->output;
     const double steps = k->end / k->dt;
@@ -193,8 +257,7 @@ static void print_cost(const struct settings *s, const struct case_scales *k)
                    o->every, k->dt);
     text_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
     text_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
-    text_line("time", case_scales_seconds(s), "s",
-              "about, after settling, on one core");
+    return print_time(s, k);
 }
 
 int check_case(const struct settings *s)
@@ -223,9 +286,9 @@ int check_case(const struct settings *s)
         print_weight(s, &k);
         check_effects(s, &k);
     }
-    print_cost(s, &k);
+    const int code = print_cost(s, &k);
     check_accuracy(s, &k);
-    return case_scales_check(s); /* as a run is refused */
+    return code != 0 ? code : case_scales_check(s); /* as a run is refused */
 }
 
 static int check_wrong(const char *why)

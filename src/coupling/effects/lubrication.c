@@ -229,14 +229,12 @@ lubrication_estimate(const struct effect_scales *k)
     if (!meets || !k->carried || !(St > 0.0)) return e;
     e.share = NAN; /* it is no force that lasts */
     e.loss = fmin(1.0, 10.0 / St);
-    e.of = "the speed of an impact";
+    e.of = k->numbers != NULL ? "the speed of an impact"
+                              : "the speed of the grains";
     snprintf(e.remark, sizeof e.remark,
              "an impact at a Stokes number of %.3g loses %.2g %% of its speed",
              St, 100.0 * e.loss);
-    if (k->numbers == NULL) {
-        e.of = "the speed of the grains";
-        e.loss *= seen * fmin(1.0, k->tau * k->meetings);
-    }
+    if (k->numbers == NULL) e.loss *= seen * fmin(1.0, k->tau * k->meetings);
     return e;
 }
 
