@@ -111,17 +111,16 @@ static int wrong_options(const struct averaging_options *o)
     if (diffusion_scheme_named(o->scheme) == NULL)
         return diffusion_report_unknown(
             "scheme", o->scheme,
-            "exponential, series, crank-nicolson, implicit-euler or "
-            "sdirk2");
+            "exponential, series, crank-nicolson, implicit-euler or sdirk2");
     if (!bandwidth_has_rule(o->vary))
         return diffusion_report_unknown("variation of its bandwidth",
                                         o->regions.n > 0 ? "regions" : o->vary,
                                         "uniform, cells or grains");
     if (o->steps < 1)
-        return fprintf(stderr,
-                       "winnow: the diffusion has %d steps; "
-                       "expected 1 or more [-]\n",
-                       o->steps);
+        return fprintf(
+            stderr,
+            "winnow: the diffusion has %d steps; expected 1 or more [-]\n",
+            o->steps);
     return 0;
 }
 

@@ -258,9 +258,9 @@ static int check_files(const struct settings *s)
                                                  : NULL;
 
     if (of_box == NULL) return 0;
-    return settings_wrong(s, of_box,
-                          "the mesh comes from files; leave this key or "
-                          "mesh.polymesh out");
+    return settings_wrong(
+        s, of_box,
+        "the mesh comes from files; leave this key or mesh.polymesh out");
 }
 
 static int check_box(const struct settings *s)
@@ -283,10 +283,10 @@ static int check_numbers(const struct settings *s)
     const double faces = mesh_box_faces(&s->mesh.box);
 
     if (faces <= MESH_MOST_FACES) return 0;
-    return settings_wrong(s, KEY_OF(s, mesh.box.cells),
-                          "%.4g cells with %.3g faces; no more than %d faces "
-                          "can be numbered",
-                          case_mesh_cells(s), faces, MESH_MOST_FACES);
+    return settings_wrong(
+        s, KEY_OF(s, mesh.box.cells),
+        "%.4g cells with %.3g faces; no more than %d faces can be numbered",
+        case_mesh_cells(s), faces, MESH_MOST_FACES);
 }
 
 int case_mesh_check_keys(const struct settings *s)
@@ -323,16 +323,15 @@ static int mesh_check_shape(const struct settings *s, const struct mesh *m)
 
     for (int k = 0; k < 3 && m->face_centre == NULL; k++)
         if (!(unevenness(&m->box, k) <= most_uneven))
-            return settings_wrong(s, KEY_OF(s, mesh.box.grading),
-                                  "the widest cell is %.3g times the "
-                                  "narrowest in %c; at most %g",
-                                  unevenness(&m->box, k), 'x' + k, most_uneven);
+            return settings_wrong(
+                s, KEY_OF(s, mesh.box.grading),
+                "the widest cell is %.3g times the narrowest in %c; at most %g",
+                unevenness(&m->box, k), 'x' + k, most_uneven);
     mesh_volumes(m, &least, &most, &mean);
     if (least >= tiny && most <= huge) return 0;
-    return settings_wrong(s, key,
-                          "the cells have %g to %g m^3; expected between %g "
-                          "and %g m^3",
-                          least, most, tiny, huge);
+    return settings_wrong(
+        s, key, "the cells have %g to %g m^3; expected between %g and %g m^3",
+        least, most, tiny, huge);
 }
 
 int case_mesh_check_cells(const struct settings *s)

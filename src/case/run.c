@@ -132,8 +132,7 @@ static void print_last_line(const struct run *run, int code)
                 dir);
     else if (code == INTERRUPTED)
         fprintf(stderr,
-                "winnow: interrupted at t = %g s; what is done is in "
-                "%s\n",
+                "winnow: interrupted at t = %g s; what is done is in %s\n",
                 run->sim->t, dir);
     else if (code == 0)
         recorder_print(run->recorder);

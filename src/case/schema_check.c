@@ -247,10 +247,9 @@ static int unit_range_check(const struct key *key, const char *path,
     const double x = extreme(key, s);
 
     if (x == 0.0) return 0;
-    return source_wrong(s,
-                        "%s: expected 0 or a magnitude between %g and %g [%s], "
-                        "found %g",
-                        path, r->least, r->most, key->unit, x);
+    return source_wrong(
+        s, "%s: expected 0 or a magnitude between %g and %g [%s], found %g",
+        path, r->least, r->most, key->unit, x);
 }
 
 /* --- the tree ---------------------------------------------------------------

@@ -350,9 +350,8 @@ static int override_set(config_setting_t *group, const char *name,
     if (read_value(&tree, value))
         code = override_put(group, name, text, config_lookup(&tree, "value"));
     else
-        code = report_wrong(
-            text, "the text after = is not one value of a case file; quote "
-                  "a text with blanks");
+        code = report_wrong(text, "the text after = is not one value of a case "
+                                  "file; quote a text with blanks");
     config_destroy(&tree);
     return code;
 }

@@ -56,11 +56,10 @@ static void describe_fluid(const struct simulation *sim, const char *when,
                        "fluid.convection = \"upwind\"";
 
     if (angle > 80.0)
-        snprintf(
-            advice, sizeof advice,
-            "The mesh has links at %.1f degrees to the normals of their faces, "
-            "more than 80: improve it",
-            angle);
+        snprintf(advice, sizeof advice,
+                 "The mesh has links at %.1f degrees to the normals of their "
+                 "faces, more than 80: improve it",
+                 angle);
     snprintf(text, BREAKDOWN_TEXT,
              "the flow solver broke down %s: momentum %s after %d iterations "
              "(residual %.2g), pressure %s after %d (residual %.2g), CFL "
@@ -136,8 +135,8 @@ static void describe_solids(const struct simulation *sim, const char *when,
     snprintf(text, BREAKDOWN_TEXT,
              "a cell holds more solids than it has room for %s: the lowest "
              "fluid fraction is %.3g.\nTry averaging.method = \"diffusion\", "
-             "or \"kernel\" with a bandwidth from 1.5 of the largest cells "
-             "on, larger cells, or averaging.cap with \"pcm\"",
+             "or \"kernel\" with a bandwidth from 1.5 of the largest cells on, "
+             "larger cells, or averaging.cap with \"pcm\"",
              when, sim->coupling->report.eps_lowest);
 }
 
@@ -253,9 +252,7 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
         describe_seen(sim, when, text);
     else
         snprintf(text, BREAKDOWN_TEXT,
-                 "a value is no longer finite %s.\nTry "
-                 "smaller steps",
-                 when);
+                 "a value is no longer finite %s.\nTry smaller steps", when);
 }
 
 int breakdown_overlaps(const struct simulation *sim)

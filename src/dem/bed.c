@@ -167,11 +167,10 @@ int bed_each(const struct bed_options *bed, const struct dem_options *dem,
         return 1;
     const int n = fill_lattice(&l, bed, dem, put, to);
     if (n == bed->count) return 0;
-    fprintf(
-        stderr,
-        "winnow: %sthe bed does not fit: the mesh has room for %d of its %d "
-        "spheres on a lattice\n",
-        bed->where, n, bed->count);
+    fprintf(stderr,
+            "winnow: %sthe bed does not fit: the mesh has room for %d of its "
+            "%d spheres on a lattice\n",
+            bed->where, n, bed->count);
     return 1;
 }
 

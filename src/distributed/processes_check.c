@@ -53,9 +53,9 @@ void processes_check_print(const struct settings *s,
     text_line("time on one core", one, "s", "about, by build/winnow");
     text_line("time of one rank", slower * one, "s",
               "about, by build/winnow-mpi");
-    text_line("ranks for each thread replaced", slower, "-",
-              "below that it only pays where one machine has too little "
-              "memory");
+    text_line(
+        "ranks for each thread replaced", slower, "-",
+        "below that it only pays where one machine has too little memory");
     text_line("memory of all ranks",
               1e-6 * (per_particle * k->particles + per_cell * k->cells), "MB",
               "about; of N ranks a part each, and their layers");
@@ -66,10 +66,10 @@ int processes_check_run(const struct settings *s)
 {
     if (processes_engine != NULL) return processes_engine->check(s);
     if (!is_distributed(s)) return 0;
-    return settings_wrong(s, "engine",
-                          "this program computes on one machine; run the case "
-                          "with mpirun -n N build/winnow-mpi (make "
-                          "distributed)");
+    return settings_wrong(
+        s, "engine",
+        "this program computes on one machine; run the case with mpirun -n N "
+        "build/winnow-mpi (make distributed)");
 }
 
 /* What the row of a path, or else of the group that it is in, says of several
@@ -193,8 +193,7 @@ static int check_grading(const struct settings *s)
     for (int k = 0; k < 3; k++)
         if (s->mesh.box.grading[k] != 1.0)
             return refuse_key(s, KEY_OF(s, mesh.box.grading),
-                              "cells of different width are "
-                              "not divided yet");
+                              "cells of different width are not divided yet");
     return 0;
 }
 
@@ -217,10 +216,9 @@ int processes_check_export(const struct settings *s)
     const struct words w = words_of(s, 1.0);
     for (int i = 0; i < n * n; i++)
         if (words_restitution(w.hertz, w.pair[i].damping_n) < 0.0)
-            return refuse_key(
-                s, KEY_OF(s, particles.grains.of.restitution),
-                "LAMMPS' dashpot is not as strong as a restitution "
-                "so small needs");
+            return refuse_key(s, KEY_OF(s, particles.grains.of.restitution),
+                              "LAMMPS' dashpot is not as strong as a "
+                              "restitution so small needs");
     return check_keys(s, "particles");
 }
 
@@ -232,12 +230,11 @@ int processes_check_all(const struct settings *s)
                                                     : NULL;
 
     if (missing != NULL)
-        return settings_wrong(s, missing,
-                              "the distributed engine computes fluid and "
-                              "particles together; run on one machine%s",
-                              s->has.fluid ? ""
-                                           : ", or winnow export CASE --to "
-                                             "lammps");
+        return settings_wrong(
+            s, missing,
+            "the distributed engine computes fluid and particles together; run "
+            "on one machine%s",
+            s->has.fluid ? "" : ", or winnow export CASE --to lammps");
     int code = check_keys(s, "");
     if (code == 0) code = check_choices(s);
     if (code == 0) code = check_sides(s);

@@ -24,8 +24,8 @@ const struct key output_keys[] = {
      .divided = KEY_DIVIDED},
     {"output.format", KEY_NAME, "", "vtk | vtu", "vtk",
      "kind of the files for ParaView: vtk, .vtr, .vtp and .vtu, the leanest "
-     "for "
-     "each; vtu, unstructured grids alone, for readers that know only these",
+     "for each; vtu, unstructured grids alone, for readers that know only "
+     "these",
      "", "", .at = KEY_AT(output_options, format)},
     {"output.statistics", KEY_GROUP, "", "", KEY_OPTIONAL,
      "means, errors, correlations of a bed, in the folder statistics",
@@ -84,9 +84,8 @@ const struct key output_keys[] = {
     {"output.probes.position", KEY_VECTOR, "m", "", NULL,
      "the point, inside the box", "", "", .at = KEY_AT(output_probe, position)},
     {"output.contacts", KEY_BOOL, "", "", "false",
-     "contacts.pvd: a line for each contact of particles with each other, "
-     "the box and surfaces, with its elastic force, at the times of the "
-     "pictures",
+     "contacts.pvd: a line for each contact of particles with each other, the "
+     "box and surfaces, with its elastic force, at the times of the pictures",
      "", "particles", .at = KEY_AT(output_options, contacts)},
     {"output.forces", KEY_LIST, "", "", "",
      "forces and torques of the fluid on walls, each { patches, ... }, without "

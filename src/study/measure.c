@@ -18,8 +18,7 @@
  * ends with a point all are taken. */
 static const char in_summary[] =
     " steps cells particles particle_steps_in_a_step particles_in "
-    "particles_out "
-    "particles_waiting step simulated_seconds peak_memory "
+    "particles_out particles_waiting step simulated_seconds peak_memory "
     "particle_steps_per_second cell_steps_per_second seconds.cfd seconds.dem "
     "seconds.averaging seconds.exchange seconds.output seconds.total "
     "seconds.processor worst.mass_residual worst.momentum_residual worst.cfl "

@@ -175,17 +175,13 @@ static int take_words(struct words *w, int n, const char *const *words)
 
 const struct key plan_keys[] = {
     {"title", KEY_TEXT, "", "", "",
-     "heading of the picture; left out: the "
-     "title of the case",
-     "", ""},
+     "heading of the picture; left out: the title of the case", "", ""},
     {"case", KEY_FILE, "", "", NULL,
-     "the case, beside the study unless it "
-     "begins with /",
-     "", ""},
+     "the case, beside the study unless it begins with /", "", ""},
     {"vary", KEY_LIST, "", "", NULL, "what is varied; all crossed", "", ""},
     {"vary.keys", KEY_TEXT, "", "", NULL,
-     "a key of the case, or keys that change together, with colons between; "
-     "or threads: those of a run",
+     "a key of the case, or keys that change together, with colons between; or "
+     "threads: those of a run",
      "", ""},
     {"vary.values", KEY_TEXT, "", "", NULL,
      "its values from coarse to fine, with commas between", "", ""},

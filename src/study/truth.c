@@ -261,9 +261,8 @@ static int take_columns(struct truth *t, const struct measure_table *table)
         if (isinf(x) || isinf(q))
             return truth_refuse(t, 2, "has an infinite number");
         if (isnan(x) || (c->n > 0 && x <= c->x[c->n - 1]))
-            return truth_refuse(t, 2,
-                                "its first column does not rise from row to "
-                                "row");
+            return truth_refuse(
+                t, 2, "its first column does not rise from row to row");
         c->x[c->n] = x;
         c->value[c->n++] = q;
     }
@@ -308,10 +307,10 @@ static int read_function(struct truth *t)
     t->kind = TRUTH_FORMULA;
     t->formula = formula_create(t->text, wrong, sizeof wrong);
     if (t->formula != NULL) return 0;
-    return plan_wrong("truth %s: %s; expected a formula of t or x, an equation "
-                      "KEY name=value ..., FILE.csv, finest, extrapolated or "
-                      "none",
-                      t->text, wrong);
+    return plan_wrong(
+        "truth %s: %s; expected a formula of t or x, an equation KEY "
+        "name=value ..., FILE.csv, finest, extrapolated or none",
+        t->text, wrong);
 }
 
 double truth_value(const struct truth *t, double x)
@@ -337,10 +336,9 @@ int truth_parse(struct truth *t, const char *text)
     const double one = truth_value(t, 0.3), other = truth_value(t, 0.7);
     return (isfinite(one) && one != 0.0) || (isfinite(other) && other != 0.0)
                ? 0
-               : truth_refuse(
-                     t, 2,
-                     "is 0 or nan everywhere, and no error is relative "
-                     "to that");
+               : truth_refuse(t, 2,
+                              "is 0 or nan everywhere, and no error is "
+                              "relative to that");
 }
 
 void truth_free(struct truth *t)

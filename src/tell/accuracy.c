@@ -303,10 +303,9 @@ void check_accuracy(const struct settings *s, const struct case_scales *k)
     if (k->particles > 0 && !s->particles.list->no_contacts)
         add_impacts(s, k, flow, &c);
     qsort(c.all, (size_t)c.n, sizeof *c.all, compare_choices);
-    printf(
-        "What accuracy costs, the largest error first, of a structure of ten "
-        "cells\n  %-38s %9s %9s %9s\n  %-38s %9s %9s %9s\n",
-        "", "error", "then", "time", "", "%", "over", "times");
+    printf("What accuracy costs, the largest error first, of a structure of "
+           "ten cells\n  %-38s %9s %9s %9s\n  %-38s %9s %9s %9s\n",
+           "", "error", "then", "time", "", "%", "over", "times");
     for (int i = 0; i < c.n; i++) {
         const struct choice *const one = &c.all[i];
         char error[32] = "-";

@@ -147,8 +147,7 @@ static const struct equation others[] = {
      "du/dt = (u_f - u) / tau_p, tau_p of XS11:3.17 at u_r = |u_f - u|, u = 0 "
      "at t = 0",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_f [m/s], "
-     "t "
-     "[s]",
+     "t [s]",
      "u", "m/s", EQUATION_BY(drag_released)},
     {"SX15:6", "Gaussian kernel equivalent to diffusion",
      "h = exp(-r^2 / b^2) / (pi b^2)^(3/2)", "r [m], b [m]", "h", "1/m^3",
@@ -330,8 +329,8 @@ static const struct equation equations_ew18[] = {
      "eps)) Re^(-0.5 - 2 (1 - eps)))",
      "eps [-], Re [-]", "g", "-", EQUATION_BY(drag_beetstra_factor)},
     {"EW18:B.7", "slope at a particle in a row of three cells, by a kernel",
-     "X = sum w r (phi - phi_i) / sum w r^2, r = {-h, 0, h} - x, w = "
-     "exp(-r^2 / b^2), phi_i = sum w phi / sum w",
+     "X = sum w r (phi - phi_i) / sum w r^2, r = {-h, 0, h} - x, w = exp(-r^2 "
+     "/ b^2), phi_i = sum w phi / sum w",
      "h [m], b [m], x [m], phi_1 [-], phi_2 [-], phi_3 [-]", "X", "1/m",
      EQUATION_BY(kernel_gradient_row)},
     {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
@@ -355,14 +354,14 @@ static int equations_drag(int i, struct equation *e)
     for (int k = 0; k <= i; k++)
         if (drag_laws[k] == NULL) return 0;
     const struct drag_law *const law = drag_laws[i];
-    *e = (struct equation){.what = law->what,
-                           .formula =
-                               "F = F_d / (3 pi mu d eps_f u_r), Re = eps_f "
-                               "rho_f d u_r / mu",
-                           .inputs = "eps_f [-], Re [-]",
-                           .out = "F",
-                           .unit = "-",
-                           .function = law->function};
+    *e = (struct equation){
+        .what = law->what,
+        .formula =
+            "F = F_d / (3 pi mu d eps_f u_r), Re = eps_f rho_f d u_r / mu",
+        .inputs = "eps_f [-], Re [-]",
+        .out = "F",
+        .unit = "-",
+        .function = law->function};
     snprintf(e->key, sizeof e->key, "%s%s", prefix, law->name);
     add_own_inputs(law->own_keys, e->inputs);
     return 1;

@@ -31,8 +31,7 @@ static void tell_of_effects(const struct settings *s)
         check_verdict(&row[i], verdict);
         if (!row[i].named && strncmp(verdict, "needed", 6) == 0)
             fprintf(stderr,
-                    "winnow: effects.%s is off, and %s; see winnow "
-                    "check\n",
+                    "winnow: effects.%s is off, and %s; see winnow check\n",
                     row[i].effect->name, verdict);
     }
 }

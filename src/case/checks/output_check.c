@@ -27,10 +27,9 @@ static int check_field(const struct settings *s, const char *list,
         strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
 
     if (!s->has.fluid)
-        return settings_wrong(s, list,
-                              "the case has no field %s: fields are those of "
-                              "a fluid",
-                              field);
+        return settings_wrong(
+            s, list, "the case has no field %s: fields are those of a fluid",
+            field);
     if (of_solids && !s->exchange.two_way)
         return settings_wrong(s, list,
                               "the case has no field %s: it needs exchange "
@@ -83,12 +82,12 @@ static int check_names(const struct settings *s)
         profiles_name(&s->output, i, name[i]);
         for (int k = 0; k < i && code == 0; k++)
             if (strcmp(name[i], name[k]) == 0)
-                code = settings_wrong(
-                    s, profiles,
-                    "profiles %d and %d are of the same field on the same line "
-                    "from the same time: both would be %s.csv; leave one of "
-                    "them out",
-                    k, i, name[i]);
+                code =
+                    settings_wrong(s, profiles,
+                                   "profiles %d and %d are of the same field "
+                                   "on the same line from the same time: both "
+                                   "would be %s.csv; leave one of them out",
+                                   k, i, name[i]);
     }
     free(name);
     return code;
@@ -152,10 +151,8 @@ static int check_surfaces(const struct settings *s,
     for (; !is_surface(s, text) && sscanf(text, " %63[^ ]%n", word, &used) == 1;
          text += used)
         if (!is_surface(s, word))
-            return settings_wrong(s, list,
-                                  "there is no surface %s in "
-                                  "particles.surfaces",
-                                  word);
+            return settings_wrong(
+                s, list, "there is no surface %s in particles.surfaces", word);
     if (o->patches == NULL && o->velocity > 0.0)
         return settings_wrong(s, list,
                               "coefficients are of the fluid's force on "
@@ -176,9 +173,9 @@ static int check_patches(const struct settings *s, const char *text)
     int used;
 
     if (text[strspn(text, " ")] == '\0')
-        return settings_wrong(s, list,
-                              "patches is empty; name some, or leave "
-                              "it out for all walls");
+        return settings_wrong(
+            s, list,
+            "patches is empty; name some, or leave it out for all walls");
     for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used)
         if (settings_side(s, word) == NULL && is_surface(s, word))
             return settings_wrong(
@@ -272,12 +269,11 @@ static int unknown_field(const struct settings *s, const char *key,
     for (const struct snapshot_field *f = snapshot_fields; f->name; f++)
         nearest_offer(&n, f->name);
     const char *const best = nearest_best(&n);
-    return settings_wrong(s, key,
-                          "there is no %s; expected mass, material, "
-                          "fluid_force, contact_force, contact_number, grains "
-                          "or grain_diameter%s%s",
-                          word, best != NULL ? "; nearest: " : "",
-                          best != NULL ? best : "");
+    return settings_wrong(
+        s, key,
+        "there is no %s; expected mass, material, fluid_force, contact_force, "
+        "contact_number, grains or grain_diameter%s%s",
+        word, best != NULL ? "; nearest: " : "", best != NULL ? best : "");
 }
 
 /* Known words, each once. */

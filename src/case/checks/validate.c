@@ -87,13 +87,13 @@ static int check_drive(const struct settings *s)
     for (int i = 0; i < 6; i++)
         if (drives[i / 3][i % 3] != 0.0 && !periodic[i % 3])
             return settings_wrong(s, settings_key(s, drives[i / 3]),
-                                  "%s is not periodic, so no mean flow can "
-                                  "be driven along it; expected 0 there",
+                                  "%s is not periodic, so no mean flow can be "
+                                  "driven along it; expected 0 there",
                                   axes[i % 3]);
     if (o->has_mean_gradient && o->has_mean_flow)
-        return settings_wrong(s, KEY_OF(s, fluid.mean_flow),
-                              "the mean gradient follows from it; leave "
-                              "fluid.mean_gradient out");
+        return settings_wrong(
+            s, KEY_OF(s, fluid.mean_flow),
+            "the mean gradient follows from it; leave fluid.mean_gradient out");
     return 0;
 }
 
@@ -117,9 +117,9 @@ static int check_fluid(const struct settings *s)
         code = check_direction(s, k);
     if (code == 0 && has_condition(s, BOUNDARY_INLET) &&
         !has_condition(s, BOUNDARY_OUTLET))
-        return settings_wrong(s, "fluid",
-                              "there is an inlet and no outlet: what flows in "
-                              "cannot leave");
+        return settings_wrong(
+            s, "fluid",
+            "there is an inlet and no outlet: what flows in cannot leave");
     if (code == 0) code = build_boundaries_check(s);
     if (code == 0) code = check_drive(s);
     return code != 0 ? code : validate_check_parts(s);
@@ -132,8 +132,7 @@ static int check_bed_sizes(const struct settings *s)
 
     if (one == (s->particles.bed_sizes != NULL))
         return settings_wrong(s, KEY_OF(s, particles.has_bed),
-                              "give either diameter or "
-                              "sizes%s",
+                              "give either diameter or sizes%s",
                               one ? ", not both" : "");
     return 0;
 }
@@ -195,10 +194,10 @@ static int validate_check_place(const struct settings *s)
                     i, x[0], x[1], x[2], d);
         }
         if (!case_mesh_holds(s, x))
-            return settings_wrong(s, KEY_OF(s, particles.place),
-                                  "sphere %d at [%g, %g, %g] m is not inside "
-                                  "the mesh",
-                                  i, x[0], x[1], x[2]);
+            return settings_wrong(
+                s, KEY_OF(s, particles.place),
+                "sphere %d at [%g, %g, %g] m is not inside the mesh", i, x[0],
+                x[1], x[2]);
     }
     return 0;
 }
@@ -271,16 +270,16 @@ static int check_width(const struct settings *s, const char *key, double b)
 
     sides(s, &longest, &shortest);
     if (b > most_lengths * longest)
-        return settings_wrong(s, key,
-                              "%g m is more than %g times the mesh, which is "
-                              "%g m long: the average would be the same "
-                              "everywhere",
-                              b, most_lengths, longest);
+        return settings_wrong(
+            s, key,
+            "%g m is more than %g times the mesh, which is %g m long: the "
+            "average would be the same everywhere",
+            b, most_lengths, longest);
     if (b > most_widths * shortest)
-        return settings_wrong(s, key,
-                              "%g m is more than %g times the shortest side "
-                              "of the mesh, %g m",
-                              b, most_widths, shortest);
+        return settings_wrong(
+            s, key,
+            "%g m is more than %g times the shortest side of the mesh, %g m", b,
+            most_widths, shortest);
     return 0;
 }
 
@@ -308,10 +307,10 @@ static int check_second_grid(const struct settings *s)
     for (int k = 0; k < 3; k++)
         cells *= fmax(1.0, floor((hi[k] - lo[k]) / b));
     if (cells <= most_cells) return 0;
-    return settings_wrong(s, KEY_OF(s, averaging.bandwidth),
-                          "a second grid of cells of %g m would have %.3g of "
-                          "them; at most %g",
-                          b, cells, most_cells);
+    return settings_wrong(
+        s, KEY_OF(s, averaging.bandwidth),
+        "a second grid of cells of %g m would have %.3g of them; at most %g", b,
+        cells, most_cells);
 }
 
 /* A slope needs cells on both sides of the particle. */
@@ -325,10 +324,10 @@ static int check_gradient_bandwidth(const struct settings *s)
     mesh_free(m);
     if (b >= widest * (1.0 - 1e-9))
         return check_width(s, KEY_OF(s, averaging.gradient_bandwidth), b);
-    return settings_wrong(s, KEY_OF(s, averaging.gradient_bandwidth),
-                          "%g m is less than the widest cell, %g m: too few "
-                          "cells for a slope",
-                          b, widest);
+    return settings_wrong(
+        s, KEY_OF(s, averaging.gradient_bandwidth),
+        "%g m is less than the widest cell, %g m: too few cells for a slope", b,
+        widest);
 }
 
 static int case_averaging_check_given(const struct settings *s)
@@ -365,9 +364,9 @@ int validate_case(struct settings *s)
     int code = 0;
 
     if (!s->has.fluid && !s->has.particles)
-        return settings_wrong(s, "mesh",
-                              "there is neither fluid nor particles: nothing "
-                              "to compute");
+        return settings_wrong(
+            s, "mesh",
+            "there is neither fluid nor particles: nothing to compute");
     const int is_auto = case_scales_is_auto(s);
     if (!is_auto) code = case_steps_check(s);
     if (code == 0 && s->has.fluid) code = check_fluid(s);

@@ -161,10 +161,9 @@ int case_materials_check_name(const struct settings *s, const char *path,
     for (int k = 0; k < s->particles.materials.n; k++)
         nearest_offer(&n, s->particles.materials.item[k].name);
     if (nearest_best(&n) == NULL)
-        return settings_wrong(s, path,
-                              "no material %s: there are %s and the names in "
-                              "%s",
-                              name, "grains", list);
+        return settings_wrong(
+            s, path, "no material %s: there are %s and the names in %s", name,
+            "grains", list);
     return settings_wrong(s, path, "no material %s; did you mean %s?", name,
                           nearest_best(&n));
 }
@@ -215,10 +214,9 @@ static int materials_check_place(const struct settings *s, int i)
     if (case_materials_check_name(s, place, name) != 0) return 2;
     const int number = case_materials_number(s, name);
     if (case_materials_setup(s, number)->density > 0.0) return 0;
-    return settings_wrong(s, place,
-                          "sphere %d is of %s, whose density [kg/m^3] is not "
-                          "given",
-                          i, name);
+    return settings_wrong(
+        s, place, "sphere %d is of %s, whose density [kg/m^3] is not given", i,
+        name);
 }
 
 int case_materials_check(const struct settings *s)

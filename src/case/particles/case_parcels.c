@@ -88,12 +88,11 @@ static int parcels_too_inelastic(const struct settings *s, double e)
     const double l = case_parcels_across(s, 0);
 
     if (!case_parcels_keep_dissipation(s) || l * (1.0 - e * e) < 1.0) return 0;
-    return settings_wrong(
-        s, KEY_OF(s, particles.parcel.restitution),
-        "parcels of %g diameters cannot lose as much as grains of e = %g do: "
-        "expected l (1 - e^2) < 1, here it is %g; at most %.4g grains, or "
-        "\"kept\"",
-        l, e, l * (1.0 - e * e), pow(1.0 - e * e, -3.0));
+    return settings_wrong(s, KEY_OF(s, particles.parcel.restitution),
+                          "parcels of %g diameters cannot lose as much as "
+                          "grains of e = %g do: expected l (1 - e^2) < 1, here "
+                          "it is %g; at most %.4g grains, or \"kept\"",
+                          l, e, l * (1.0 - e * e), pow(1.0 - e * e, -3.0));
 }
 
 static int parcels_check_restitution(const struct settings *s)
@@ -128,14 +127,14 @@ static int parcels_check(const struct settings *s)
     const char *const one = parcels_needing_one_size(s);
 
     if (s->has.bodies)
-        return settings_wrong(s, KEY_OF(s, particles.parcel.grains),
-                              "around bodies that the flow is resolved around "
-                              "there are grains, not parcels; leave "
-                              "particles.parcel or bodies out");
+        return settings_wrong(
+            s, KEY_OF(s, particles.parcel.grains),
+            "around bodies that the flow is resolved around there are grains, "
+            "not parcels; leave particles.parcel or bodies out");
     if (one != NULL && !parcels_are_alike(s))
-        return settings_wrong(s, one,
-                              "it needs the same number of grains in a parcel "
-                              "of each material");
+        return settings_wrong(
+            s, one,
+            "it needs the same number of grains in a parcel of each material");
     return parcels_check_restitution(s);
 }
 
@@ -154,10 +153,10 @@ static int parcels_count(struct settings *s, const char *key, double l,
     const double N = l * l * l, n = round(*count / N);
 
     if (*count > 0 && n < 1.0)
-        return settings_wrong(s, key,
-                              "%d grains are less than half of a parcel, which "
-                              "stands for %g",
-                              *count, N);
+        return settings_wrong(
+            s, key,
+            "%d grains are less than half of a parcel, which stands for %g",
+            *count, N);
     s->particles.parcel.asked += *count;
     s->particles.parcel.made += n * N;
     *count = (int)n;

@@ -112,10 +112,9 @@ static int check_prescribed_exist(const struct settings *s)
     for (int k = 0; k < s->particles.prescribed.n; k++) {
         const int id = prescribed_last(&s->particles.prescribed.item[k].of);
         if (there == 0.0)
-            return settings_wrong(s, prescribed,
-                                  "there is no particle %d: there is none at "
-                                  "the start",
-                                  id);
+            return settings_wrong(
+                s, prescribed,
+                "there is no particle %d: there is none at the start", id);
         if (id >= there)
             return settings_wrong(s, prescribed,
                                   "there is no particle %d: they are 0 to %.0f",
@@ -214,10 +213,9 @@ static int case_surfaces_check_name(const struct settings *s, int i)
     const char *const name = all[i].of.name;
 
     if (name[0] == '\0' || strpbrk(name, ",\"\n") != NULL)
-        return settings_wrong(s, list,
-                              "the name \"%s\" is empty or has a comma or a "
-                              "quote in it",
-                              name);
+        return settings_wrong(
+            s, list, "the name \"%s\" is empty or has a comma or a quote in it",
+            name);
     if (case_walls_count(s) > 0 && strcmp(name, case_walls_name) == 0)
         return settings_wrong(s, list, "the name %s is that of the walls",
                               name);
@@ -288,10 +286,9 @@ static int check_motion(const struct settings *s, const char *of, int i,
         return settings_wrong(
             s, of, "number %d: repeat is of a course, and there is none", i);
     if (m->until > 0.0 && m->until <= m->from)
-        return settings_wrong(s, of,
-                              "number %d moves until %g s, which is not "
-                              "after from = %g s",
-                              i, m->until, m->from);
+        return settings_wrong(
+            s, of, "number %d moves until %g s, which is not after from = %g s",
+            i, m->until, m->from);
     if ((m->frequency > 0.0) != (vector_length(m->amplitude) > 0.0))
         return settings_wrong(
             s, of, "number %d: amplitude and frequency go together", i);
@@ -373,9 +370,8 @@ int case_surfaces_check(struct settings *s)
     return code != 0 ? code : case_walls_check(s);
 }
 
-static const char unseen[] =
-    "no walls for the fluid, which bodies and the patches of a mesh from files "
-    "are";
+static const char unseen[] = "no walls for the fluid, which bodies and the "
+                             "patches of a mesh from files are";
 
 /* 1 if there are surfaces in a fluid, which it does not see. */
 static int are_unseen(const struct settings *s)

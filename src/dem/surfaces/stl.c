@@ -102,10 +102,9 @@ static int read_binary(struct source *in, struct stl *s)
         for (int k = 0; k < 9; k++) {
             corner[k / 3][k % 3] = float_at(record + 12 + 4 * k);
             if (!isfinite(corner[k / 3][k % 3]))
-                return stl_wrong(in,
-                                 "corner %d of triangle %d (byte %zu) is not a "
-                                 "number",
-                                 k / 3, t, HEAD + 4 + (size_t)t * RECORD);
+                return stl_wrong(
+                    in, "corner %d of triangle %d (byte %zu) is not a number",
+                    k / 3, t, HEAD + 4 + (size_t)t * RECORD);
         }
         stl_add(s, &room, corner);
     }
@@ -221,9 +220,8 @@ static int read_either(struct source *in, struct stl *s)
     }
     if (begins_with_solid(in)) return stl_read_text(in, s);
     if (in->length < HEAD + 4)
-        return stl_wrong(in,
-                         "not an STL file: neither \"solid\" nor the 84 bytes "
-                         "of a binary header");
+        return stl_wrong(in, "not an STL file: neither \"solid\" nor the 84 "
+                             "bytes of a binary header");
     return stl_wrong(in,
                      "not an STL file, or truncated: its header announces %.0f "
                      "triangles, which make %.0f bytes; it has %zu",

@@ -281,11 +281,10 @@ static int starts_wrong(const struct particles *ps, int i,
 
     if (r >= (1.0 - most) * R) return 0;
     if (r < 0.0)
-        fprintf(
-            stderr,
-            "winnow: %sparticle %d at [%g, %g, %g] m begins %g m deep in the "
-            "surface \"%s\"\n",
-            where, ps->id[i], x[0], x[1], x[2], -r, s->name);
+        fprintf(stderr,
+                "winnow: %sparticle %d at [%g, %g, %g] m begins %g m deep in "
+                "the surface \"%s\"\n",
+                where, ps->id[i], x[0], x[1], x[2], -r, s->name);
     else
         fprintf(stderr,
                 "winnow: %sparticle %d at [%g, %g, %g] m begins %g m from the "

@@ -69,11 +69,10 @@ static void put_arrays(FILE *f, const char *section, int n,
 {
     fprintf(f, "<P%s>\n", section);
     for (int i = 0; i < n; i++)
-        fprintf(f,
-                "<PDataArray type=\"%s\" Name=\"%s\" "
-                "NumberOfComponents=\"%d\"/>\n",
-                vtk_array_type(&arrays[i]), arrays[i].name,
-                arrays[i].components);
+        fprintf(
+            f,
+            "<PDataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\"/>\n",
+            vtk_array_type(&arrays[i]), arrays[i].name, arrays[i].components);
     fprintf(f, "</P%s>\n", section);
 }
 
