@@ -161,8 +161,7 @@ static int main_wrong_word(int argc, char **argv)
 /* The next file that is opened would get the number of a closed stream, and
  * messages would be written to it. So closed streams are opened on /dev/null;
  * results on a closed stdout still count as not written. Non-zero if that
- * fails.
- */
+ * fails. */
 static int open_streams(void)
 {
     static const int how[] = {O_RDONLY, O_RDONLY, O_WRONLY};

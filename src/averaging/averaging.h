@@ -153,8 +153,7 @@ int averaging_check(const struct averaging_method *, const struct mesh *,
 /* The descriptor of an averaging method.
  *
  * It is included by the methods (pcm.c, kernel.c, ...) and by the list of them;
- * all other files include averaging.h.
- */
+ * all other files include averaging.h. */
 
 struct averaging_options;
 struct averaging_report;
@@ -202,8 +201,7 @@ extern const struct key averaging_delta_keys[];
  * A method of averaging takes account of the walls of the mesh, not of other
  * solids: what it puts into the cells of these is moved out again, and a field
  * is continued into them before it is interpolated. The two are adjoint, so
- * that the sums of the averaging are conserved.
- */
+ * that the sums of the averaging are conserved. */
 
 struct averaging_wall {
     /* Moves the densities of the closed cells to open ones; sum V field stays.

@@ -51,8 +51,7 @@ double diffusion_bandwidth(double T);
 int diffusion_needed_steps(const struct mesh *mesh,
                            const struct averaging_options *o);
 
-/* The descriptor of a time scheme of the diffusion.
- */
+/* The descriptor of a time scheme of the diffusion. */
 
 struct averaging_options;
 struct averaging_report;

@@ -26,8 +26,7 @@ FILE *file_stream(struct file *f);
 int file_commit(struct file *f);
 
 /* Discards the file: removes PATH.partial and releases f. file_discard(NULL) is
- * fine.
- */
+ * fine. */
 void file_discard(struct file *f);
 
 /* Removes PATH.partial, for a program that ends while PATH is being written. */

@@ -1,9 +1,8 @@
 /* key.h -- one row of documentation for one key of a case file.
  *
  * The rows are the only place where a key is described: the strict check and
- * its messages, `winnow list` and the reference chapter are all made from
- * them. No other file describes a key; the rows of an effect are in its
- * descriptor.
+ * its messages, `winnow list` and the reference chapter are all made from them.
+ * No other file describes a key; the rows of an effect are in its descriptor.
  */
 #ifndef BASE_KEY_H
 #define BASE_KEY_H

@@ -58,10 +58,9 @@ struct settings {
     struct settings_text *text;         /* the case as it is written */
 };
 
-/* Reads and checks. tables: a list of tables, ended by NULL
- * (the tables are borrowed, and so are the overrides). NULL
- * after one message on stderr; *code is then 2 if the input is wrong, 4 if it
- * could not be read, and else 0. */
+/* Reads and checks. tables: a list of tables, ended by NULL (the tables are
+ * borrowed, and so are the overrides). NULL after one message on stderr; *code
+ * is then 2 if the input is wrong, 4 if it could not be read, and else 0. */
 struct settings *settings_create(const char *file, int n_overrides,
                                  const char *const *overrides,
                                  const struct key *const *tables, int *code);

@@ -231,8 +231,7 @@ double coefficient_reynolds(double eps, double rho_f, double mu, double d,
  * printed with the densities the other way round and without saying of which
  * velocity beta is the coefficient. u_mf is superficial, so beta is Ergun's
  * pressure drop over it, beta = 150 (1 - eps)^2 mu / (eps^3 d^2) +
- * 1.75 (1 - eps) rho_f u_mf / (eps^3 d).
- */
+ * 1.75 (1 - eps) rho_f u_mf / (eps^3 d). */
 
 /* With a = beta of slow flow and b u_mf the rest, the positive root of
  * b u^2 + a u = w, without the difference of two large numbers. */

@@ -105,8 +105,7 @@ double drag_released(double rho_s, double eps_s, double rho_f, double mu,
 /* A force on a sphere as a drag coefficient.
  *
  * EW18 measures a force by the superficial slip, eps times the interstitial
- * slip u_r [m/s]; F [N] is the whole force along it.
- */
+ * slip u_r [m/s]; F [N] is the whole force along it. */
 
 /* C_d = 8 F / (pi rho_f d^2 eps^2 u_r^2) [-] [EW18 26]; it has the sign of F
  * and u_r. */

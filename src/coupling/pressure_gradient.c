@@ -19,8 +19,7 @@
  * fluid.h leaves out. That part acts on the whole volume; where the phases do
  * not share the pressure (pressure_shared in fluid.h is 0), reaction.c takes
  * the difference, eps_s rho_f g, from the force F on the fluid: F gets
- * -(1 - eps) rho_f g.
- */
+ * -(1 - eps) rho_f g. */
 
 static void *gravity_create(struct simulation *sim, const double *parameters)
 {
@@ -78,8 +77,7 @@ const struct effect gravity_effect = {
  * fluid's equation (gamma = eps in fluid.h), and the exchange of momentum is
  * exact and immediate: model A. In model B the whole grad p acts on the fluid,
  * and the reaction of f_i acts on it like the drag, in the next step [SX15 2b,
- * EW18 11].
- */
+ * EW18 11]. */
 
 struct pressure_gradient {
     double *gradient; /* [Pa/m] at the particles, 3 each */

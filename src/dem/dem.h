@@ -57,8 +57,7 @@ static inline int crossing(const double x[3], const double way[3], double reach)
 
 /* --- dem ------------------------------------------------------------------ */
 
-/* The options. One that a case does not set is 0 here and has no effect.
- */
+/* The options. One that a case does not set is 0 here and has no effect. */
 
 struct dem_method;
 struct surface;

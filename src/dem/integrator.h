@@ -25,8 +25,7 @@ struct integrator {
 };
 
 /* By how much of a step the velocity lags behind the positions between runs
- * [-].
- */
+ * [-]. */
 static inline double integrator_lag(const struct integrator *by)
 {
     return by->predicts ? 0.0 : 0.5 - by->last;

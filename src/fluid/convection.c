@@ -74,8 +74,7 @@ const struct convection_scheme convection_blended = {
 };
 
 /* Schemes of convection with the gradient of the cell C from
- * which the fluid comes: upwind in the matrix, the rest deferred.
- */
+ * which the fluid comes: upwind in the matrix, the rest deferred. */
 
 /* Linear extrapolation from C to the face with the gradient in C. */
 static double beyond_second_upwind(double step, double rise, double reach)

@@ -42,8 +42,7 @@ void deferred_set_gradient(const struct deferred *d, struct fluid *fl);
 void deferred_add_oblique_fluxes(struct fluid *fl);
 
 /* Where the velocity of a boundary face holds, and the
- * velocity gradient of a flow with it.
- */
+ * velocity gradient of a flow with it. */
 
 /* From the centre of the cell to where the velocity of its boundary face holds
  * [m], 3 a boundary face: the middle of the face, or the foot of the centre at

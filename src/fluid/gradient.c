@@ -124,8 +124,7 @@ void gradient_update(struct fluid *fl)
         gradient_of_faces(fl);
 }
 
-/* The mean pressure gradient of a flow through a periodic
- * box.
+/* The mean pressure gradient of a flow through a periodic box.
  *
  * The pressure p itself is periodic; in addition the pressure has a mean
  * gradient G, either given or chosen so that the mean superficial velocity is
@@ -135,8 +134,7 @@ void gradient_update(struct fluid *fl)
  *   (1/V) sum phi d,
  *
  * so G is the difference of the prescribed and the present mean over the change
- * of the mean per unit of G.
- */
+ * of the mean per unit of G. */
 
 int gradient_mean_exists(const struct fluid_options *o)
 {

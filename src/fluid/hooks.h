@@ -51,8 +51,7 @@ static inline double shared_smallest(const struct shared_solution *s, double x)
  * Bodies in the flow add a friction per volume, hold (U - u) [N/m^3], to some
  * cells, and a part of their velocity U to the fluxes between these. They are
  * defined in a higher room (resolved/). The solver calls the functions below
- * where fluid->immersed is not NULL.
- */
+ * where fluid->immersed is not NULL. */
 
 struct fluid;
 

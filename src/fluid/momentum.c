@@ -149,8 +149,7 @@ static void add_slip_face(struct fluid *fl, int f)
 }
 
 /* Sets the diagonals of the three components, which are equal without slip
- * walls.
- */
+ * walls. */
 static void spread_diagonal(int first, int last, struct momentum_system *eqn)
 {
     vec3_spread(last - first, eqn->diag + first, eqn->diag3 + 3L * first);

@@ -44,8 +44,7 @@ static inline int piso_nondissipative(const struct fluid *fl)
  *   (now eps_new u - old eps_old u_n + older eps_older u_nm1) rho V / dt
  *
  * The fluid fractions are those of the mass that has the velocity u: eps,
- * eps_n, eps_nm1 of struct fluid, or each one step earlier (ddt.c).
- */
+ * eps_n, eps_nm1 of struct fluid, or each one step earlier (ddt.c). */
 
 struct time_levels {
     struct time_weights weights; /* [-] now, old, older of this step */

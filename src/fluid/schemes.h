@@ -89,8 +89,7 @@ void convection_upwind_weights(const struct convection_faces *faces,
  * squares: the gradient that best gives the differences to all neighbours,
  * weighted by one over the distance squared, on tetrahedra to the fourth power;
  * exact for a linear field on any mesh. Only schemes that need more than two
- * cells use it.
- */
+ * cells use it. */
 
 /* Fills slope, 9 a cell: [9 * c + 3 * k + j] is d u_k / d x_j [1/s]. u: 3 a
  * cell; u_b: 3 a boundary face, from the first of them on [m/s], and reach [m]

@@ -169,8 +169,7 @@ static int first_beyond(const struct contiguous_range *run, int begin, int end,
 }
 
 /* The part of the range whose faces (by_face) or owners lie within [first,
- * last).
- */
+ * last). */
 static void faces_cut(const struct contiguous_range *run, int first, int last,
                       int by_face, struct face_piece *p)
 {

@@ -16,8 +16,7 @@ enum { FIELD_GROUPS_WIDTH = 8 }; /* of the widest group */
 #define FIELD_GROUPS_KERNEL static inline __attribute__((always_inline)) void
 
 /* Calls kernel(width, k, ...) for groups of 8 fields, then of 4, then for the
- * remaining 1 to 3 of m fields.
- */
+ * remaining 1 to 3 of m fields. */
 #define FOR_FIELD_GROUPS(m, kernel, ...)                                       \
     do {                                                                       \
         int k_ = 0;                                                            \

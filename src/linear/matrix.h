@@ -40,8 +40,7 @@ void csr_free(struct csr *A);
 
 /* Makes A a matrix of diffusion: the entry -g[l] for each link l, except for
  * one that joins a cell to itself, and a diagonal such that the row sums are
- * `sums`.
- */
+ * `sums`. */
 void csr_set_diffusion(struct csr *A, const double *g, const double *sums);
 
 /* y = A x. x and y do not overlap, here and below. */
@@ -54,8 +53,7 @@ void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 /* Rows first .. last - 1 of the same product, for a caller that uses them while
  * they are still in the cache; but each field has its own diagonal, diag[m * i
  * + k], in place of A->diag. Without diag (NULL) the product has no diagonal
- * part.
- */
+ * part. */
 void csr_rows_each(int first, int last, const struct csr *A, int m,
                    const double *diag, const double *x, double *y);
 

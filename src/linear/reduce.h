@@ -20,15 +20,13 @@ double reduce_range_scaled(int first, int last, const double *x, const float *y,
 void reduce_range_many(int first, int last, int m, const double *x,
                        const double *y, double *dot);
 
-/* Vectorised products of one number a cell with three numbers a
- * cell.
+/* Vectorised products of one number a cell with three numbers a cell.
  *
  * Where three interleaved components are multiplied by the same number, a
  * compiler generates shuffles of both vectors. It is faster to write that
  * number three times, for a few cells at once, and to use plain loops
  * (measured: 1.6 times for a product, more where several numbers of a cell are
- * used).
- */
+ * used). */
 
 enum {
     VEC3_BLOCK = 128 /* cells at once: their numbers stay in the cache */

@@ -45,8 +45,7 @@ struct preconditioned {
 };
 
 /* What the flow uses, and the plain kind, whose matrix is a struct csr
- * (matrix.h).
- */
+ * (matrix.h). */
 extern const struct preconditioned_kind multigrid_preconditioned;
 extern const struct preconditioned_kind preconditioned_jacobi;
 
@@ -68,8 +67,7 @@ void preconditioned_set(struct preconditioned A, const double *g,
 
 /* The report of an iterative solver.
  *
- * The caller reads it: a solver never aborts and never hides that it failed.
- */
+ * The caller reads it: a solver never aborts and never hides that it failed. */
 struct solve_report {
     int iterations;
     double before, after; /* [-] 2-norm of b - A x over its scale |b|_2, at

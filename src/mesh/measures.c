@@ -54,8 +54,7 @@ void mesh_volumes(const struct mesh *m, double *min, double *max, double *mean)
 }
 
 /* The largest contribution of direction k to the rate of a cell of a box
- * [1/m^2].
- */
+ * [1/m^2]. */
 static double rate_along(const struct box *b, int k)
 {
     const double *const e = b->edge[k];

@@ -148,8 +148,7 @@ void mesh_oblique_part(const struct mesh *m, int f, double oblique[3]);
 
 /* off = the vector to the centre of inner face f from the point where the link
  * crosses it; of a boundary face, the part of its link that is parallel to it
- * [m].
- */
+ * [m]. */
 void mesh_off_middle(const struct mesh *m, int f, double off[3]);
 
 /* The same, and whether it is more than 1e-6 of the link [-]. */

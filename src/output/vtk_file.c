@@ -84,8 +84,7 @@ static void vtk_array_copy(const struct vtk_array *a, size_t first, size_t n,
  *
  * Once a block of an array shrinks by less than a tenth, as those of particle
  * velocities do, the following blocks are stored uncompressed (zlib's level 0);
- * until then they are compressed lightly (level 1).
- */
+ * until then they are compressed lightly (level 1). */
 
 /* Full block, before compression [bytes]. */
 enum { VTK_BLOCK = 65536 };

@@ -7,8 +7,7 @@
 #include "base/model.h"
 #include "dem/dem.h"
 
-/* A way in which bodies hold the fluid.
- * */
+/* A way in which bodies hold the fluid. */
 
 struct solid_bodies;
 

@@ -42,13 +42,11 @@ int body_motion_moves_along(const struct solid_bodies *b, int i, int k);
  */
 void body_motion_add_momentum(const struct solid_bodies *b, double total[3]);
 
-/* The orientation of bodies that are no spheres, and their
- * moments of inertia.
+/* The orientation of bodies that are no spheres, and their moments of inertia.
  *
  * The unit quaternion q maps the frame of the body to that of the box, and
  * dq/dt = (1/2) omega q. In the frame of the box the moments of inertia over
- * the mass are G = Q G_0 Q^T.
- */
+ * the mass are G = Q G_0 Q^T. */
 
 /* The bodies are as they were given: Q is 1. */
 void body_turn_begin(struct solid_bodies *b);

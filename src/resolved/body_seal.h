@@ -43,8 +43,7 @@ void body_seal_describe(const struct body_seal_gap *g, int open,
  * 2/n^2 of the exact one, and with n = 1 at least: three times too much and
  * more. Nothing is nearer. So the body holds the cells, with the velocity of
  * Couette's flow, if the gap does not change; else the fluid has to get out of
- * it, and it stays open.
- */
+ * it, and it stays open. */
 
 /* To be called when body_of is 1 + the body around a cell, else 0: where body i
  * holds a cell of a gap it is 1 + i + the number of bodies afterwards. The

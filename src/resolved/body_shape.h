@@ -10,8 +10,7 @@
 /* A body of any shape, in a frame of its own.
  *
  * The frame has its origin in the centroid and turns with the body: with Q the
- * rotation of the body, a point at r from the centre is at y = Q^T r.
- */
+ * rotation of the body, a point at r from the centre is at y = Q^T r. */
 
 struct body_ball {
     double at[3]; /* [m] centre */

@@ -198,8 +198,7 @@ const struct body_method hold_method = {
  * Both set the velocity in a cell by its solid fraction b after the viscous
  * step is done, so that what they give depends on nu dt / h^2. They are here to
  * show that. LS calls the first one a fictitious domain method [LS 5.17-5.20],
- * the second one PISO-IB [LS 5.21].
- */
+ * the second one PISO-IB [LS 5.21]. */
 
 /* Takes the impulse of a force that changes the velocity of a cell by du in
  * this step: rho V du, in a two-step scheme 3/2 of it. */

@@ -50,8 +50,7 @@ double mark_fraction(const struct mesh *m, int c, double s);
 /* The cells of a box around a point.
  *
  * The mesh is a box of equal cells. In a periodic direction the indices go on
- * beyond its ends.
- */
+ * beyond its ends. */
 
 struct cell_window {
     int first[3], last[3]; /* [-] of each direction */

@@ -6,8 +6,7 @@
  * For results that do not depend on the number of threads, the cells are
  * divided into fixed ranges. The particles of a range are summed in a separate
  * window of cells, and each cell then sums the windows that contain it, in
- * order.
- */
+ * order. */
 #include "averaging/kernel/weights.h"
 
 #include <stdlib.h>

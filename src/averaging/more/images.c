@@ -24,8 +24,7 @@
  * direction in bind, images included; the weight of a cell is a product of
  * three numbers, and no neighbour search is needed. The cells are divided into
  * chunks of whole rows along x. For each chunk all particles are checked in
- * their order, so the sums are the same for any number of threads.
- */
+ * their order, so the sums are the same for any number of threads. */
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 

@@ -8,8 +8,7 @@
  *
  * All angles are taken as atan2 of lengths that come from one root: where the
  * sphere nearly touches an edge and terms cancel, their errors then cancel,
- * too.
- */
+ * too. */
 #include "averaging/more/overlap.h"
 
 #include <gsl/gsl_math.h>

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Each direction is processed in bundles of WIDTH lines that are copied into
  * interleaved buffers: the same vectorised loop then works for all directions
- * and any number of fields, and memory is read and written once.
- */
+ * and any number of fields, and memory is read and written once. */
 #include "averaging/more/separable.h"
 
 #include <math.h>

@@ -263,8 +263,7 @@ double facets_overlap(const struct facets *f, enum facets_body body, int c,
  * box in y and z, from x = lo on, has the divergence 1 in the box and 0
  * elsewhere, and no flux through the planes where it ends. The volume is
  * therefore the flux of F through the facets: each facet is cut by five planes,
- * and the remaining part is divided at x = hi.
- */
+ * and the remaining part is divided at x = hi. */
 
 /* A facet has at most 8 corners, and a cut leaves at most half as many again:
  * 8 (3/2)^6. */
@@ -276,8 +275,7 @@ struct piece {
 };
 
 /* Cuts off the part of the piece on the other side of the plane x[k] = at;
- * `sign` gives the side that is kept.
- */
+ * `sign` gives the side that is kept. */
 static void facets_box_cut(struct piece *p, int k, double at, double sign)
 {
     struct piece q;
@@ -358,8 +356,7 @@ double facets_in_box(const struct facets *f, int c, const double lo[3],
  * coordinates about the foot of the centre, the flux through the triangle from
  * the foot to an edge is a sum of closed terms over the parts of the edge in
  * the ball and outside; with the triangles of all edges it is that of the
- * facet, convex or not.
- */
+ * facet, convex or not. */
 
 /* Volumes below this fraction of R^3 are rounding errors [-]. */
 static const double nothing = 1e-14;

@@ -5,8 +5,7 @@
  *
  * An image h behind a wall is at 2 h from the cell, and what is nearer to it
  * than that wall is within 3 h of the cell. So facets are looked for as far as
- * three times the reach.
- */
+ * three times the reach. */
 #include "averaging/poly/facets.h"
 
 #include <math.h>

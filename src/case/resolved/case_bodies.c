@@ -282,8 +282,7 @@ struct case_bodies_contact case_bodies_contact(const struct settings *s)
 
 /* With which a body hits something fixed, the largest at time 0 [m/s] or that
  * of a fall through its own width: v sqrt(m/k) and what bears its weight, in
- * widths.
- */
+ * widths. */
 static double overlap_of(const struct settings *s, const struct case_body *b,
                          double k, double speed)
 {

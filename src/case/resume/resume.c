@@ -154,8 +154,7 @@ static struct state_file *find_whole(const struct resume *r, int *damaged)
 }
 
 /* Whether a state is of another case; then after a message, unless path is
- * NULL.
- */
+ * NULL. */
 static int is_other(const struct resume *r, struct state_file *f,
                     const char *path)
 {

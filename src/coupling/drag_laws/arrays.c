@@ -8,13 +8,11 @@
 
 /* --- Hill, Koch and Ladd -------------------------------------------------- */
 
-/* Random arrays of spheres from lattice-Boltzmann
- * simulations [Hill01], in the form that covers all solid fractions and
- * Reynolds numbers [Benyahia06].
+/* Random arrays of spheres from lattice-Boltzmann simulations [Hill01], in the
+ * form that covers all solid fractions and Reynolds numbers [Benyahia06].
  *
  * F is the whole force over Stokes' law at the superficial slip, and their Re
- * is that of the radius, half of ours.
- */
+ * is that of the radius, half of ours. */
 
 /* Carman's packed bed where s >= 0.4; below, mixed with the ratio r of
  * polynomials by w, which is 1 at s = 0.4. */
@@ -106,8 +104,7 @@ const struct drag_law drag_hill_koch_ladd = {
  * Beetstra's factor F belongs to the drag without the mean pressure gradient
  * and to the superficial slip, 3 pi mu d eps_f u_r F. EW18 prints
  * 3 pi mu d u_r g with g = F, and uses it as the whole force [EW18 A.5]: it is,
- * because the whole force is the drag over eps_f.
- */
+ * because the whole force is the drag over eps_f. */
 
 /* [EW18 A.6]: Carman's packed bed, the dilute limit, and inertia. With
  * Re^0.157 for Re Re^-0.343 the last term is also good at Re = 0. */
@@ -159,8 +156,7 @@ const struct drag_law drag_beetstra = {
  *       + s^3 Re (0.95 + 0.61 s^3 / (1 - s)^2),
  *
  * is the whole force over Stokes' law at the superficial slip: at s = 0.4 and
- * Re = 0 it is 18.1, and Carman's whole force is 10 s / (1 - s)^3 = 18.5.
- */
+ * Re = 0 it is 18.1, and Carman's whole force is 10 s / (1 - s)^3 = 18.5. */
 
 static double tenneti_factor(double eps_f, double Re)
 {
@@ -199,8 +195,7 @@ const struct drag_law drag_tenneti = {
  *
  * Its last term has a pole, at Re = 1250 in a bed and above that elsewhere.
  * From Re = 1000 on, outside of its range, the drag coefficient is therefore
- * held, and F grows with Re.
- */
+ * held, and F grows with Re. */
 
 static const double last_Re = 1000.0;
 

@@ -82,8 +82,7 @@ const struct drag_law drag_haider_levenspiel = {
  *
  * EW18 prints the square of the interstitial slip instead, and uses the result
  * as the whole force. The law "di-felice-printed" is that one; it is larger by
- * 1 / eps_f, and settles with the power 5.7.
- */
+ * 1 / eps_f, and settles with the power 5.7. */
 
 double drag_di_felice_exponent(double Re)
 {
@@ -187,9 +186,8 @@ const struct drag_law drag_rong = {
 
 /* --- Huilin and Gidaspow -------------------------------------------------- */
 
-/* Ergun's packed bed and Wen and Yu's suspension, blended
- * about eps_f = 0.8 by an arcus tangens [Huilin03]: Gidaspow's law without its
- * jump. */
+/* Ergun's packed bed and Wen and Yu's suspension, blended about eps_f = 0.8 by
+ * an arcus tangens [Huilin03]: Gidaspow's law without its jump. */
 
 /* beta_Ergun and beta_WenYu of [LS 5.27], over eps_s 18 mu eps_f / d^2. */
 static double ergun_factor(double eps_f, double Re)

@@ -3,8 +3,7 @@
 #ifndef COUPLING_EFFECTS_FORCES_H
 #define COUPLING_EFFECTS_FORCES_H
 
-/* Forces and torque of the fluid on a particle in a shear, or that
- * spins. */
+/* Forces and torque of the fluid on a particle in a shear, or that spins. */
 
 /* Saffman's lift in a shear.
  *
@@ -14,8 +13,7 @@
  * w = u - v. 1.615 is 6.46/4 of Saffman's correction of 1968; LS rounds it to
  * 1.61. In the vector form F = 1.615 d^2 sqrt(rho mu/|curl u|) w x curl u. It
  * holds for Re << sqrt(Re_G) << 1; Mei's factor (1992) carries it to Re = 100
- * and 0.005 < alpha < 0.4, alpha = d |curl u|/(2 |w|).
- */
+ * and 0.005 < alpha < 0.4, alpha = d |curl u|/(2 |w|). */
 
 /* Re_G [-] of a shear G [1/s] [LS 5.5]. */
 double saffman_reynolds(double d, double nu, double G);
@@ -44,8 +42,7 @@ void saffman_lift(double rho, double mu, double d, const double w[3],
  *   C_R = 64 pi/Re_r to Re_r = 32, 12.9/sqrt(Re_r) + 128.4/Re_r above
  *
  * with Re_r = rho d^2 |Omega|/mu; the first is the exact T = -pi mu d^3 Omega,
- * the second Dennis, Singh and Ingham (1980), to Re_r = 1000.
- */
+ * the second Dennis, Singh and Ingham (1980), to Re_r = 1000. */
 
 /* C_LR [-] for Re of the slip and Re_r of the spin. */
 double spin_lift_coefficient(double Re, double Re_r);
@@ -79,8 +76,7 @@ double spin_decay_rate(double rho, double mu, double d, double rho_s,
  * pi^2/ln(2/tol). Each term needs one vector a particle, whose past decays by a
  * factor a step: neither memory nor work grow with time. The last step, in
  * which the kernel is singular, and the one before are integrated exactly for a
- * w that is linear in each step.
- */
+ * w that is linear in each step. */
 
 enum { BASSET_TERMS = 64 }; /* at most */
 
@@ -112,8 +108,7 @@ double basset_force(double rho, double mu, double d, double t, double rate);
  * R* = R at a wall. With the last term it begins at zero; at larger gaps it is
  * part of the drag. Below z_min, the height of the roughness, the gap counts as
  * z_min; for surfaces in contact the contact law has the damping. There is no
- * force on the liquid: the forces on the two are opposite.
- */
+ * force on the liquid: the forces on the two are opposite. */
 
 /* The coefficient [kg/s] for a gap z [m] of 0 or more. */
 double lubrication_coefficient(double mu, double R_star, double z, double z_min,
@@ -128,8 +123,7 @@ double lubrication_coefficient(double mu, double R_star, double z, double z_min,
  *   C'(t + dt) = a C'(t) + b sqrt(1 - a^2) w,   a = exp(-dt / T),   [EW18 33]
  *
  * with normal numbers w [EW18 34] and b = sigma(C_d). With a from dt it is
- * exact for any step: an Ornstein-Uhlenbeck process of the time T.
- */
+ * exact for any step: an Ornstein-Uhlenbeck process of the time T. */
 
 /* The correlation a [-] after a step, and T [s] from a [EW18 37]. */
 double stochastic_drag_memory(double dt, double T);
@@ -156,8 +150,7 @@ double stochastic_drag_sigma(const struct stochastic_drag_sigma *s, double Re);
 /* Exponential moving averages of the averaged fields.
  *
  *   d<eps>/dt = (eps - <eps>) / b_t                            [SX15 11-13]
- *   <eps>^n = (1 - alpha) eps^n + alpha <eps>^(n-1)            [SX15 14]
- */
+ *   <eps>^n = (1 - alpha) eps^n + alpha <eps>^(n-1)            [SX15 14] */
 
 struct time_average {
     int n;          /* [-] cells */

@@ -23,8 +23,7 @@
  * cells is that of the case (fluid.gradient), and the interpolation to the
  * particles the adjoint of the averaging, as for the other derivatives of the
  * flow. With averaging.gradient_bandwidth it is found at the particles
- * themselves, by the derivative of a kernel [EW18 B.6].
- */
+ * themselves, by the derivative of a kernel [EW18 B.6]. */
 struct vorticity {
     double *u_b;      /* [m/s] at the boundary, 3 a face */
     double *gradient; /* [1/s] of u, 9 a cell; by a kernel: 9 a particle */
@@ -339,8 +338,7 @@ const struct effect magnus_effect = {
  * r is taken from the start of a sub-step of the drag, and the exponential is
  * stable for any sub-step. The reaction does not act on the fluid: averaged
  * over the cell a couple is no force, and the angular momentum of the fluid
- * below the size of a cell is not in the equations.
- */
+ * below the size of a cell is not in the equations. */
 
 static void *fluid_torque_create(struct simulation *sim,
                                  const double *parameters)

@@ -24,8 +24,7 @@
  *
  * The loops of the particles add up the forces of all laws. For the report of
  * an effect, the force of its law alone is computed again after every eighth
- * step: for each particle the strongest one of all partners and walls.
- */
+ * step: for each particle the strongest one of all partners and walls. */
 enum { MEASURED = 8 }; /* [-] one step in so many, for the cost */
 
 struct pair_share {

@@ -29,8 +29,7 @@
  *
  * V_b its volume and L_z the depth of the box. A bubble passes a height when
  * the number of those that have cells there grows. Nothing is computed between
- * two rows of the history.
- */
+ * two rows of the history. */
 
 struct bubbles {
     double threshold; /* [-] */
@@ -217,8 +216,7 @@ const struct effect bubbles_effect = {
  * their places are random. [Lacey54] has samples of one size n, and 1 / n for
  * (K - 1) / (N - 1), which is what random places give for samples of any size.
  * Where all particles are of one kind, or each is alone in its sample, there is
- * nothing to mix, and M is written as 0.
- */
+ * nothing to mix, and M is written as 0. */
 
 struct mixing {
     int labels;         /* [-] particles with an id below have one */
@@ -379,8 +377,7 @@ const struct effect mixing_effect = {
  *
  * A case without it runs contact loops that are compiled without its code; with
  * it they take half as long again. The motion of the particles has the same
- * bits with and without it.
- */
+ * bits with and without it. */
 
 static void *energy_budget_create(struct simulation *sim,
                                   const double *parameters)

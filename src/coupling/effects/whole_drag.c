@@ -27,8 +27,7 @@
  * lap u of a cell from its faces as in momentum.c, (1/V) sum (S/d) (u_N - u);
  * at a boundary u_N is the velocity there, which on a slip wall and an outlet
  * has the tangential part of u. Where links are oblique to their faces the rest
- * of S is added as there (deferred_correction.c), from the slopes of u.
- */
+ * of S is added as there (deferred_correction.c), from the slopes of u. */
 
 struct viscous_stress {
     double *force; /* [N/m^3] div tau, 3 a cell */
@@ -191,8 +190,7 @@ const struct effect viscous_stress_effect = {
  *
  * The drag coefficient is changed before it is used, so that the fluid is
  * charged with the same one. The fluid carries the weight of the solids in
- * eps_s, and gets the buoyancy back for these only (averaging_apply_cap).
- */
+ * eps_s, and gets the buoyancy back for these only (averaging_apply_cap). */
 
 static void *whole_drag_create(struct simulation *sim, const double *parameters)
 {

@@ -239,8 +239,7 @@ static void load_and_move_chunk(struct neighbours *nb, int s,
 }
 
 /* Publishes the largest speeds of the chunk after all threads have read the
- * previous ones.
- */
+ * previous ones. */
 static void publish_max_speed(struct chunk *own)
 {
     memcpy(own->max_speed, own->max_speed_now, sizeof own->max_speed);

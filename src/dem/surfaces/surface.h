@@ -18,8 +18,7 @@
 /* the descriptor of a shape that a surface can have.
  *
  * A shape is one file with one descriptor. Its solid is where the distance r is
- * negative: a particle whose centre is there is pushed out, along n.
- */
+ * negative: a particle whose centre is there is pushed out, along n. */
 
 struct surface;
 

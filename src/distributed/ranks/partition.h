@@ -69,8 +69,7 @@ struct face_places partition_faces(const struct mesh *m, const int cut[6]);
 /* Carries cells between ranks.
  *
  * Every cell has one owner; the other ranks that have it in their layers have
- * copies. All functions are called by all ranks together.
- */
+ * copies. All functions are called by all ranks together. */
 
 struct halo; /* PETSc's star forest */
 

@@ -61,8 +61,7 @@ int symmetric_links_left(const void *data);
  *
  * A = L D L^T, L with a unit diagonal. If a pivot is zero within rounding (in a
  * singular system, such as that of the pressure between walls), its unknown is
- * set to zero, because a division would only amplify rounding errors.
- */
+ * set to zero, because a division would only amplify rounding errors. */
 
 struct dense;
 

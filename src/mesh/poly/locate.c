@@ -237,8 +237,7 @@ static void size_bins(const struct mesh *m, struct bins *b)
 }
 
 /* The bins that the bounding box of cell c overlaps, first and last in each
- * direction.
- */
+ * direction. */
 static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
 {
     const struct mesh_shape *const s = m->shape;

@@ -335,8 +335,7 @@ struct mesh *poly_read(const char *dir, struct inputs **files)
     return m;
 }
 
-/* Where the files of a mesh are, and what its patches are
- * called. */
+/* Where the files of a mesh are, and what its patches are called. */
 
 int poly_folder(const char *dir, char folder[POLY_FOLDER])
 {

@@ -156,8 +156,7 @@ struct mesh_shape *poly_shape_create(struct poly_raw *r);
  * be numbered in rows are (poly_order.c); the faces are then sorted by the
  * difference of the numbers of their cells, which gives contiguous ranges
  * (linear/faces.h). Otherwise neighbouring cells receive close
- * numbers, and the faces are sorted by owner.
- */
+ * numbers, and the faces are sorted by owner. */
 
 /* Sets r->number. If the cells can be numbered in rows, these numbers are used;
  * otherwise either the files' own numbers or a breadth-first numbering from the

@@ -22,8 +22,7 @@
  * its surface, is moved out to the place as far before it, its mirror image: at
  * a plane wall nothing would then flow through the surface [SX15 5c]. Sums of
  * volume, momentum and force stay [SX15 A.1]. A field is continued into the
- * body by the same weights: an image has the value of what it mirrors.
- */
+ * body by the same weights: an image has the value of what it mirrors. */
 
 enum { CORNERS = 8 };
 

@@ -47,9 +47,7 @@ void surroundings_free(struct surroundings_filter *f);
 void surroundings_bind(struct surroundings_filter *f);
 struct surroundings surroundings_of(struct surroundings_filter *f, int i);
 
-/* The surface of a body as particles touch it.
- *
- */
+/* The surface of a body as particles touch it. */
 
 /* Of body i where it is: a sphere, a cylinder without ends where it reaches
  * through the box, else triangles. */

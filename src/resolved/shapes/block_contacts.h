@@ -11,8 +11,7 @@
  * A ball is a sphere, one of those that a clump consists of, or a point of a
  * surface, of radius 0. All that is asked of the other body is its distance
  * from the ball's centre and the normal there. What two spheres do to one
- * another, and spheres at walls, is dem's.
- */
+ * another, and spheres at walls, is dem's. */
 
 struct body_gap {
     int i, j;    /* [-] the body with the ball; the other, -1: a wall */
@@ -42,8 +41,7 @@ double body_gaps_deepest(const struct solid_bodies *b, int pair[2]);
  *
  *   F = (k (R - s) - eta v_n) n, not below 0     [LS 4.3, 4.4]
  *
- * and friction mu F against the slip [LS 4.8], without a spring of its own.
- */
+ * and friction mu F against the slip [LS 4.8], without a spring of its own. */
 
 extern const struct body_contacts block_contacts;
 

@@ -69,8 +69,7 @@ static void block_outline_turn(double Q[3][3], double x[3])
 
 /* The mean of x x^T over the block, before it is turned: of a box h^2 / 3 along
  * each axis, of a cylinder with the axis a R^2/4 (1 - a a^T) + h^2/3 a a^T
- * [m^2].
- */
+ * [m^2]. */
 static void spread_of(const struct body_shape *shape, double C[3][3])
 {
     const double *const half = shape->half, *const a = shape->axis;

@@ -17,8 +17,7 @@
  * Chapter "Resolving the grains".
  *
  * At a point of the surface the body is as thick as the way along the inward
- * normal until it leaves the body.
- */
+ * normal until it leaves the body. */
 /* Shares of the area that are looked at, each at the centroid of the triangle
  * that it falls into [-]. */
 enum { POINTS = 100, THINNER = POINTS / 10 };

@@ -8,8 +8,7 @@
 /* Boxes and cylinders that turn.
  *
  * Their distance is that of body_shape.h in a frame of their own; so they have
- * the flow of the same shape at rest, and moments of inertia besides.
- */
+ * the flow of the same shape at rest, and moments of inertia besides. */
 
 /* A box or a cylinder that was turned by the angle |rotation| [rad] about the
  * direction of `rotation` before time 0; a cylinder has its axis besides. */
@@ -19,8 +18,7 @@ struct body_outline *block_outline_create(const struct body_shape *block,
 /* The surface of a box or a cylinder as triangles.
  *
  * A cylinder becomes a prism of 64 sides whose corners lie on it: it is thinner
- * by 1.2e-3 of the radius in between.
- */
+ * by 1.2e-3 of the radius in between. */
 
 /* How many triangles there are; 0 for other shapes. */
 int block_triangles_count(const struct body_shape *shape);
@@ -32,8 +30,7 @@ void block_triangles_put(const struct body_shape *shape, const double centre[3],
 
 /* Spheres that are one body.
  *
- * They may overlap: then the volume is that of their union.
- */
+ * They may overlap: then the volume is that of their union. */
 
 /* n spheres where they were given [m]; those of the outline are seen from its
  * centroid. */
@@ -45,8 +42,7 @@ struct body_outline *clump_create(int n, const struct body_ball *ball);
  * the angle with the normal in the nearest point: of the triangle, of an edge
  * the sum of both sides, of a corner the sum of all triangles around it, each
  * with its angle there. With these, inside and outside are right for any closed
- * surface without a cut in itself [BA05].
- */
+ * surface without a cut in itself [BA05]. */
 
 /* The corners [m] are copied. NULL if the surface is not closed; then *trouble
  * says in half a sentence why. A surface whose normals all point inward is
@@ -60,8 +56,7 @@ struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
  * distance says how deep. The points lie on the triangles of the surface, not
  * farther apart than half of the width of the body: where two edges cross, one
  * of their points is then inside before the edges are a quarter of a width
- * deep.
- */
+ * deep. */
 
 /* Adds them as balls of radius 0 to an outline that has triangles, and sets
  * how many of them lie in one plane at most. */
