@@ -113,7 +113,7 @@ vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@mkdir -p $B && sh tests/table.sh $B tests/tables/book.txt
-	@sh tests/tally.sh
+	@sh tests/table.sh $B tests/tables/integration.txt
 steps-check: $B/winnow $(STEPS) $(STEPS:$B/%=$B/san/%)
 	@sh tests/table.sh $B tests/tables/steps.txt
 steps-slow: $(STEPS:$B/%=$B/san/%)
