@@ -28,13 +28,8 @@ export XDG_CACHE_HOME=$work/cache
 
 # What each of them keeps from step to step stands in its first line.
 cp "$top"/tests/data/kills/* .
-mkdir dual
-cp "$top"/tests/data/poly/dual/* dual
-awk '/^\([-0-9.e ]*\)$/ {
-         gsub(/[()]/, "")
-         $0 = sprintf("(%.12g %.12g %.12g)", 0.012 * $1, 0.012 * $2, 0.012 * $3)
-     }
-     { print }' "$top/tests/data/poly/dual/points" >dual/points
+. "$top/tests/alike.inc"
+scaled dual dual
 
 # A number between 0 and 1 that depends on the seed, the case and the kill.
 chance() { # number
@@ -50,16 +45,6 @@ run() { # seconds, signal, case, folder, options...
     timeout --foreground -s "$signal" "$for_long" env PATH=/none "$winnow" \
         run "$name.cfg" -o "$folder" -s output.checkpoint=0.02 --quiet "$@" \
         >out 2>said
-}
-
-# Everything that two runs wrote but the time that they took.
-same() { # folder, folder
-    diff -rq -x summary.json -x 'checkpoint*' -x gnuplot.log -x '*.png' \
-        -x '*.gif' "$1" "$2" &&
-        for folder in "$1" "$2"; do
-            sed '/seconds": {/,/}/d; /"threads"/d; /peak_memory/d; /_per_second/d' \
-                "$folder/summary.json" >"$folder.told"
-        done && diff "$1.told" "$2.told"
 }
 
 wrong() { # what

@@ -23,20 +23,13 @@ jobs=2
 # cylinder fills a thin mesh.)
 known='y is not periodic, so (nothing|no mean flow) can be driven|begins .* (from|deep in) the surface|the bed does not fit|they cut an inlet off'
 
-# The meshes of tests/data/poly, 12 mm wide.
+. tests/alike.inc
+
+# The meshes and surfaces that cases name.
 meshes() {
-    for mesh in dual cyclic slanted; do
-        from=$mesh
-        [ $mesh != slanted ] || from=sheared
-        mkdir "$work/$mesh"
-        cp "$top/tests/data/poly/$from"/* "$work/$mesh"
-        awk '/^\([-0-9.e ]*\)$/ {
-                 gsub(/[()]/, "")
-                 $0 = sprintf("(%.12g %.12g %.12g)", 0.012 * $1, 0.012 * $2,
-                              0.012 * $3)
-             }
-             { print }' "$top/tests/data/poly/$from/points" >"$work/$mesh/points"
-    done
+    scaled dual "$work/dual"
+    scaled cyclic "$work/cyclic"
+    scaled sheared "$work/slanted"
     printf '%s\n' "solid a" "facet normal 0 1 0" "outer loop" \
         "vertex -0.8 0 -0.8" "vertex 0.8 0 -0.8" "vertex 0 0 0.8" "endloop" \
         "endfacet" "endsolid a" >"$work/sheet.stl"
@@ -68,15 +61,6 @@ generate() {
     for array in c p f m; do
         cat "$work/$array/list" && mv "$work/$array"/*-* "$work"
     done >"$work/list"
-}
-
-# Everything that two runs wrote but the time that they took.
-same() { # folder, folder
-    diff -rq -x summary.json -x "checkpoint*" "$1" "$2" &&
-        for run in "$1" "$2"; do
-            sed '/seconds": {/,/}/d; /"threads"/d; /peak_memory/d; /_per_second/d' \
-                "$run/summary.json" >"$run.told"
-        done && cmp "$1.told" "$2.told"
 }
 
 # With two threads, stopped on the way and resumed with a later end; in one piece

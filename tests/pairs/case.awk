@@ -80,11 +80,6 @@ function put_fluid(    i, d) {
     put(is("medium", "air") ? "  density = 1.2; viscosity = 1.8e-5;" : \
         "  density = 500; viscosity = 1e-3;")
     put("  step = " step ";")
-    split("time convection gradient continuity", word, " ")
-    for (i = 1; i <= 4; i++) put("  " word[i] " = \"" v[word[i]] "\";")
-    split("correctors piso_tolerance outer_correctors u_tolerance p_relative_tolerance", word, " ")
-    for (i = 1; i <= 5; i++) put("  " word[i] " = " v[word[i]] ";")
-    if (on("cfl")) put("  cfl = " v["cfl"] ";")
     for (i = 1; i <= 3; i++) d[i] = 0
     d[round[1] || !(round[2] || round[3]) ? 1 : round[2] ? 2 : 3] = 1
     if (is("drive", "gradient"))
@@ -96,7 +91,7 @@ function put_fluid(    i, d) {
 }
 
 function material(density) {
-    return density (is("contact", "hertz") ? " young = 1e5; poisson = 0.3;" : \
+    return density (is("particles.contact", "hertz") ? " young = 1e5; poisson = 0.3;" : \
         " stiffness = 20.0;") " restitution = 0.8; friction = 0.3;" \
         (on("rolling") ? " rolling_friction = 0.1;" : "")
 }
@@ -104,7 +99,6 @@ function material(density) {
 function put_bodies(    where) { # above the particles, where there are any
     where = letter != "f" ? 0.83 : is("bodies", "cylinder") ? 0.4 : 0.5
     put("bodies = {")
-    if ("body_method" in v) put("  method = \"" v["body_method"] "\";")
     if (is("bodies", "cylinder"))
         put("  cylinders = ({ position = " at(0.5, where, 0.5) "; diameter = " (letter != "f" ? "0.003" : "0.005") ";" \
             " length = 0.03; axis = [1.0, 0.0, 1.0]; });")
@@ -258,8 +252,7 @@ function put_particles() {
     l = on("parcel") ? 2 : 1
     grain = d / l
     put("particles = {")
-    put("  contact = \"" v["contact"] "\"; step = " (is("count", "crowd") ? 2.5e-6 : 1e-5) ";")
-    put("  integrator = \"" v["integrator"] "\"; list = \"" v["list"] "\";")
+    put("  step = " (is("count", "crowd") ? 2.5e-6 : 1e-5) ";")
     if (on("parcel"))
         put("  parcel = { grains = 8; restitution = \"" v["parcel"] "\"; };")
     put_materials()
@@ -272,57 +265,34 @@ function put_particles() {
     put("};")
 }
 
-function put_averaging(    b) {
-    b = 0.004
-    put("averaging = { method = \"" v["averaging"] "\"; scheme = \"" v["scheme"] \
-        "\"; steps = " v["steps"] "; interpolation = \"" v["interpolation"] "\";")
+function put_averaging() {
+    put("averaging = {")
     put(is("width", "delta_05") ? "  delta_05 = 0.006;" : "  bandwidth = 0.004;")
     if (is("width", "cells grains")) put("  bandwidth_variation = \"" v["width"] "\";")
     if (is("width", "regions"))
         put("  regions = ( { low = [0.0, 0.0, 0.0]; high = " at(0.5, 0.5, 0.5) "; bandwidth = 0.002; } );")
-    if (on("cap")) put("  cap = " v["cap"] ";")
     # What the iterations leave is a share of k u, and exchange_residual a share
     # of k (u - v), which was seen to be twenty times less.
-    if (is("averaging", "diffusion")) put("  tolerance = 1e-8;")
+    if (is("averaging.method", "diffusion")) put("  tolerance = 1e-8;")
     put("};")
 }
 
 # The laws that are no choice of their own, one after the other.
-function put_exchange(    i, n) {
+function put_exchange(    n) {
     n = split(values_of("exchange.drag", "syamlal-obrien gidaspow schiller-naumann beetstra"), word, " ")
     if (is("drag", "another")) v["drag"] = word[1 + n_cases % n]
-    split("drag treatment slip_integration model coupling", word, " ")
-    put("exchange = {")
-    for (i = 1; i <= 5; i++) put("  " word[i] " = \"" v[word[i]] "\";")
-    put("  substeps = " (is("substeps", "auto") ? "\"auto\"" : v["substeps"]) ";")
-    put("};")
+    put("exchange = { drag = \"" v["drag"] "\"; };")
 }
 
 function put_effects() {
     put("effects = {")
     if (is("gravity", "down")) put("  gravity = [0.0, -9.81, 0.0];")
     if (is("gravity", "oblique")) put("  gravity = [3.0, -8.0, 2.0];")
-    if (on("budget")) put("  energy_budget = {};")
     if (is("cohesion", "electrostatic all")) put("  electrostatic = { range = 5e-4; };")
     if (is("cohesion", "van_der_waals all"))
         put("  van_der_waals = { hamaker = 1e-19; range = 1e-5; };")
     if (is("cohesion", "capillary all"))
         put("  capillary = { tension = 0.01; range = 5e-5; };")
-    if (is("pressure_gradient", "on")) put("  pressure_gradient = {};")
-    if (is("pressure_gradient", "whole")) put("  whole_drag = {};")
-    if (on("viscous_stress")) put("  viscous_stress = {};")
-    if (is("virtual_mass", "half")) put("  virtual_mass = {};")
-    if (on("basset")) put("  basset = {};")
-    if (is("lift", "saffman both")) put("  saffman = {};")
-    if (is("lift", "magnus both")) put("  magnus = {};")
-    if (on("fluid_torque")) put("  fluid_torque = {};")
-    if (on("lubrication")) put("  lubrication = { roughness = 1e-6; range = 1e-4; };")
-    if (on("stochastic_drag"))
-        put("  stochastic_drag = { sigma_low = 3.0; sigma_high = 1.0; " \
-            "Re_high = 100.0; time = 1e-3; };")
-    if (on("time_average")) put("  time_average = { time = 1e-3; };")
-    if (on("bubbles")) put("  bubbles = { height = 0.004; threshold = 0.7; };")
-    if (on("mixing")) put("  mixing = { sample = 0.004; direction = [1.0, 1.0, 0.0]; };")
     put("};")
 }
 
@@ -340,7 +310,7 @@ function put_output(    h, p, i, n, f) {
     put("output = { end = " 10 * step "; every = " (is("every", "each") ? step : 10 * step) ";")
     h = is("history", "each") ? step : is("history", "second") ? 2 * step : 20 * step
     if (letter != "p") put("  history = " h ";")
-    n = split(is("coupling", "two-way") ? "eps_f p u_x eps_s us_y" : "eps_f p u_y", f, " ")
+    n = split(is("exchange.coupling", "two-way") ? "eps_f p u_x eps_s us_y" : "eps_f p u_y", f, " ")
     if (on("profiles")) {
         put("  profiles = (")
         for (i = 1; i <= n; i++)

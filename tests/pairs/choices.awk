@@ -3,7 +3,8 @@
 # choice(ARRAYS, NAME, VALUES): ARRAYS are letters: c fluid and particles
 # coupled, p particles alone, f fluid alone, m coupled and closed, so that
 # momentum stays.
-# values_of(KEY, BUT): what winnow list keys says of it (keys.awk).
+# values_of(KEY, BUT): what winnow list keys says of it (keys.awk). A choice that has the
+# path of a key is set by -s, but for off.
 # apart(NAME, VALUES, NAME, VALUES, WHY): no case has both. With a WHY, what the
 # program says when it refuses them, each such pair is a case of its own.
 
@@ -13,21 +14,15 @@ BEGIN {
     choice("cf", "drive", "closed wall through parabola formula ramp outlet gradient flow")
     choice("cf", "sides", "no-slip slip mixed")
     choice("cfm", "medium", "air liquid")
-    choice("cfm", "time", values_of("fluid.time"))
-    choice("cfm", "convection", values_of("fluid.convection"))
-    choice("cfm", "gradient", values_of("fluid.gradient", "by-mesh"))
-    choice("cfm", "continuity", values_of("fluid.continuity"))
-    choice("cfm", "correctors", "1 2 4")
-    choice("cfm", "piso_tolerance", "1e-3 0.0")
-    choice("cfm", "outer_correctors", "0 2")
-    choice("cfm", "u_tolerance", "0.0 0.1")
-    choice("cfm", "p_relative_tolerance", "0.0 0.1")
-    choice("f", "cfl", "off 0.5")
+    choice("cfm", "fluid.time", values_of("fluid.time"))
+    choice("cfm", "fluid.gradient", values_of("fluid.gradient", "by-mesh"))
+    choice("cfm", "fluid.correctors", "1 2 4")
+    choice("cfm", "fluid.piso_tolerance", "1e-3 0.0")
+    choice("cfm", "fluid.outer_correctors", "0 2")
+    choice("f", "fluid.cfl", "off 0.5")
     choice("c", "bodies", "none fixed free moving cylinder surface solid")
     choice("f", "bodies", "none fixed free moving cylinder surface solid clump")
     choice("m", "bodies", "none free")
-    choice("f", "body_method", values_of("bodies.method"))
-    choice("cpm", "contact", values_of("particles.contact"))
     choice("cpm", "count", "none one few sixty settled crowd")
     choice("cpm", "parcel", "none " values_of("particles.parcel.restitution"))
     choice("cpm", "sizes", "equal uniform normal lognormal discrete table")
@@ -39,34 +34,22 @@ BEGIN {
     choice("m", "sinks", "none region")
     choice("cp", "driven", "none line swing circle")
     choice("cp", "surface", "none plane cylinder stl moving turning loaded")
-    choice("cm", "integrator", values_of("particles.integrator", "heun"))
-    choice("p", "integrator", values_of("particles.integrator"))
-    choice("cpm", "list", values_of("particles.list"))
+    choice("cm", "particles.integrator", values_of("particles.integrator", "heun"))
+    choice("p", "particles.integrator", values_of("particles.integrator"))
+    choice("cpm", "particles.list", values_of("particles.list"))
     choice("cp", "gravity", "down none oblique")
-    choice("cpm", "budget", "off on")
-    choice("cm", "averaging", values_of("averaging.method"))
+    choice("cpm", "effects.energy_budget", "off {}")
     choice("cm", "width", "bandwidth delta_05 cells grains regions")
-    choice("cm", "scheme", values_of("averaging.scheme"))
-    choice("cm", "steps", "1 3")
-    choice("cm", "cap", "off 0.6")
-    choice("cm", "interpolation", values_of("averaging.interpolation"))
+    choice("cm", "averaging.steps", "1 3")
+    choice("cm", "averaging.cap", "off 0.6")
     choice("cm", "drag", "syamlal-obrien gidaspow schiller-naumann beetstra another")
-    choice("cm", "treatment", values_of("exchange.treatment"))
-    choice("cm", "slip_integration", values_of("exchange.slip_integration"))
-    choice("cm", "substeps", "auto 1 3 1000")
-    choice("cm", "model", values_of("exchange.model"))
-    choice("c", "coupling", values_of("exchange.coupling"))
-    choice("cm", "pressure_gradient", "off on whole")
-    choice("cm", "viscous_stress", "off on")
-    choice("cm", "virtual_mass", "off half none")
-    choice("cm", "basset", "off on")
-    choice("cm", "lift", "off saffman magnus both")
-    choice("cm", "fluid_torque", "off on")
-    choice("cm", "lubrication", "off on")
-    choice("c", "time_average", "off on")
-    choice("cm", "stochastic_drag", "off on")
-    choice("cm", "bubbles", "off on")
-    choice("cpm", "mixing", "off on")
+    choice("cm", "exchange.substeps", "auto 1 3 1000")
+    choice("c", "exchange.coupling", values_of("exchange.coupling"))
+    choice("cm", "effects.lubrication", "off {roughness=1e-6;range=1e-4;}")
+    choice("c", "effects.time_average", "off {time=1e-3;}")
+    choice("cm", "effects.stochastic_drag", "off {sigma_low=3.0;sigma_high=1.0;Re_high=100.0;time=1e-3;}")
+    choice("cm", "effects.bubbles", "off {height=0.004;threshold=0.7;}")
+    choice("cpm", "effects.mixing", "off {sample=0.004;direction=[1.0,1.0,0.0];}")
     choice("cpf", "history", "each second never")
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")
@@ -81,7 +64,7 @@ BEGIN {
     choice("m", "mesh", "box graded thin")
     choice("m", "periodic", "xyz")
     choice("m", "drive", "closed")
-    choice("m", "coupling", "two-way")
+    choice("m", "exchange.coupling", "two-way")
     choice("m", "history", "each")
     choice("m", "every", "end")
     choice("m", "gravity", "none")
@@ -99,6 +82,7 @@ BEGIN {
           "z is periodic, so the fluid has no")
     apart("drive", "parabola", "mesh", "sheared dual cyclic slanted",
           "only the inlet of a plain box can have a parabola")
+    apart("effects.pressure_gradient", "{}", "effects.whole_drag", "{}", "takes the place of")
     # Particles go round along an axis; an oblique box does so in x and z.
     if (letter != "f")
         apart("mesh", "sheared", "periodic", "y xyz",
@@ -113,32 +97,32 @@ BEGIN {
     apart("surface", "plane", "periodic", "y xyz",
           "not parallel to y, which is periodic")
     # The reference loop knows the sides of a box.
-    apart("list", "link-cells all-pairs none", "integrator", "heun",
+    apart("particles.list", "link-cells all-pairs none", "particles.integrator", "heun",
           "does not support integrators that")
-    apart("list", "link-cells all-pairs none", "driven", "line swing circle",
+    apart("particles.list", "link-cells all-pairs none", "driven", "line swing circle",
           "does not support prescribed particles")
-    apart("list", "link-cells all-pairs none", "surface",
+    apart("particles.list", "link-cells all-pairs none", "surface",
           "plane cylinder stl moving turning loaded", "does not support surfaces")
-    apart("list", "link-cells all-pairs none", "mesh",
+    apart("particles.list", "link-cells all-pairs none", "mesh",
           "slanted", "does not support surfaces")
     # A sheared box has walls of its own only where it is not periodic.
-    apart("list", "link-cells all-pairs none", "mesh", "sheared")
+    apart("particles.list", "link-cells all-pairs none", "mesh", "sheared")
     # A parcel loses no more than all of the energy of an impact.
     apart("parcel", "dissipation", "materials", "pairs",
           "parcels of 2 diameters cannot lose as much as grains of e = 0.5")
     apart("parcel", "kept dissipation", "bodies",
           "fixed free moving cylinder surface solid", "there are grains, not parcels")
     # Without contacts nothing comes to rest, and no pair is close.
-    apart("list", "none", "count", "settled",
+    apart("particles.list", "none", "count", "settled",
           "no bed comes to rest without contacts|does not support")
-    apart("list", "none", "lubrication", "on",
+    apart("particles.list", "none", "effects.lubrication", "{roughness=1e-6;range=1e-4;}",
           "does not support forces between particles at a distance")
-    apart("list", "none", "cohesion", "electrostatic van_der_waals capillary all",
+    apart("particles.list", "none", "cohesion", "electrostatic van_der_waals capillary all",
           "does not support forces between particles at a distance")
     # Refused where none comes at the start either: a fact of the command line.
     apart("count", "none", "driven", "line swing circle")
     # The width at half the height is of a Gaussian.
-    apart("width", "delta_05", "averaging",
+    apart("width", "delta_05", "averaging.method",
           "pcm dpvm cube two-grid kernel gaussian",
           "it is a key of images, diffusion")
     # Bodies are held in equal cells of a plain box, and have three at least.
@@ -150,13 +134,13 @@ BEGIN {
     apart("bodies", "surface solid clump", "mesh", "thin", "has a part of")
     # Among particles they are surfaces; one that moves changes eps where it is.
     if (letter != "f")
-        apart("bodies", "free moving surface solid", "continuity", "void-rate",
+        apart("bodies", "free moving surface solid", "fluid.continuity", "void-rate",
               "among particles a body that moves asks for")
     apart("bodies", "fixed free moving cylinder surface solid", "cohesion",
           "van_der_waals capillary all", "not on bodies")
-    apart("bodies", "fixed free moving cylinder surface solid", "list",
+    apart("bodies", "fixed free moving cylinder surface solid", "particles.list",
           "link-cells all-pairs none", "does not support surfaces")
     # One-way there are no solids on the mesh.
-    apart("coupling", "one-way", "time_average", "on",
+    apart("exchange.coupling", "one-way", "effects.time_average", "{time=1e-3;}",
           "one-way there are no averaged fields")
 }

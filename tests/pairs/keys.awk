@@ -1,7 +1,7 @@
 # What `winnow list keys` says of the values of each key: names and true or false; of a
 # number with a default, this and another one; of an effect that asks for nothing, off
-# and on. A key that neither choices.awk nor case.awk names is a choice by its path, so
-# that a new key is tested without being told.
+# and on. A key that choices.awk and case.awk do not name is a choice by its path, so that
+# a new key is tested without being told.
 
 # The values of a key whose choice has a name of its own, but for some.
 function values_of(path, but,    n, i, v, kept) {
@@ -54,8 +54,8 @@ BEGIN {
 function learn_others(    i, path, part, of) {
     for (i = 1; i <= n_keys; i++) {
         path = order_of[i]
-        if (!(path in values) || path in asked || split(path, part, ".") != 2 ||
-            told ~ "[^a-z_]" part[2] "[^a-z_]") continue
+        if (!(path in values) || path in asked || path in number || split(path, part, ".") != 2 ||
+            told ~ "[^a-z_.]" part[2] "[^a-z_]") continue
         of = part[1] != "output" ? arrays[part[1]] : needs[path] == "particles" ? "cp" : \
             needs[path] == "fluid" ? "cf" : "cpf"
         choice(of, path, values[path])
@@ -65,7 +65,7 @@ function learn_others(    i, path, part, of) {
 # The words that set them in the row of case.awk.
 function other_keys(    k, words) {
     for (k in v)
-        if (k ~ /[.]/ && v[k] != "off" && (k !~ /^bodies/ || on("bodies")))
+        if (k ~ /[.]/ && v[k] != "" && v[k] != "off" && (k !~ /^bodies/ || on("bodies")))
             words = words " -s " k "=" v[k]
     return words
 }
