@@ -132,7 +132,7 @@ find src tests cases figures chapters/solutions $steps -name '*.[ch]' -o -name '
 sed "s|^|$out/|; s|/[^/]*\$||" "$files" | sort -u | xargs mkdir -p
 awk -v anchors="$anchors" -v functions="$functions" -v out="$out" -f "$tools/c.awk" \
     -f "$tools/colour.awk" -f "$tools/source.awk" "$files"
-(cd "$out" && awk -v functions="${functions##*/}" -f "$tools/search.awk" ./*.html >search.js)
+(cd "$out" && awk -v functions="${functions##*/}" -f "$tools/colour.awk" -f "$tools/search.awk" ./*.html >search.js)
 rm "$files" "$anchors" "$functions" "$plan"
 cd "$out"
 find . -type f | awk -f "$tools/pages.awk"

@@ -138,3 +138,21 @@ function find(file, called,    i, found) {
             if (!found || kind[file, i] != "prototype") found = i
     return found
 }
+
+# What a directive of a page shows: afterwards (file, name) is in shown. A part, @label,
+# shows the function that it is in.
+function show(directive,    w, n, j, file, called, k, i) {
+    n = split(directive, w, " ")
+    file = w[3]
+    for (j = 4; j < n; j++) {
+        cut(file)
+        called = w[j]
+        if (called ~ /^@/) {
+            called = "/*> " substr(called, 2) " */"
+            for (k = 1; k <= lines[file] && !index(source[file, k], called); k++) ;
+            for (i = 1; i <= items[file]; i++)
+                if (begin[file, i] <= k && k <= last[file, i]) called = name[file, i]
+        }
+        shown[file, called] = 1
+    }
+}

@@ -4,25 +4,8 @@
 #
 #   awk -f c.awk -f calls.awk PAGES SOURCES
 
-FILENAME ~ /\.md$/ {
-    if (/^<!-- code [^ ]+ .* -->$/) {
-        n = split($0, w, " ")
-        for (k = 4; k < n; k++) show(w[3], w[k])
-    }
-    next
-}
-
-# A part, @label, shows the function that it is in.
-function show(file, called,    k, i) {
-    cut(file)
-    if (called ~ /^@/) {
-        called = "/*> " substr(called, 2) " */"
-        for (k = 1; k <= lines[file] && !index(source[file, k], called); k++) ;
-        for (i = 1; i <= items[file]; i++)
-            if (begin[file, i] <= k && k <= last[file, i]) called = name[file, i]
-    }
-    shown[file, called] = 1
-}
+/^<!-- code [^ ]+ .* -->$/ && FILENAME ~ /\.md$/ { show($0) }
+FILENAME ~ /\.md$/ { next }
 
 function sentence(file, i,    k, s) {
     s = ""

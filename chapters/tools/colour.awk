@@ -31,6 +31,15 @@ function escaped(s) {
     return s
 }
 
+function plain(s) {
+    gsub(/&lt;/, "<", s)
+    gsub(/&gt;/, ">", s)
+    gsub(/&quot;/, "\"", s)
+    gsub(/&#39;/, "'", s)
+    gsub(/&amp;/, "\\&", s)
+    return s
+}
+
 function span(class, s) { return "<span class=\"" class "\">" s "</span>" }
 
 # "(2.12)", "[LS 4.16]", "[Ghia82]", 'Chapter "Drag"': links, where the book knows them.

@@ -4,15 +4,6 @@
 
 BEGIN { colour_begin() }
 
-function plain(s) {
-    gsub(/&lt;/, "<", s)
-    gsub(/&gt;/, ">", s)
-    gsub(/&quot;/, "\"", s)
-    gsub(/&#39;/, "'", s)
-    gsub(/&amp;/, "\\&", s)
-    return s
-}
-
 match($0, /^<pre class="(c|diff)[^"]*"><code>/) {
     printf "%s", substr($0, 1, RLENGTH)
     is_c = $0 ~ /^<pre class="c/

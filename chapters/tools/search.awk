@@ -1,15 +1,11 @@
 # search.awk -- an index of the book's sections for book.js, which searches without a
 # server: [where, page, section, text], one a line.
 #
-#   awk -v functions=F -f search.awk PAGES >search.js
+#   awk -v functions=F -f colour.awk -f search.awk PAGES >search.js
 
 function bare(s) {
     gsub(/<[^>]*>/, "", s)
-    gsub(/&lt;/, "<", s)
-    gsub(/&gt;/, ">", s)
-    gsub(/&quot;/, "\"", s)
-    gsub(/&#39;/, "'", s)
-    gsub(/&amp;/, "\\&", s)
+    s = plain(s)
     gsub(/[\t\\]/, " ", s)
     gsub(/"/, "\\\"", s)
     return s

@@ -20,10 +20,7 @@ FILENAME ~ /\.md$/ {
         if (listing) look_at_calls(bare($0))
         next
     }
-    if ($0 ~ /^<!-- code [^ ]+ .* -->$/) {
-        n = split($0, w, " ")
-        for (k = 4; k < n; k++) show(w[3], w[k])
-    }
+    if ($0 ~ /^<!-- code [^ ]+ .* -->$/) show($0)
     for (text = $0; match(text, /`[a-z0-9_]+`/); text = substr(text, RSTART + RLENGTH))
         named[substr(text, RSTART + 1, RLENGTH - 2)] = 1
     next
@@ -50,19 +47,6 @@ function counts(file, i) {
     if (name[file, i] ~ /_(create|free|init|release)$/) return 0
     if (citation(file, i) != "") return 1
     return file ~ /\.h$/ || source[file, begin[file, i]] !~ /^(static|FIELD_GROUPS_KERNEL) /
-}
-
-# A part, @label, shows the function that it is in.
-function show(file, called,    k, i) {
-    cut(file)
-    if (called ~ /^@/) {
-        called = "/*> " substr(called, 2) " */"
-        for (k = 1; k <= lines[file] && !index(source[file, k], called); k++) ;
-        for (i = 1; i <= items[file]; i++)
-            if (begin[file, i] <= k && k <= last[file, i])
-                called = name[file, i]
-    }
-    shown[file, called] = 1
 }
 
 FNR == 1 {

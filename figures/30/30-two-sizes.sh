@@ -22,26 +22,29 @@ series() {
         awk '{ printf "%.3f %s %s %s %s %s %s %s %s\n", 0.05 * $1 + 0.025,
                $2, $3, $5, $6, $8, $9, $11, $12 }'
 }
+# The drops d and velocities u between two times; mean, its error by blocks, and deviation.
+means='
+    NR > 1 { t = $1 }
+    NR > 1 && $1 > from && $1 <= to { d[++n] = $2 - $3; u[n] = 1e3 * $4 }
+    function report(name, unit, a, form, short,   i, k, b, m, s, e, part) {
+        part = int(n / blocks)
+        for (i = 1; i <= n; i++) m += a[i] / n
+        for (i = 1; i <= n; i++) s += (a[i] - m) ^ 2 / n
+        for (i = 0; i < blocks; i++) {
+            b = 0
+            for (k = 1; k <= part; k++) b += a[i * part + k] / part
+            e += (b - m) ^ 2 / (blocks * (blocks - 1))
+        }
+        printf "%s = " form " [%s]\n%s_error = " short "\n%s_deviation = " form "\n",
+            name, m, unit, name, sqrt(e), name, sqrt(s)
+    }'
 numbers() {
     for run in $runs; do
         echo "## $run"
-        awk -F, 'NR > 1 { t = $1 }
-            NR > 1 && $1 > 1 { d[++n] = $2 - $3; u[n] = 1e3 * $4 }
-            function report(name, unit, a,   i, b, m, s, e, part) {
-                part = int(n / 10)
-                for (i = 1; i <= n; i++) m += a[i] / n
-                for (i = 1; i <= n; i++) s += (a[i] - m) ^ 2 / n
-                for (i = 0; i < 10; i++) {
-                    b = 0
-                    for (k = 1; k <= part; k++) b += a[i * part + k] / part
-                    e += (b - m) ^ 2 / 90
-                }
-                printf "%s = %.4g [%s]\n%s_error = %.2g\n%s_deviation = %.4g\n",
-                    name, m, unit, name, sqrt(e), name, sqrt(s)
-            }
+        awk -F, -v from=1 -v to=1e9 -v blocks=10 "$means"'
             END { printf "end = %.2f [s]\n", t
                   if (n < 10) exit
-                  report("drop", "Pa", d); report("us", "mm/s", u) }' "$1/$run/probes.csv"
+                  report("drop", "Pa", d, "%.4g", "%.2g"); report("us", "mm/s", u, "%.4g", "%.2g") }' "$1/$run/probes.csv"
     done
 }
 differences() { # of the coarse mesh from the fine one, from the numbers
@@ -65,20 +68,8 @@ differences() { # of the coarse mesh from the fine one, from the numbers
 }
 # Mean drop of a run within a span of time, its error by six blocks, its deviation.
 span() { # FILE FROM TO
-    awk -F, -v from="$2" -v to="$3" 'NR > 1 && $1 > from && $1 <= to { d[++n] = $2 - $3 }
-        END {
-            part = int(n / 6)
-            if (part == 0) exit
-            for (i = 1; i <= n; i++) m += d[i] / n
-            for (i = 1; i <= n; i++) s += (d[i] - m) ^ 2 / n
-            for (i = 0; i < 6; i++) {
-                b = 0
-                for (k = 1; k <= part; k++) b += d[i * part + k] / part
-                e += (b - m) ^ 2 / 30
-            }
-            printf "drop = %.1f [Pa]\ndrop_error = %.1f\ndrop_deviation = %.1f\n",
-                m, sqrt(e), sqrt(s)
-        }' "$1"
+    awk -F, -v from="$2" -v to="$3" -v blocks=6 "$means"'
+        END { if (n >= blocks) report("drop", "Pa", d, "%.1f", "%.1f") }' "$1"
 }
 steps() { # of the particles: 4e-6 and 2e-6 s, from 0.4 s to the end of the shorter run
     end=$(tail -n 1 "$1/short-step/probes.csv" | cut -d, -f1)
