@@ -2,7 +2,7 @@
 # figures/14/14-seam.txt.
 load "figures/style.gp"
 set output "figures/14/14-seam.svg"
-set xlabel "behind the seam [mm]"
+set xlabel "behind the common edge [mm]"
 set ylabel "force of the floor over the weight"
 set xrange [-0.3:1.2]
 set yrange [0:2.2]

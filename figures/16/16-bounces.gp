@@ -16,5 +16,5 @@ set ylabel "velocity [m/s]"
 set xrange [0:0.35]
 set yrange [-0.065:0]
 plot "< grep -v '^t' figures/data/mfix_dem06_velocity.csv | tr , ' '" using 1:2 with points pointtype 6 linecolor "#c2571a" title "reference of MFiX", \
-     "figures/16/16-upflow.txt" using 1:2 with linespoints linetype 1 pointtype 7 title "ours"
+     "figures/16/16-upflow.txt" using 1:2 with linespoints linetype 1 pointtype 7 title "Winnow"
 unset multiplot

@@ -10,10 +10,10 @@ set xlabel "time [μs]"
 set yrange [0:15]
 set title "two glass spheres"
 set xrange [0:45]
-plot "figures/16/16-hertz.txt" index 0 using 1:3 with lines linetype 1 title "ours", \
+plot "figures/16/16-hertz.txt" index 0 using 1:3 with lines linetype 1 title "Winnow", \
      taken(1) using 1:2 with points pointtype 6 linecolor "#c2571a" title "printed"
 set title "aluminium on a rigid plane"
 set xrange [0:800]
-plot "figures/16/16-hertz.txt" index 1 using 1:3 with lines linetype 1 title "ours", \
+plot "figures/16/16-hertz.txt" index 1 using 1:3 with lines linetype 1 title "Winnow", \
      taken(2) using 1:2 with points pointtype 6 linecolor "#c2571a" title "printed"
 unset multiplot

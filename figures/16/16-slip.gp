@@ -9,7 +9,7 @@ set xlabel "v_t / (μ v_n)"
 set ylabel "R ω / (μ v_n)"
 set xrange [0:12]
 set yrange [-6:0]
-plot "figures/16/16-slip.txt" index 0 using 1:2 with lines linetype 1 title "ours", \
+plot "figures/16/16-slip.txt" index 0 using 1:2 with lines linetype 1 title "Winnow", \
      taken("^5,steel") using 1:2 with points pointtype 6 linecolor "#c2571a" title "their code", \
      taken("^5,FEM") using 1:2 with points pointtype 7 linecolor "#3d7a3d" title "finite elements"
 set title "test 6: sliding stopped"
@@ -18,7 +18,7 @@ set ylabel "speed of the surface after / before, reversed"
 set xrange [0:8]
 set yrange [-1:0.4]
 set key right bottom
-plot "figures/16/16-slip.txt" index 1 using 1:2 with lines linetype 1 title "ours", \
+plot "figures/16/16-slip.txt" index 1 using 1:2 with lines linetype 1 title "Winnow", \
      taken("^6,Al") using 1:2 with points pointtype 6 linecolor "#c2571a" title "their code", \
      (x < 1 ? x - 1 : NaN) with lines linecolor "#999999" dashtype 2 title "all slides"
 unset multiplot

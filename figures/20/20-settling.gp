@@ -19,7 +19,7 @@ set xrange [4:300]
 set yrange [1e-5:0.3]
 set key top right
 c = "< sed -n '/^## cells/,$p' figures/20/20-settling.txt | awk 'NF == 4 && /^ *[0-9]/'"
-plot c using 1:2 with linespoints pointtype 7 pointsize 0.6 linetype 2 title "sums of each cell", \
+plot c using 1:2 with linespoints pointtype 7 pointsize 0.6 linetype 2 title "PCM", \
      c using 1:3 with linespoints pointtype 7 pointsize 0.6 linetype 4 title "diffusion, 4 d", \
      c using 1:4 with linespoints pointtype 7 pointsize 0.6 linetype 1 title "diffusion, 16 d"
 unset multiplot
