@@ -171,6 +171,9 @@ weave: ## refresh what the chapters quote from source and results
 figures: $B/winnow $B/tests/test_impacts $(BENCH) ## remake slow results and figures, and say what moved (an hour or two)
 	@sh chapters/tools/figures.sh $B/winnow
 
+gallery: $B/winnow ## the moving pictures of chapters/gallery.md (ten minutes or less); asks for ParaView, xvfb and webp
+	@sh figures/gallery.sh $B
+
 bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour)
 	sh .ci/install run
 	$(MAKE) $(CORES) $(BENCH) WERROR=
@@ -277,6 +280,6 @@ $B/tests/fuzz $B/tests/test_crafted: $B/tests/winnow_main.o
 .PHONY: install uninstall distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check steps-slow cli free vtk tools commands faults-slow pairs-slow \
         parcels parcels-slow commands-slow sanitized-slow style-slow cylinder-slow bare-slow view-slow solutions results text pages \
-        validate validate-bed bench figures fuzz replay weave book pdf help clean tests always
+        validate validate-bed bench figures gallery fuzz replay weave book pdf help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

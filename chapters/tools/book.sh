@@ -23,7 +23,7 @@ command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
 rm -rf "$out"
 mkdir -p "$out/figures"
 cp "$tools/book.css" "$tools/live.js" "$tools/book.js" "$tools/math.woff2" "$tools/math-licence.txt" "$out"
-find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
+find figures -name '*.svg' -o -name '*.png' -o -name '*.webp' | while read -r figure; do
     mkdir -p "$out/${figure%/*}" && cp "$figure" "$out/$figure"
 done
 
