@@ -258,7 +258,7 @@ JS    = /usr/share/javascript
 PLOTS = $(JS)/dygraphs/dygraph.min
 SCENE = $(JS)/three/three.min.js
 PARTS = page_html=src/report/page.html page_css=src/report/page.css page_js=src/report/page.js \
-        page_plots_css=$(PLOTS).css page_plots_js=$(PLOTS).js page_scene_js=$(SCENE)
+        page_add_js=src/report/page_add.js page_study_js=src/report/page_study.js page_plots_css=$(PLOTS).css page_plots_js=$(PLOTS).js page_scene_js=$(SCENE)
 $B/src/report/page_parts.c: $(wildcard src/report/p*.* $(PLOTS).css $(PLOTS).js $(SCENE))
 	@mkdir -p $(@D)
 	@LC_ALL=C awk -f src/report/parts.awk $(PARTS) >$@.new && mv $@.new $@

@@ -63,7 +63,7 @@ clang_too() {
 rooms() {
     grep -rn --include='*.[ch]' '^#include "' src | awk '
     BEGIN {
-        n = split("base mesh linear fluid dem averaging coupling resolved output record case tell study report distributed",
+        n = split("base mesh linear fluid dem averaging coupling resolved output record case tell report study distributed",
                   order, " ")
         for (i = 1; i <= n; i++) rank[order[i]] = i
         apart["linear mesh"]; apart["dem fluid"]; apart["averaging fluid"]

@@ -41,9 +41,11 @@ void page_put_scene(struct page *p);
 
 /* The parts that the build makes of files: lines, ended by NULL. */
 extern const char *const page_html[],
-    *const page_css[], *const page_js[], *const page_plots_css[],
-                                             *const page_plots_js[],
-                                                 *const page_scene_js[];
+    *const page_css[], *const page_add_js[],
+                           *const page_js[], *const page_study_js[],
+                                                 *const page_plots_css[],
+                                                     *const page_plots_js[],
+                                                         *const page_scene_js[];
 
 /* --- vtk read ------------------------------------------------------------- */
 

@@ -1,18 +1,5 @@
-'use strict';
 /* page.js -- shows what the hidden elements of the page hold. All that comes from a
  * folder is put in by textContent, so that it stays text. */
-function add(parent, tag, text, more) {
-  const e = document.createElement(tag);
-  if (text !== undefined && text !== null) e.textContent = text;
-  Object.assign(e, more);
-  parent.append(e);
-  return e;
-}
-const short = x => typeof x !== 'number' ? String(x) :
-  x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e6) ? x.toExponential(4).replace(/\.?0*e/, 'e') :
-  String(+x.toPrecision(5));
-const percent = x => +(100 * x).toPrecision(3) + ' %';
-const finite = x => typeof x === 'number' && isFinite(x);
 
 /* --- what was computed -------------------------------------------------------------- */
 

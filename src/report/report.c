@@ -280,6 +280,7 @@ static void page_put_all(struct page *p, const int *folder, int n,
                 {"@css\n", page_css},
                 {"@plots_js\n", page_plots_js},
                 {"@scene_js\n", page_scene_js},
+                {"@add_js\n", page_add_js},
                 {"@js\n", page_js},
                 {"@runs\n", NULL}};
     enum { PARTS = sizeof part / sizeof part[0] };

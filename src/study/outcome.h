@@ -118,6 +118,7 @@ const char *words_error(const struct truth *t);
  *     study.md     a row a variant, orders, and the advice: which variant is
  *                  the cheapest within 5 %, 1 %, 0.1 % of the truth, and the
  *                  case as it stands beside it
+ *     study.html   the same to choose from, in a browser (html.c)
  *     study.svg, study.png, study.gp
  *                  error against cost, the script with its data
  *
@@ -126,6 +127,14 @@ const char *words_error(const struct truth *t);
 int report_write(const struct outcomes *o);
 void report_advice(const struct outcomes *o, FILE *out);
 int outcome_draw(const struct outcomes *o);
+
+/* study.html: the table as a page with a picture in which one can choose. It
+ * also tells of a study that was interrupted. */
+int html_write(const struct outcomes *o);
+
+/* Why a run did not come to its end: its summary says so, or the first line of
+ * what it said. To be freed. */
+char *report_reason(const struct run *r);
 
 /* A file in the folder of the study, to be committed; NULL after a message. */
 struct file *report_file(const struct plan *p, const char *name);

@@ -156,9 +156,7 @@ static void put_finding(const struct finding *f, FILE *out)
     if (isfinite(f->order)) fprintf(out, "%.2f", f->order);
 }
 
-/* Why a run did not come to its end: its summary says so, or the first line of
- * what it said. To be freed. */
-static char *reason_of(const struct run *r)
+char *report_reason(const struct run *r)
 {
     char *const log = file_join(r->folder, "log.txt");
     char *reason = read_summary_text(r->folder, "exit_reason");
@@ -193,7 +191,7 @@ static void put_outcome(const struct outcomes *o, const struct outcome *v,
         put_rounded(out, v->cost, 4, "");
     }
     if (v->broken != NULL) {
-        char *const reason = reason_of(v->broken);
+        char *const reason = report_reason(v->broken);
         fprintf(out, " | exit code %d: ", v->broken->code);
         text_put(out, reason, TEXT_PAGE);
         free(reason);
@@ -494,5 +492,5 @@ static int write_page(const struct outcomes *o)
 
 int report_write(const struct outcomes *o)
 {
-    return write_runs(o) != 0 || write_page(o) != 0;
+    return write_runs(o) != 0 || write_page(o) != 0 || html_write(o) != 0;
 }

@@ -82,10 +82,20 @@ static int tell(const struct plan *p, int n, const struct run *runs)
 
     if (!failed && !p->quiet) {
         report_advice(&o, stdout);
-        printf("see %s/study.md, study.csv and study.svg\n", p->dir);
+        printf("see %s/study.html, study.md, study.csv and study.svg\n",
+               p->dir);
     }
     outcomes_free(&o);
     return failed ? RUN_NOT_WRITTEN : 0;
+}
+
+/* Those that have ended before a signal came. */
+static void tell_of_some(const struct plan *p, int n, const struct run *runs)
+{
+    struct outcomes o = outcomes_create(p, n, runs);
+
+    html_write(&o);
+    outcomes_free(&o);
 }
 
 static int perform(const struct plan *p, int n, struct run *runs)
@@ -101,7 +111,10 @@ static int perform(const struct plan *p, int n, struct run *runs)
     if (before > 0 && !p->quiet)
         fprintf(stderr, "%d of %d runs were done before\n", before, n);
     code = runs_perform(p, n, runs);
-    if (code == 0) code = tell(p, n, runs);
+    if (code == 0)
+        code = tell(p, n, runs);
+    else if (code == INTERRUPT_CODE)
+        tell_of_some(p, n, runs);
     close(file);
     return code;
 }
