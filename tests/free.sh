@@ -22,7 +22,7 @@ wrap="-Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints"
 counted="src/coupling/coupling.c src/coupling/effects.c src/coupling/transfer.c
     src/coupling/reaction.c
     src/dem/dem.c src/dem/fast/chunk_step.c
-    src/dem/fast/bodies.c"
+    src/dem/fast/rows.c"
 
 # What says what it runs; the rest is as in the program.
 instrument() { # source

@@ -82,7 +82,7 @@ START_TEST(a_prescribed_particle_acts_on_the_fluid_by_drag_alone)
 }
 END_TEST
 
-/* A sphere without drag and added mass moves as with bodies_advance, with spin,
+/* A sphere without drag and added mass moves as with rows_advance, with spin,
  * wall and friction. Tolerance: a rounding a step, doubled by each of two
  * bounces. */
 START_TEST(implicit_drag_of_zero_changes_nothing)

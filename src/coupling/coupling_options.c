@@ -60,7 +60,7 @@ const struct model coupling_exponential = {
     .name = "exponential",
     .what = "a slip that decays exponentially during a sub-step",
     .equations = "XS11 3.16",
-    .function = "bodies_advance_with_drag",
+    .function = "rows_advance_with_drag",
     .value = SLIP_INTEGRATION_EXPONENTIAL,
 };
 

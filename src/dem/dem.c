@@ -277,7 +277,7 @@ const struct integrator integrators_velocity_verlet = {
     .name = "velocity-verlet",
     .what = "second order without damping; forces computed once a step",
     .equations = "LS section 4.2",
-    .function = "bodies_advance",
+    .function = "rows_advance",
     .first = 0.5,
     .last = 0.5,
 };
@@ -286,7 +286,7 @@ const struct integrator integrators_symplectic_euler = {
     .name = "symplectic-euler",
     .what = "first order; its energy error stays bounded",
     .equations = "LS section 4.2",
-    .function = "bodies_advance",
+    .function = "rows_advance",
     .first = 1.0,
 };
 

@@ -22,9 +22,9 @@ struct contact_list {
     struct box_domain box;
     struct contact_constants *constants; /* of each pair of materials */
     struct link_cells *cells;
-    struct bodies *rows; /* the particles once more, where there are surfaces;
+    struct rows *rows; /* the particles once more, where there are surfaces;
                             else this is NULL */
-    struct pose *pose;   /* of each surface */
+    struct pose *pose; /* of each surface */
     struct near_faces near;
     struct surface_contact_points points;
     int n, room;             /* [-] contacts */
@@ -145,7 +145,7 @@ static void contact_list_add_walls(struct contact_list *c, int i,
 static void contact_list_fill_rows(struct contact_list *c)
 {
     const struct particles *const ps = c->sim->particles;
-    struct bodies *const rows = c->rows;
+    struct rows *const rows = c->rows;
 
     rows->n = ps->n;
     for (int i = 0; i < ps->n; i++) {
@@ -218,7 +218,7 @@ static struct contact_list *contact_list_create(const struct simulation *sim)
     materials_table(o->law, &o->material, o->materials, c->constants);
     c->cells = link_cells_create(sim->particles->capacity, &c->box);
     if (o->n_surfaces > 0) {
-        c->rows = bodies_create(sim->particles->capacity, &c->box);
+        c->rows = rows_create(sim->particles->capacity, &c->box);
         c->pose = alloc_zeroed((size_t)o->n_surfaces, sizeof *c->pose);
     }
     contact_list_reserve(c);
@@ -230,7 +230,7 @@ static void contact_list_free(struct contact_list *c)
     if (c == NULL) return;
     link_cells_free(c->cells);
     if (c->rows != NULL) {
-        bodies_free(c->rows);
+        rows_free(c->rows);
         near_faces_release(&c->near);
         free(c->points.list);
     }

@@ -184,24 +184,24 @@ static void return_history(struct chunk *s)
     }
 }
 
-static inline int near_pair(const struct bodies *b, int i, int j, double margin)
+static inline int near_pair(const struct rows *b, int i, int j, double margin)
 {
     const double reach = b->place[i].R + b->place[j].R + margin;
 
-    return bodies_distance2(b, i, j) < reach * reach;
+    return rows_distance2(b, i, j) < reach * reach;
 }
 
-static inline int near_wall(const struct bodies *b, int i, int wall,
+static inline int near_wall(const struct rows *b, int i, int wall,
                             double margin)
 {
-    return bodies_wall_gap(b, i, wall) < margin;
+    return rows_wall_gap(b, i, wall) < margin;
 }
 
 /* From slot `first` on; returns the slot after the last. Writes every pair, and
  * advances the slot only for near ones, which avoids a branch. */
-static inline int choose_contacts_of(struct chunk *s, const struct bodies *b,
+static inline int choose_contacts_of(struct chunk *s, const struct rows *b,
                                      const struct neighbour_list *v,
-                                     int (*is_near)(const struct bodies *, int,
+                                     int (*is_near)(const struct rows *, int,
                                                     int, double),
                                      double margin, int first)
 {
@@ -294,8 +294,7 @@ int chunk_blocks_fit(const struct chunk *s, int n)
     return fit;
 }
 
-void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
-                           double margin)
+void chunk_choose_contacts(struct chunk *s, const struct rows *b, double margin)
 {
     return_history(s);
     const int pairs = choose_contacts_of(s, b, &s->pairs, near_pair, margin, 0);
@@ -400,18 +399,18 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
     }
 }
 
-static int chunk_touching(const struct chunk *s, const struct bodies *b)
+static int chunk_touching(const struct chunk *s, const struct rows *b)
 {
     const struct chunk_contacts *const c = &s->contacts;
     int n = 0;
 
     for (int q = 0; q < c->n_pairs + c->n_walls; q++)
-        n += (q < c->n_pairs ? bodies_pair_gap : bodies_wall_gap)(
+        n += (q < c->n_pairs ? rows_pair_gap : rows_wall_gap)(
                  b, c->owner[q], c->partner[q]) < 0.0;
     return n;
 }
 
-void chunk_measure(struct chunk *s, const struct bodies *b)
+void chunk_measure(struct chunk *s, const struct rows *b)
 {
     struct chunk_measures *const m = &s->measures;
 
@@ -438,25 +437,25 @@ void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
 }
 
 /* As in the contact loop, a wall counts as a sphere of the same radius. */
-static void note_pair(struct chunk *s, const struct bodies *b, int q)
+static void note_pair(struct chunk *s, const struct rows *b, int q)
 {
     const int i = s->contacts.owner[q], j = s->contacts.partner[q];
     const double sum = b->place[i].R + b->place[j].R;
 
-    chunk_record_overlap(&s->deep, -bodies_pair_gap(b, i, j) / sum, b->id[i],
+    chunk_record_overlap(&s->deep, -rows_pair_gap(b, i, j) / sum, b->id[i],
                          b->id[j], b->place[i].x);
 }
 
-static void note_wall(struct chunk *s, const struct bodies *b, int q)
+static void note_wall(struct chunk *s, const struct rows *b, int q)
 {
     const int i = s->contacts.owner[q], wall = s->contacts.partner[q];
 
     chunk_record_overlap(&s->deep,
-                         -0.5 * bodies_wall_gap(b, i, wall) / b->place[i].R,
+                         -0.5 * rows_wall_gap(b, i, wall) / b->place[i].R,
                          b->id[i], -1 - wall, b->place[i].x);
 }
 
-void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
+void chunk_check_overlaps(struct chunk *s, const struct rows *b,
                           const struct chunk_block *from,
                           const struct chunk_block *to)
 {

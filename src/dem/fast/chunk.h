@@ -17,7 +17,7 @@
 #define DEM_FAST_CHUNK_H
 
 #include "dem/energy.h"
-#include "dem/fast/bodies.h"
+#include "dem/fast/rows.h"
 
 /* Partners of the particles begin, begin + 1, ... of a chunk: those of the a-th
  * are partner[start[a]] ... partner[start[a + 1] - 1]. */
@@ -112,7 +112,7 @@ struct chunk {
     struct chunk_deep deep;
     double max_speed[4];     /* [m/s] largest |v_x|, |v_y|, |v_z| */
     double max_speed_now[4]; /* [m/s] the same in the step at hand */
-    struct bodies_survey survey;
+    struct rows_survey survey;
     struct chunk_measures measures;
     struct chunk_energy energy;
 };
@@ -139,7 +139,7 @@ void chunk_finish_lists(struct chunk *s, int n);
 /* Chooses the contacts from the neighbour list: gap < margin [m]. The
  * tangential displacements are copied from the old contacts to the neighbour
  * list and from there to the new contacts. */
-void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
+void chunk_choose_contacts(struct chunk *s, const struct rows *b,
                            double margin);
 
 /* 1 if the blocks are those that its contacts are split into; n particles. */
@@ -166,7 +166,7 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
                      int end);
 
 /* Fills in the measures. */
-void chunk_measure(struct chunk *s, const struct bodies *b);
+void chunk_measure(struct chunk *s, const struct rows *b);
 
 /* Records an overlap that is deeper than all before. */
 void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
@@ -174,26 +174,26 @@ void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
 
 /* Records the deepest overlap of the contacts between two blocks, at the
  * present positions. */
-void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
+void chunk_check_overlaps(struct chunk *s, const struct rows *b,
                           const struct chunk_block *from,
                           const struct chunk_block *to);
 
 /* Counts in the budget the work of a kick of `length` [s] from its part `from`
  * to its part `to` [-]; `part` is that of the chunk's first particle on, the
- * velocities before and after it are of all particles (bodies.h). */
+ * velocities before and after it are of all particles (rows.h). */
 struct chunk_kick {
     double length, from, to;
     const struct row_motion *before, *after;
     struct row_load (*part)[ENERGY_PARTS];
 };
-void chunk_count_kick(struct chunk *s, const struct bodies *b,
+void chunk_count_kick(struct chunk *s, const struct rows *b,
                       const struct chunk_kick *kick);
 
 /* The same from the present velocities up to `to` [-] of the kick of one step
  * that follows, which is not made; and `ahead`, the kinetic energy that it
  * brings. */
-void chunk_count_ahead(struct chunk *s, const struct bodies *b, double to);
-void chunk_measure_ahead(struct chunk *s, const struct bodies *b, double to);
+void chunk_count_ahead(struct chunk *s, const struct rows *b, double to);
+void chunk_measure_ahead(struct chunk *s, const struct rows *b, double to);
 
 /* To be called before and after the contacts of a step. Contact histories
  * migrate between chunks at a rebuild; only the sum of `released` over all

@@ -17,7 +17,7 @@ static void chunk_step_set_prescribed(const struct neighbours *nb,
 {
     if (nb->prescribed == NULL || !by->prescribed) return;
     own->energy.prescribed += prescribed_particles_set_velocities(
-        nb->prescribed, nb->bodies, nb->ps, begin, end, load, by->t, by->drift,
+        nb->prescribed, nb->rows, nb->ps, begin, end, load, by->t, by->drift,
         by->kick);
 }
 
@@ -26,14 +26,13 @@ static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
                                const struct step_parameters *by)
 {
     struct row_load *const load = own->load + (begin - own->begin);
-    struct bodies *const b = nb->bodies;
+    struct rows *const b = nb->rows;
 
     if (by->budget && end > begin)
         memcpy(&b->before[begin], &b->motion[begin],
                (size_t)(end - begin) * sizeof *b->before);
     chunk_step_set_prescribed(nb, own, begin, end, load, by);
-    bodies_advance(b, begin, end, load, by->kick, by->drift,
-                   own->max_speed_now);
+    rows_advance(b, begin, end, load, by->kick, by->drift, own->max_speed_now);
 }
 
 /* What the budget counts after all particles of the chunk have moved, in an
@@ -43,11 +42,10 @@ static void chunk_step_count(const struct neighbours *nb, int s,
 {
     struct chunk *const own = &nb->chunks[s];
     const struct chunk_kick kick = {
-        by->kick,           by->from,           1.0,
-        nb->bodies->before, nb->bodies->motion, own->part};
+        by->kick, by->from, 1.0, nb->rows->before, nb->rows->motion, own->part};
 
     if (!by->budget) return;
-    chunk_count_kick(own, nb->bodies, &kick);
+    chunk_count_kick(own, nb->rows, &kick);
     if (nb->surfaces != NULL)
         surface_contacts_count(&nb->surfaces->chunk[s],
                                (1.0 - by->from) * by->kick);
@@ -61,8 +59,8 @@ static void chunk_step_count(const struct neighbours *nb, int s,
 static int n_shared(const struct neighbours *nb, int s,
                     const struct step_parameters *by)
 {
-    const int *const around = nb->bodies->box.periodic;
-    const int n = nb->bodies->n, first = neighbours_balanced_range(nb).first;
+    const int *const around = nb->rows->box.periodic;
+    const int n = nb->rows->n, first = neighbours_balanced_range(nb).first;
     int most = 0;
 
     if (nb->surfaces != NULL || by->n_attractions > 0) return n;
@@ -89,24 +87,24 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
     if (by->budget)
         memset(own->part + from->n_loads, 0,
                (size_t)(to->n_loads - from->n_loads) * sizeof *own->part);
-    sweep_contacts(own, nb->bodies, by->constants, by->dt, from->pairs,
+    sweep_contacts(own, nb->rows, by->constants, by->dt, from->pairs,
                    to->pairs);
-    sweep_contacts(own, nb->bodies, by->constants, by->dt, from->walls,
+    sweep_contacts(own, nb->rows, by->constants, by->dt, from->walls,
                    to->walls);
     if (own->max_overlap > own->deep.overlap)
-        chunk_check_overlaps(own, nb->bodies, from, to);
+        chunk_check_overlaps(own, nb->rows, from, to);
 }
 
 /* --- attractions (attraction.h) ------------------------------------------- */
 
-static int material_in_row(const struct bodies *b, int i)
+static int material_in_row(const struct rows *b, int i)
 {
     return b->material != NULL ? b->material[i] : 0;
 }
 
 /* The damping force [N] of i and j; x [m] points from j to i and has the length
  * r [m]. */
-static double attraction_damped(const struct bodies *b,
+static double attraction_damped(const struct rows *b,
                                 const struct attraction *a, int i, int j,
                                 const double x[3], double r, double gap)
 {
@@ -120,7 +118,7 @@ static double attraction_damped(const struct bodies *b,
                            m->per_m + u->per_m, b->step);
 }
 
-static void add_attraction_of_pairs(struct chunk *s, const struct bodies *b,
+static void add_attraction_of_pairs(struct chunk *s, const struct rows *b,
                                     const struct attraction *a, int i)
 {
     const struct neighbour_list *const v = &s->pairs;
@@ -153,7 +151,7 @@ static void add_attraction_of_pairs(struct chunk *s, const struct bodies *b,
 }
 
 /* Adds the forces of the six sides of the box. */
-static void add_attraction_of_walls(struct chunk *s, const struct bodies *b,
+static void add_attraction_of_walls(struct chunk *s, const struct rows *b,
                                     const struct attraction *a, int i)
 {
     const struct neighbour_list *const v = &s->walls;
@@ -163,7 +161,7 @@ static void add_attraction_of_walls(struct chunk *s, const struct bodies *b,
     for (int q = v->start[own]; q < v->start[own + 1]; q++) {
         const int k = v->partner[q] / 2, upper = v->partner[q] % 2;
         if (k > 2) continue;
-        const double gap = bodies_wall_gap(b, i, v->partner[q]);
+        const double gap = rows_wall_gap(b, i, v->partner[q]);
         if (gap > a->range) continue;
         const double out = upper ? -1.0 : 1.0;
         if (a->law->wall != NULL)
@@ -175,7 +173,7 @@ static void add_attraction_of_walls(struct chunk *s, const struct bodies *b,
     }
 }
 
-static void add_attraction(struct chunk *s, const struct bodies *b,
+static void add_attraction(struct chunk *s, const struct rows *b,
                            const struct attraction *a)
 {
     for (int i = s->begin; i < s->end; i++) {
@@ -193,8 +191,7 @@ static void add_to_attractions(struct chunk *own, double sign)
             own->part[q][ENERGY_ATTRACTIONS].F[k] += sign * own->load[q].F[k];
 }
 
-static void chunk_step_add_attractions(const struct bodies *b,
-                                       struct chunk *own,
+static void chunk_step_add_attractions(const struct rows *b, struct chunk *own,
                                        const struct step_parameters *by)
 {
     const int counted = by->budget && by->n_attractions > 0;
@@ -212,9 +209,9 @@ static void load_others(struct neighbours *nb, int s,
     struct chunk *const own = &nb->chunks[s];
 
     if (nb->surfaces != NULL)
-        surfaces_add_loads(nb->surfaces, s, own, nb->bodies, by->constants,
+        surfaces_add_loads(nb->surfaces, s, own, nb->rows, by->constants,
                            by->dt);
-    chunk_step_add_attractions(nb->bodies, own, by);
+    chunk_step_add_attractions(nb->rows, own, by);
 }
 
 /* Computes loads, then motion, block by block. Blocks wait if other chunks may
@@ -229,7 +226,7 @@ static void load_and_move_chunk(struct neighbours *nb, int s,
         const int end = own->blocks[k].end;
         if (!waiting) load_block(nb, own, k, by);
         if ((begin < late) == waiting) {
-            chunk_add_loads(nb->chunks, nb->n_chunks, s, nb->bodies->n, begin,
+            chunk_add_loads(nb->chunks, nb->n_chunks, s, nb->rows->n, begin,
                             end);
             chunk_step_advance(nb, own, begin, end, by);
         }
@@ -282,20 +279,20 @@ void chunk_step_move(struct neighbours *nb, const struct step_parameters *by)
 
 /* --- chunk energy --------------------------------------------------------- */
 
-static int is_fixed(const struct bodies *b, int i)
+static int is_fixed(const struct rows *b, int i)
 {
     return b->own_inverse_mass != NULL && b->own_inverse_mass[i] > 0.0;
 }
 
 /* One particle: its motion before and after the kick, and the mean of its
- * velocities in the part that is counted, as in bodies.h. */
+ * velocities in the part that is counted, as in rows.h. */
 struct kicked {
     const struct row_motion *before, *after;
     struct row_motion mean;
     int fixed; /* [-] 1: it moves as prescribed */
 };
 
-static struct kicked kicked(const struct bodies *b, int i,
+static struct kicked kicked(const struct rows *b, int i,
                             const struct row_motion *before,
                             const struct row_motion *after, double middle)
 {
@@ -323,7 +320,7 @@ static double load_power(const struct row_load *load,
 }
 
 /* The power of an implicit drag (implicit_drag.h) in a kick of dt. */
-static double drag_power(const struct bodies *b, int i, const struct kicked *p,
+static double drag_power(const struct rows *b, int i, const struct kicked *p,
                          const struct row_load *load, double dt)
 {
     const struct row_drag *const drag = &b->drag[i];
@@ -342,7 +339,7 @@ static double drag_power(const struct bodies *b, int i, const struct kicked *p,
 
 /* The work of the external forces, and of what keeps a prescribed particle in
  * its motion: the opposite of that of all others. */
-static void count_others(struct chunk_energy *e, const struct bodies *b, int i,
+static void count_others(struct chunk_energy *e, const struct rows *b, int i,
                          const struct kicked *p, const struct row_load *load,
                          double h, double dt)
 {
@@ -367,7 +364,7 @@ static void count_one(struct chunk_energy *e, const struct kicked *p,
     e->attracted += h * vector_dot(part[ENERGY_ATTRACTIONS].F, m->v);
 }
 
-void chunk_count_kick(struct chunk *s, const struct bodies *b,
+void chunk_count_kick(struct chunk *s, const struct rows *b,
                       const struct chunk_kick *kick)
 {
     const double h = (kick->to - kick->from) * kick->length;
@@ -381,13 +378,13 @@ void chunk_count_kick(struct chunk *s, const struct bodies *b,
     }
 }
 
-void chunk_count_ahead(struct chunk *s, const struct bodies *b, double to)
+void chunk_count_ahead(struct chunk *s, const struct rows *b, double to)
 {
     const double h = to * b->step;
 
     for (int i = s->begin; i < s->end; i++) {
         const struct row_load *const load = &s->load[i - s->begin];
-        const struct row_motion after = bodies_kicked(b, i, load);
+        const struct row_motion after = rows_kicked(b, i, load);
         const struct kicked p = kicked(b, i, &b->motion[i], &after, 0.5 * to);
         count_one(&s->energy, &p, s->part[i - s->begin], h);
         count_others(&s->energy, b, i, &p, load, h, b->step);
@@ -396,7 +393,7 @@ void chunk_count_ahead(struct chunk *s, const struct bodies *b, double to)
 
 /* (1/2) m (v + to dv)^2 - (1/2) m v^2, with the added mass; and the rotation,
  * I = (2/5) m R^2. */
-void chunk_measure_ahead(struct chunk *s, const struct bodies *b, double to)
+void chunk_measure_ahead(struct chunk *s, const struct rows *b, double to)
 {
     s->energy.ahead = 0.0;
     for (int i = s->begin; i < s->end; i++) {
@@ -406,7 +403,7 @@ void chunk_measure_ahead(struct chunk *s, const struct bodies *b, double to)
 
         if (is_fixed(b, i) || to == 0.0) continue;
         const struct row_motion after =
-            bodies_kicked(b, i, &s->load[i - s->begin]);
+            rows_kicked(b, i, &s->load[i - s->begin]);
         for (int k = 0; k < 3; k++) {
             const double dv = to * (after.v[k] - now->v[k]);
             const double ds = to * (after.s[k] - now->s[k]);
@@ -434,7 +431,7 @@ void chunk_end_budget(struct chunk_energy *e)
 /* --- the budget of all chunks --------------------------------------------- */
 
 /* (1/2) m_a v^2 of the added mass (implicit_drag.h). */
-static double added_mass_energy(const struct bodies *b)
+static double added_mass_energy(const struct rows *b)
 {
     double sum = 0.0;
 
@@ -462,7 +459,7 @@ static void budget_add(struct energy *e, const struct chunk_energy *part)
 
 struct energy neighbours_energy(const struct neighbours *nb)
 {
-    struct energy e = {.kinetic = added_mass_energy(nb->bodies)};
+    struct energy e = {.kinetic = added_mass_energy(nb->rows)};
 
     for (int s = 0; s < nb->n_chunks; s++) {
         const struct chunk *const own = &nb->chunks[s];

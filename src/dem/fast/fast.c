@@ -48,19 +48,19 @@ static struct neighbours *create_neighbours(const struct dem *dem)
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     struct neighbours *const nb = neighbours_create(dem->ps, &box);
 
-    nb->bodies->law = o->law;
-    nb->bodies->step = o->step;
-    nb->bodies->sweep_options = loop_of(o, 0);
-    nb->bodies->n_materials = materials_count(o->materials);
-    if (o->materials != NULL) nb->bodies->wall_material = o->materials->wall;
+    nb->rows->law = o->law;
+    nb->rows->step = o->step;
+    nb->rows->sweep_options = loop_of(o, 0);
+    nb->rows->n_materials = materials_count(o->materials);
+    if (o->materials != NULL) nb->rows->wall_material = o->materials->wall;
     nb->range = dem_range(o);
     if (o->n_surfaces > 0)
         nb->surfaces = surfaces_create(o->surfaces, o->n_surfaces,
-                                       &nb->bodies->box, nb->n_chunks);
+                                       &nb->rows->box, nb->n_chunks);
     if (o->n_prescribed > 0) {
         nb->prescribed =
             prescribed_particles_create(o->prescribed, o->n_prescribed);
-        nb->bodies->own_inverse_mass = alloc_doubles(dem->ps->capacity);
+        nb->rows->own_inverse_mass = alloc_doubles(dem->ps->capacity);
     }
     return nb;
 }
@@ -84,7 +84,7 @@ static int fast_create(struct dem *dem)
     struct fast *const fast = dem->state = alloc_zeroed(1, sizeof *fast);
     if (o->integrator->predicts) add_heun(fast, dem->ps->capacity);
     fast->neighbours = create_neighbours(dem);
-    if (fast->neighbours->bodies->sweep_options & SWEEP_ROLLING)
+    if (fast->neighbours->rows->sweep_options & SWEEP_ROLLING)
         neighbours_add_rolling(fast->neighbours);
     return 0;
 }
@@ -108,8 +108,8 @@ static void fast_add_budget(struct fast *fast, int capacity)
     struct neighbours *const nb = fast->neighbours;
     const size_t n = (size_t)capacity;
 
-    if (nb->bodies->before != NULL) return;
-    nb->bodies->before = alloc_zeroed(n, sizeof *nb->bodies->before);
+    if (nb->rows->before != NULL) return;
+    nb->rows->before = alloc_zeroed(n, sizeof *nb->rows->before);
     for (int s = 0; s < nb->n_chunks; s++)
         nb->chunks[s].has_budget = 1;
     if (fast->heun.load != NULL)
@@ -121,7 +121,7 @@ static void fast_changed(struct dem *dem)
     struct fast *const fast = fast_of(dem);
 
     if (dem->energy != NULL) fast_add_budget(fast, dem->ps->capacity);
-    fast->neighbours->bodies->sweep_options =
+    fast->neighbours->rows->sweep_options =
         loop_of(&dem->options, dem->energy != NULL);
     fast->neighbours->stale = 1;
 }
@@ -143,7 +143,7 @@ static void find_deepest(struct dem *dem)
         deep->id = own->id;
         deep->other = own->other;
         for (int k = 0; k < 3; k++)
-            deep->at[k] = box_domain_inside(&nb->bodies->box, k, own->at[k]);
+            deep->at[k] = box_domain_inside(&nb->rows->box, k, own->at[k]);
     }
 }
 
@@ -151,12 +151,12 @@ static void report_lost(const struct neighbours *nb, struct dem_report *r)
 {
     r->lost_id = r->lost_through = -1;
     for (int s = 0; s < nb->n_chunks; s++) {
-        const struct bodies_survey *const found = &nb->chunks[s].survey;
+        const struct rows_survey *const found = &nb->chunks[s].survey;
         if (found->lost > 0 && r->lost == 0) {
             r->lost_id = nb->ps->id[found->first_lost];
             r->lost_through = found->lost_through;
             for (int k = 0; k < 3; k++)
-                r->lost_at[k] = nb->bodies->place[found->first_lost].x[k];
+                r->lost_at[k] = nb->rows->place[found->first_lost].x[k];
         }
         r->lost += found->lost;
     }

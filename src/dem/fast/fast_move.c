@@ -110,8 +110,8 @@ static void set_prescribed(const struct neighbours *nb, double t, double dt)
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         own->energy.prescribed += prescribed_particles_set_velocities(
-            nb->prescribed, nb->bodies, nb->ps, own->begin, own->end, NULL, t,
-            dt, 0.0);
+            nb->prescribed, nb->rows, nb->ps, own->begin, own->end, NULL, t, dt,
+            0.0);
     }
 }
 
@@ -139,12 +139,12 @@ static void fast_move_measure(struct dem *dem)
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         if (dem->energy != NULL)
-            chunk_measure_ahead(own, nb->bodies,
+            chunk_measure_ahead(own, nb->rows,
                                 integrator_lag(dem->options.integrator));
         if (nb->prescribed != NULL)
-            prescribed_particles_restore_mass(nb->prescribed, nb->bodies,
-                                              nb->ps, own->begin, own->end);
-        chunk_measure(own, nb->bodies);
+            prescribed_particles_restore_mass(nb->prescribed, nb->rows, nb->ps,
+                                              own->begin, own->end);
+        chunk_measure(own, nb->rows);
     }
 }
 
@@ -209,7 +209,7 @@ static void count_ahead(struct dem *dem)
 
     if (dem->energy == NULL || lag == 0.0) return;
     for (int s = mine.first; s < mine.last; s++) {
-        chunk_count_ahead(&nb->chunks[s], nb->bodies, lag);
+        chunk_count_ahead(&nb->chunks[s], nb->rows, lag);
         if (nb->surfaces != NULL)
             surface_contacts_count(&nb->surfaces->chunk[s],
                                    lag * dem->options.step);
@@ -261,7 +261,7 @@ const struct integrator integrators_heun = {
 };
 
 static void heun_save_start(const struct heun *h, const struct chunk *s,
-                            const struct bodies *b)
+                            const struct rows *b)
 {
     const size_t n = (size_t)(s->end - s->begin);
 
@@ -273,7 +273,7 @@ static void heun_save_start(const struct heun *h, const struct chunk *s,
         memcpy(&h->part[s->begin], s->part, n * sizeof *h->part);
 }
 
-/* Of component k: dv/dt, and d(R omega)/dt (bodies.c). */
+/* Of component k: dv/dt, and d(R omega)/dt (rows.c). */
 static double rate_of_v(const struct row_load *load, const double a[4],
                         double per_m, int k)
 {
@@ -286,7 +286,7 @@ static double rate_of_s(const struct row_load *load, double per_m, int k)
 }
 
 static void heun_predict(const struct heun *h, const struct chunk *s,
-                         struct bodies *b, double dt)
+                         struct rows *b, double dt)
 {
     for (int i = s->begin; i < s->end; i++) {
         struct row_motion *const m = &b->motion[i];
@@ -300,8 +300,8 @@ static void heun_predict(const struct heun *h, const struct chunk *s,
     }
 }
 
-static void heun_correct(const struct heun *h, struct chunk *s,
-                         struct bodies *b, double dt)
+static void heun_correct(const struct heun *h, struct chunk *s, struct rows *b,
+                         double dt)
 {
     memset(s->max_speed, 0, sizeof s->max_speed);
     for (int i = s->begin; i < s->end; i++) {
@@ -334,7 +334,7 @@ static void predict(struct dem *dem, double dt)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        heun_predict(&fast_of(dem)->heun, own, nb->bodies, dt);
+        heun_predict(&fast_of(dem)->heun, own, nb->rows, dt);
     }
 }
 
@@ -349,10 +349,10 @@ static void count_heun(struct dem *dem, int s, double dt)
     const struct chunk_kick first = {
         half, 0.0, 1.0, h->motion, h->motion, h->part + own->begin};
     const struct chunk_kick second = {
-        half, 0.0, 1.0, nb->bodies->motion, nb->bodies->motion, own->part};
+        half, 0.0, 1.0, nb->rows->motion, nb->rows->motion, own->part};
 
-    chunk_count_kick(own, nb->bodies, &first);
-    chunk_count_kick(own, nb->bodies, &second);
+    chunk_count_kick(own, nb->rows, &first);
+    chunk_count_kick(own, nb->rows, &second);
     if (nb->surfaces != NULL)
         surface_contacts_count(&nb->surfaces->chunk[s], half);
 }
@@ -365,7 +365,7 @@ static void fast_move_correct(struct dem *dem, double dt)
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         if (dem->energy != NULL) count_heun(dem, s, dt);
-        heun_correct(&fast_of(dem)->heun, own, nb->bodies, dt);
+        heun_correct(&fast_of(dem)->heun, own, nb->rows, dt);
     }
 }
 
@@ -378,7 +378,7 @@ static void force_at_start(struct dem *dem)
 
     compute_loads(dem, 0.0);
     for (int s = mine.first; s < mine.last; s++) {
-        heun_save_start(&fast_of(dem)->heun, &nb->chunks[s], nb->bodies);
+        heun_save_start(&fast_of(dem)->heun, &nb->chunks[s], nb->rows);
         if (dem->energy != NULL && nb->surfaces != NULL)
             surface_contacts_count(&nb->surfaces->chunk[s],
                                    0.5 * dem->options.step);

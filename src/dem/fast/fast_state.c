@@ -177,11 +177,11 @@ static void prescribed_state(struct prescribed_particles *d, struct state *s)
     state_end(s);
 }
 
-/* The sort and its cells are made anew at each rebuild; the rows of the bodies
- * are loaded at the beginning of each run. */
+/* The sort and its cells are made anew at each rebuild; the rows are loaded at
+ * the beginning of each run. */
 static void neighbours_state(struct neighbours *nb, struct state *s)
 {
-    struct bodies *const b = nb->bodies;
+    struct rows *const b = nb->rows;
 
     state_begin(s, "neighbours");
     state_real(s, "skin", "m", &nb->skin);

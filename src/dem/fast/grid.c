@@ -158,16 +158,15 @@ static int grid_beside(const struct grid *g, int k, int c, int found[3])
 }
 
 /* 1 if the gap of i and j, nearest image, is less than the skin [LS 5.15]. */
-static inline int close_by(const struct bodies *b, int i, int j, double skin)
+static inline int close_by(const struct rows *b, int i, int j, double skin)
 {
     const double reach = b->place[i].R + b->place[j].R + skin;
 
-    return bodies_distance2(b, i, j) <= reach * reach;
+    return rows_distance2(b, i, j) <= reach * reach;
 }
 
 /* The same where there are no images. */
-static inline int close_inside(const struct bodies *b, int i, int j,
-                               double skin)
+static inline int close_inside(const struct rows *b, int i, int j, double skin)
 {
     const double *const x = b->place[i].x, *const y = b->place[j].x;
     const double reach = b->place[i].R + b->place[j].R + skin;
@@ -182,8 +181,8 @@ static inline int close_inside(const struct bodies *b, int i, int j,
  * in a box without images. Each candidate is written to the list, and the next
  * one overwrites it unless it is close; a branch would be predicted wrongly for
  * every third. */
-static void find_inside(int from, int to, struct chunk *s,
-                        const struct bodies *b, int i, double skin)
+static void find_inside(int from, int to, struct chunk *s, const struct rows *b,
+                        int i, double skin)
 {
     int n = 0, *const close =
                    to > from ? chunk_room_for_pairs(s, to - from) : NULL;
@@ -197,7 +196,7 @@ static void find_inside(int from, int to, struct chunk *s,
 
 /* Partners of i among the particles from ... to - 1. */
 static void find_among(const struct grid *g, int from, int to, struct chunk *s,
-                       const struct bodies *b, int i, double skin)
+                       const struct rows *b, int i, double skin)
 {
     const int *const around = b->box.periodic;
     const int ring = around[g->axis[2]];
@@ -217,7 +216,7 @@ static void find_among(const struct grid *g, int from, int to, struct chunk *s,
 /* Cells that follow each other in the fastest direction are one stretch of
  * particles. */
 static void find_pairs(const struct grid *g, struct chunk *s,
-                       const struct bodies *b, int i, double skin)
+                       const struct rows *b, int i, double skin)
 {
     const int *const a = g->axis;
     int at[3][3], count[3], c[3];
@@ -240,15 +239,15 @@ static void find_pairs(const struct grid *g, struct chunk *s,
             }
 }
 
-static void grid_find_walls(struct chunk *s, const struct bodies *b, int i,
+static void grid_find_walls(struct chunk *s, const struct rows *b, int i,
                             double skin)
 {
     for (int w = 0; w < 6; w++)
-        if (!b->box.periodic[w / 2] && bodies_wall_gap(b, i, w) <= skin)
+        if (!b->box.periodic[w / 2] && rows_wall_gap(b, i, w) <= skin)
             chunk_add_wall(s, w);
 }
 
-void grid_find(const struct grid *g, struct chunk *s, const struct bodies *b,
+void grid_find(const struct grid *g, struct chunk *s, const struct rows *b,
                double skin)
 {
     chunk_clear_lists(s);

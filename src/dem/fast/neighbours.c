@@ -25,7 +25,7 @@ struct neighbours *neighbours_create(struct particles *ps,
     struct neighbours *const nb = alloc_zeroed(1, sizeof *nb);
 
     nb->ps = ps;
-    nb->bodies = bodies_create(ps->capacity, box);
+    nb->rows = rows_create(ps->capacity, box);
     nb->grid = grid_create(ps->capacity, box);
     nb->n_chunks = chunk_count(ps->capacity);
     nb->chunks = alloc_zeroed((size_t)nb->n_chunks, sizeof *nb->chunks);
@@ -48,7 +48,7 @@ void neighbours_free(struct neighbours *nb)
     for (int s = 0; s < nb->n_chunks; s++)
         chunk_release(&nb->chunks[s]);
     free(nb->chunks);
-    bodies_free(nb->bodies);
+    rows_free(nb->rows);
     grid_free(nb->grid);
     surfaces_free(nb->surfaces);
     prescribed_particles_free(nb->prescribed);
@@ -109,10 +109,10 @@ static void save_history(struct neighbours *nb, int s)
 
 void neighbours_begin_run(struct neighbours *nb)
 {
-    struct bodies *const b = nb->bodies;
+    struct rows *const b = nb->rows;
 
     b->n = nb->ps->n;
-    bodies_add_implicit_drag(b, nb->ps);
+    rows_add_implicit_drag(b, nb->ps);
     b->id = nb->ps->id;
     b->material = nb->ps->material;
     for (int s = 0; s < nb->n_chunks; s++) {
@@ -160,7 +160,7 @@ void neighbours_load(struct neighbours *nb)
     const struct chunk_range mine = neighbours_static_range(nb);
 
     for (int s = mine.first; s < mine.last; s++)
-        bodies_load(nb->bodies, nb->ps, nb->chunks[s].begin, nb->chunks[s].end);
+        rows_load(nb->rows, nb->ps, nb->chunks[s].begin, nb->chunks[s].end);
 }
 
 void neighbours_store(struct neighbours *nb)
@@ -170,7 +170,7 @@ void neighbours_store(struct neighbours *nb)
 
     for (int s = mine.first; s < mine.last; s++) {
         const struct chunk *const own = &nb->chunks[s];
-        bodies_store(nb->bodies, ps, own->begin, own->end);
+        rows_store(nb->rows, ps, own->begin, own->end);
         if (nb->stale) continue; /* no step was made */
         for (int i = own->begin; i < own->end; i++) {
             const double *const F = own->load[i - own->begin].F;
@@ -198,9 +198,9 @@ void neighbours_check_lost(struct neighbours *nb)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        own->survey = bodies_check_lost(nb->bodies, own->begin, own->end);
+        own->survey = rows_check_lost(nb->rows, own->begin, own->end);
         if (nb->surfaces != NULL)
-            surfaces_check_lost(nb->surfaces, s, own, nb->bodies, !nb->stale,
+            surfaces_check_lost(nb->surfaces, s, own, nb->rows, !nb->stale,
                                 nb->skin, &own->survey);
     }
 }
@@ -240,7 +240,7 @@ static void neighbours_sort(struct neighbours *nb)
 /* The chunk of particle i: its begin is n s / count, rounded down. */
 static struct chunk *chunk_of(const struct neighbours *nb, int i)
 {
-    const long s = ((i + 1L) * nb->n_chunks - 1) / nb->bodies->n;
+    const long s = ((i + 1L) * nb->n_chunks - 1) / nb->rows->n;
     return &nb->chunks[s];
 }
 
@@ -254,7 +254,7 @@ static void restore_history(struct neighbours *nb,
     k.owner = nb->rank[old->owner];
     if (old->partner >= 0) {
         k.partner = nb->rank[old->partner];
-        if (!grid_owns(nb->grid, k.owner, k.partner, nb->bodies->n)) {
+        if (!grid_owns(nb->grid, k.owner, k.partner, nb->rows->n)) {
             const int swap = k.owner;
             k.owner = k.partner;
             k.partner = swap;
@@ -272,23 +272,23 @@ static void restore_history(struct neighbours *nb,
 static void rebuild(struct neighbours *nb)
 {
     const struct chunk_range mine = neighbours_static_range(nb);
-    struct bodies *const b = nb->bodies;
+    struct rows *const b = nb->rows;
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         if (!nb->stale) save_history(nb, s);
-        bodies_store(b, nb->ps, own->begin, own->end);
+        rows_store(b, nb->ps, own->begin, own->end);
     }
     neighbours_barrier(nb);
     if (mine.first == 0) neighbours_sort(nb);
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        bodies_load(b, nb->ps, own->begin, own->end);
+        rows_load(b, nb->ps, own->begin, own->end);
         if (nb->prescribed != NULL)
             prescribed_particles_fix_mass(nb->prescribed, b, nb->ps, own->begin,
                                           own->end);
-        bodies_record_positions(b, own->begin, own->end);
+        rows_record_positions(b, own->begin, own->end);
     }
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++) {
@@ -316,9 +316,9 @@ double neighbours_refresh(struct neighbours *nb, double wanted)
     if (moved < 0.0) return -1.0;
     if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
     for (int s = mine.first; s < mine.last; s++) {
-        chunk_choose_contacts(&nb->chunks[s], nb->bodies, margin);
+        chunk_choose_contacts(&nb->chunks[s], nb->rows, margin);
         if (nb->surfaces != NULL)
-            surfaces_choose_contacts(nb->surfaces, s, nb->bodies, margin);
+            surfaces_choose_contacts(nb->surfaces, s, nb->rows, margin);
     }
     neighbours_barrier(nb);
     return margin;
@@ -328,12 +328,12 @@ double neighbours_refresh(struct neighbours *nb, double wanted)
  * not know. */
 static int is_fast(const struct neighbours *nb, int i, double dt)
 {
-    const double *const v = nb->bodies->motion[i].v;
+    const double *const v = nb->rows->motion[i].v;
 
     return 4.0 * vector_dot(v, v) * dt * dt > nb->smallest * nb->smallest;
 }
 
-static int crossings_cross(const struct bodies *b, int i, int j, double dt)
+static int crossings_cross(const struct rows *b, int i, int j, double dt)
 {
     const struct row_place *const p = &b->place[i], *const q = &b->place[j];
     double x[3], way[3];
@@ -347,7 +347,7 @@ static int crossings_cross(const struct bodies *b, int i, int j, double dt)
 
 struct dem_crossing neighbours_crossing(const struct neighbours *nb, double dt)
 {
-    const struct bodies *const b = nb->bodies;
+    const struct rows *const b = nb->rows;
 
     for (int i = 0; i < b->n; i++)
         for (int j = 0; j < b->n && is_fast(nb, i, dt); j++)

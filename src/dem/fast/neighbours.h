@@ -58,8 +58,8 @@ void grid_free(struct grid *g);
 const int *grid_order(struct grid *g, const struct particles *ps, double reach);
 
 /* Fills the neighbour list of a chunk with pairs and walls closer than skin
- * [m]. The bodies are in the order of grid_order. */
-void grid_find(const struct grid *g, struct chunk *s, const struct bodies *b,
+ * [m]. The rows are in the order of grid_order. */
+void grid_find(const struct grid *g, struct chunk *s, const struct rows *b,
                double skin);
 
 /* 1 if particle i owns its pair with j: the particle with the smaller index
@@ -71,7 +71,7 @@ int grid_owns(const struct grid *g, int i, int j, int n);
 
 struct neighbours {
     struct particles *ps; /* borrowed */
-    struct bodies *bodies;
+    struct rows *rows;
     struct grid *grid;
     struct chunk *chunks;
     int n_chunks;              /* [-] chunks */
@@ -126,12 +126,12 @@ struct contact_history *neighbours_restore_history(struct neighbours *nb,
 /* Before a team starts. */
 void neighbours_begin_run(struct neighbours *nb);
 
-/* At the beginning and the end of a run: copies the particles to the bodies,
+/* At the beginning and the end of a run: copies the particles to the rows,
  * and back. */
 void neighbours_load(struct neighbours *nb);
 void neighbours_store(struct neighbours *nb);
 
-/* Largest speed that the last bodies_advance of any chunk bounds [m/s]. */
+/* Largest speed that the last rows_advance of any chunk bounds [m/s]. */
 double neighbours_speed(const struct neighbours *nb);
 
 /* Chooses the contacts, with a margin of `wanted` [m] or what the skin allows,

@@ -48,7 +48,7 @@ static inline void sweep_add(struct row_load *restrict row,
  * it, so that even a particle whose centre has passed the wall is pushed back.
  * This sphere has no velocity, and its 1/R and 1/m are 0. */
 static inline void sweep_wall_rows(struct sweep_buffers *c, int p,
-                                   const struct bodies *b, int i, int wall)
+                                   const struct rows *b, int i, int wall)
 {
     const int k = wall / 2, upper = wall % 2;
     const double R = b->place[i].R;
@@ -74,7 +74,7 @@ static inline void sweep_spare_rows(struct sweep_buffers *c, int p,
 /* Fills the rows with contacts first ... first + count - 1: positions and
  * velocities are subtracted, R, 1/R, R omega and 1/m are added. */
 SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
-                              const struct chunk *s, const struct bodies *b,
+                              const struct chunk *s, const struct rows *b,
                               int first, int count)
 {
     static const double sign[8] = {-1, -1, -1, 1, 1, 1, 1, 1};
@@ -95,7 +95,7 @@ SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
 }
 
 SWEEP_STAGE void sweep_prescribed(struct sweep_buffers *restrict c,
-                                  const struct chunk *s, const struct bodies *b,
+                                  const struct chunk *s, const struct rows *b,
                                   int first, int count)
 {
     const int pairs = sweep_pairs(s, first, count);
@@ -160,7 +160,7 @@ SWEEP_STAGE void sweep_scatter(const struct sweep_buffers *restrict c,
 /* The materials of contacts first ... first + count - 1. A wall has its own. */
 SWEEP_STAGE void sweep_material_pairs(struct sweep_buffers *restrict c,
                                       const struct chunk *s,
-                                      const struct bodies *b, int first,
+                                      const struct rows *b, int first,
                                       int count)
 {
     const int *const i = s->contacts.owner + first;
@@ -325,7 +325,7 @@ static inline void sweep_copy(double *to, const double *from, int n)
 
 /* The stages of one group of lanes. */
 SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
-                               const struct bodies *b,
+                               const struct rows *b,
                                const struct contact_constants *k, double dt,
                                int first, int count, double *const xi[3],
                                contact_respond respond)
@@ -360,7 +360,7 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
 
 /* Where lanes are left over at the end, the springs are copied: those behind
  * them belong to other contacts. */
-SWEEP_INLINE void sweep_with(struct chunk *s, const struct bodies *b,
+SWEEP_INLINE void sweep_with(struct chunk *s, const struct rows *b,
                              const struct contact_constants *k, double dt,
                              int first, int last, contact_respond respond)
 {
@@ -386,7 +386,7 @@ SWEEP_INLINE void sweep_with(struct chunk *s, const struct bodies *b,
             c.deepest[p] > s->max_overlap ? c.deepest[p] : s->max_overlap;
 }
 
-void sweep_contacts(struct chunk *s, const struct bodies *b,
+void sweep_contacts(struct chunk *s, const struct rows *b,
                     const struct contact_constants *k, double dt, int first,
                     int last)
 {

@@ -2,7 +2,7 @@
  * Chapter "Particles and contact".
  *
  * The input of a contact is the difference of the rows of its two particles
- * (bodies.h). For SWEEP_LANES contacts at a time, these rows are transposed
+ * (rows.h). For SWEEP_LANES contacts at a time, these rows are transposed
  * into columns, one array for each quantity, for vector loops; the loads are
  * computed as columns and transposed into rows, which are added to the
  * particles. The buffers stay in the first-level cache.
@@ -17,7 +17,7 @@
 
 enum { SWEEP_LANES = 64 };
 
-/* Options of the loop, `sweep_options` of the bodies. Each stage asks for them
+/* Options of the loop, `sweep_options` of the rows. Each stage asks for them
  * once for all lanes, so that unused options cost nothing. */
 enum {
     SWEEP_PERIODIC = 1,       /* there are periodic directions */
@@ -29,7 +29,7 @@ enum {
 /* Adds the forces of contacts first ... last - 1 of a chunk of particles, all
  * pairs or all walls, to its loads; the springs advance by dt [s]. With several
  * materials k is a table: row a, column b for materials a and b. */
-void sweep_contacts(struct chunk *s, const struct bodies *b,
+void sweep_contacts(struct chunk *s, const struct rows *b,
                     const struct contact_constants *k, double dt, int first,
                     int last);
 
@@ -76,7 +76,7 @@ static inline int sweep_pairs(const struct chunk *s, int first, int count)
 /* 1/m of both spheres of a contact, for its dashpots; of a wall, j = -1, it is
  * 0. Where both move as prescribed, or one touches a wall, no mass is free to
  * move: the dashpots are those of spheres that are. */
-static inline void sweep_inverse_masses(const struct bodies *b, int i, int j,
+static inline void sweep_inverse_masses(const struct rows *b, int i, int j,
                                         double per_mass[2])
 {
     const double *const own = b->own_inverse_mass;
@@ -92,7 +92,7 @@ void sweep_budget(struct chunk *s, const struct sweep_buffers *c,
                   const double *const xi[3], const struct contact_constants *k,
                   int first, int count, double dt, int n);
 void sweep_rolling(const struct sweep_buffers *c, struct chunk *s,
-                   const struct bodies *b, const struct contact_constants *k,
+                   const struct rows *b, const struct contact_constants *k,
                    int first, int count, double dt);
 
 #endif

@@ -176,7 +176,7 @@ static inline void sweep_add_moment(const double M[3], double per_R,
 /* The moments of contacts first ... first + count - 1, after their forces. A
  * budget counts all work against them: what theta stores is little. */
 void sweep_rolling(const struct sweep_buffers *c, struct chunk *s,
-                   const struct bodies *b, const struct contact_constants *k,
+                   const struct rows *b, const struct contact_constants *k,
                    int first, int count, double dt)
 {
     static const struct row_motion wall = {.per_R = 0.0};

@@ -43,7 +43,7 @@ static void end_owner(struct near_faces *l)
     if (o->first == o->last) l->n_owners--;
 }
 
-void near_faces_image(const struct near_face *f, const struct bodies *b, int i,
+void near_faces_image(const struct near_face *f, const struct rows *b, int i,
                       double x[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -120,7 +120,7 @@ static void find_owner(struct near_faces *l, const struct surface_scene *scene,
 
 void near_faces_find(struct near_faces *l, const struct surface_scene *scene,
                      const struct pose *pose, const struct chunk *s,
-                     const struct bodies *b, double skin)
+                     const struct rows *b, double skin)
 {
     l->n_owners = l->n_faces = 0;
     for (int i = s->begin; i < s->end; i++) {
@@ -132,7 +132,7 @@ void near_faces_find(struct near_faces *l, const struct surface_scene *scene,
 
 void near_faces_choose(struct near_faces *l, const struct near_faces *from,
                        const struct surface_scene *scene,
-                       const struct pose *pose, const struct bodies *b,
+                       const struct pose *pose, const struct rows *b,
                        double margin)
 {
     l->n_owners = l->n_faces = 0;
@@ -173,7 +173,7 @@ static void surface_contact_points_gather(struct surface_contact_points *t,
                                           const struct near_owner *own,
                                           const struct surface_scene *scene,
                                           const struct pose *pose,
-                                          const struct bodies *b)
+                                          const struct rows *b)
 {
     const int first = t->n;
 
@@ -227,8 +227,7 @@ static void keep_those_that_count(struct surface_contact_points *t, int first,
 void surface_contact_points_find(struct surface_contact_points *t,
                                  const struct near_faces *close,
                                  const struct surface_scene *scene,
-                                 const struct pose *pose,
-                                 const struct bodies *b)
+                                 const struct pose *pose, const struct rows *b)
 {
     t->n = 0;
     for (int o = 0; o < close->n_owners; o++) {

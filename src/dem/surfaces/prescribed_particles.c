@@ -74,8 +74,7 @@ static int first_from(const struct prescribed_particles *d, int index)
 /* Sets 1/m to nearly 0 and the outside acceleration to 0, so that no force
  * changes the velocity. The coefficient k of the drag -k v is unchanged,
  * because its reaction still acts on the fluid. */
-static void set_inverse_mass(struct bodies *b, const struct particles *ps,
-                             int i)
+static void set_inverse_mass(struct rows *b, const struct particles *ps, int i)
 {
     b->motion[i].per_m = fraction_within / ps->m[i];
     b->own_inverse_mass[i] = 1.0 / ps->m[i];
@@ -86,10 +85,10 @@ static void set_inverse_mass(struct bodies *b, const struct particles *ps,
                                    per_mass};
 }
 
-/* Restores the row of bodies_load. The present loads are those of a particle of
+/* Restores the row of rows_load. The present loads are those of a particle of
  * nearly infinite mass, whose dashpots would accelerate a finite mass far too
  * much; they are set to 0. */
-static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
+static void restore_inverse_mass(struct rows *b, const struct particles *ps,
                                  int i, struct row_load *load)
 {
     if (load != NULL) memset(load, 0, sizeof *load);
@@ -100,12 +99,12 @@ static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
     b->acceleration[i][0] = ps->ex[i] * per_mass;
     b->acceleration[i][1] = ps->ey[i] * per_mass;
     b->acceleration[i][2] = ps->ez[i] * per_mass;
-    if (b->drag != NULL) bodies_load_drag(b, ps, i, i + 1);
+    if (b->drag != NULL) rows_load_drag(b, ps, i, i + 1);
 }
 
 /* For a step from one pose to the other in dt; dt = 0: the velocity now. */
 static void set_velocity_of(const struct pose *now, const struct pose *next,
-                            struct bodies *b, int i, double dt)
+                            struct rows *b, int i, double dt)
 {
     double *const v = b->motion[i].v, *const x = b->place[i].x;
 
@@ -123,7 +122,7 @@ static void set_velocity_of(const struct pose *now, const struct pose *next,
 }
 
 /* Energy of translation and rotation, and of the added mass [J]. */
-static double prescribed_particles_kinetic(const struct bodies *b,
+static double prescribed_particles_kinetic(const struct rows *b,
                                            const struct particles *ps, int i)
 {
     const struct row_motion *const own = &b->motion[i];
@@ -133,7 +132,7 @@ static double prescribed_particles_kinetic(const struct bodies *b,
            0.2 * ps->m[i] * vector_dot(own->s, own->s);
 }
 
-/* [W] T . omega = -turn . (R omega) (bodies.h). */
+/* [W] T . omega = -turn . (R omega) (rows.h). */
 static double power_on(const struct row_motion *m, const struct row_load *load)
 {
     double power = 0.0;
@@ -143,12 +142,9 @@ static double power_on(const struct row_motion *m, const struct row_load *load)
     return power;
 }
 
-double prescribed_particles_set_velocities(struct prescribed_particles *d,
-                                           struct bodies *b,
-                                           const struct particles *ps,
-                                           int begin, int end,
-                                           struct row_load *load, double t,
-                                           double dt, double kick)
+double prescribed_particles_set_velocities(
+    struct prescribed_particles *d, struct rows *b, const struct particles *ps,
+    int begin, int end, struct row_load *load, double t, double dt, double kick)
 {
     struct pose now, next;
     double gained = 0.0;
@@ -181,7 +177,7 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
 }
 
 void prescribed_particles_fix_mass(const struct prescribed_particles *d,
-                                   struct bodies *b, const struct particles *ps,
+                                   struct rows *b, const struct particles *ps,
                                    int begin, int end)
 {
     for (int q = first_from(d, begin), last = first_from(d, end); q < last; q++)
@@ -190,7 +186,7 @@ void prescribed_particles_fix_mass(const struct prescribed_particles *d,
 }
 
 void prescribed_particles_restore_mass(const struct prescribed_particles *d,
-                                       struct bodies *b,
+                                       struct rows *b,
                                        const struct particles *ps, int begin,
                                        int end)
 {

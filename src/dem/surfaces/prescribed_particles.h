@@ -11,7 +11,7 @@
 #ifndef DEM_SURFACES_PRESCRIBED_PARTICLES_H
 #define DEM_SURFACES_PRESCRIBED_PARTICLES_H
 
-#include "dem/fast/bodies.h"
+#include "dem/fast/rows.h"
 #include "dem/surfaces/motion.h"
 
 struct prescribed_particle {
@@ -57,7 +57,7 @@ void prescribed_particles_locate(struct prescribed_particles *d,
  * it clears the loads, from begin on, which would have acted in a kick [s];
  * NULL: there are none yet. Returns the energy that they gained by it [J]. */
 double prescribed_particles_set_velocities(struct prescribed_particles *d,
-                                           struct bodies *b,
+                                           struct rows *b,
                                            const struct particles *ps,
                                            int begin, int end,
                                            struct row_load *load, double t,
@@ -66,10 +66,10 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
 /* After rows were loaded: sets 1/m of the prescribed particles to 0; or
  * restores their own 1/m for measurements. */
 void prescribed_particles_fix_mass(const struct prescribed_particles *d,
-                                   struct bodies *b, const struct particles *ps,
+                                   struct rows *b, const struct particles *ps,
                                    int begin, int end);
 void prescribed_particles_restore_mass(const struct prescribed_particles *d,
-                                       struct bodies *b,
+                                       struct rows *b,
                                        const struct particles *ps, int begin,
                                        int end);
 

@@ -100,7 +100,7 @@ static void surface_contacts_make_room(struct surface_contacts *c, int n,
  * along -n: their overlap is 2 R - (r + R) = R - r, at any r > -R. */
 static void surface_contacts_put_spheres(struct surface_contacts *c,
                                          const struct surface_scene *scene,
-                                         int q, const struct bodies *b)
+                                         int q, const struct rows *b)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
     const double R = b->place[t->owner].R, behind = -(t->r + R);
@@ -206,7 +206,7 @@ void surface_contacts_count(struct surface_contacts *c, double t)
 /* What a contact with a surface under load resists its motion with, from the
  * law. */
 static void add_resistance(struct surface_contacts *c, int q,
-                           const struct bodies *b,
+                           const struct rows *b,
                            const struct contact_constants *k)
 {
     const struct surface_contact_point *const t = &c->touches.list[q];
@@ -226,7 +226,7 @@ static void add_resistance(struct surface_contacts *c, int q,
 /* What the contact has worn off in this step. */
 static void count_wear(struct surface_contacts *c,
                        const struct surface_scene *scene, int q,
-                       const struct bodies *b, double dt)
+                       const struct rows *b, double dt)
 {
     struct surface_contact_point *const t = &c->touches.list[q];
     const struct wear_of *const of = &scene->surface[t->surface].wear;
@@ -270,7 +270,7 @@ static void save_contact(struct surface_contacts *c, int q)
 
 /* As chunk_check_overlaps does it. */
 static void measure_overlaps(const struct surface_contacts *c, struct chunk *s,
-                             const struct bodies *b)
+                             const struct rows *b)
 {
     for (int q = 0; q < c->touches.n; q++) {
         const struct surface_contact_point *const t = &c->touches.list[q];
@@ -284,11 +284,11 @@ static void measure_overlaps(const struct surface_contacts *c, struct chunk *s,
 
 void surface_contacts_add_loads(struct surface_contacts *c,
                                 const struct surface_scene *scene,
-                                struct chunk *s, const struct bodies *b,
+                                struct chunk *s, const struct rows *b,
                                 const struct contact_constants *k, double dt)
 {
     const struct surface_histories old = c->previous;
-    struct bodies two = *b;
+    struct rows two = *b;
     int at = 0;
 
     surface_contact_points_find(&c->touches, &c->close, scene, c->pose, b);

@@ -14,7 +14,7 @@
 
 #include <stddef.h>
 
-#include "dem/fast/bodies.h"
+#include "dem/fast/rows.h"
 #include "dem/fast/chunk.h"
 #include "dem/surfaces/surface.h"
 
@@ -59,17 +59,17 @@ void near_faces_release(struct near_faces *l);
  * of each surface. */
 void near_faces_find(struct near_faces *l, const struct surface_scene *scene,
                      const struct pose *pose, const struct chunk *s,
-                     const struct bodies *b, double skin);
+                     const struct rows *b, double skin);
 
 /* Those of `from` with gap < margin [m]. */
 void near_faces_choose(struct near_faces *l, const struct near_faces *from,
                        const struct surface_scene *scene,
-                       const struct pose *pose, const struct bodies *b,
+                       const struct pose *pose, const struct rows *b,
                        double margin);
 
 /* The image of particle i that the face is near to [m]: a particle may have
  * been brought back into a periodic box since the list was made. */
-void near_faces_image(const struct near_face *f, const struct bodies *b, int i,
+void near_faces_image(const struct near_face *f, const struct rows *b, int i,
                       double x[3]);
 
 /* Visits all faces, under this name (state.h), of the particles of a chunk. */
@@ -115,8 +115,7 @@ struct surface_contact_points {
 void surface_contact_points_find(struct surface_contact_points *t,
                                  const struct near_faces *close,
                                  const struct surface_scene *scene,
-                                 const struct pose *pose,
-                                 const struct bodies *b);
+                                 const struct pose *pose, const struct rows *b);
 
 /* A point less than this fraction of the radius in front of a plane counts as
  * behind it: faces at an angle below 2.6 degrees count as one [-]. */
@@ -154,7 +153,7 @@ struct surface_contacts {
     struct near_faces list, close;
     struct surface_contact_points touches;
     struct surface_histories current, previous, saved;
-    struct row_place *place;   /* as in struct bodies: the two spheres of */
+    struct row_place *place;   /* as in struct rows: the two spheres of */
     struct row_motion *motion; /* contact q are 2 q and 2 q + 1 */
     struct chunk pairs;        /* the contacts in the layout of the loop */
     int *material;             /* [-] of these; where there are several */
@@ -174,7 +173,7 @@ void surface_contacts_release(struct surface_contacts *c);
  * each surface; tangential displacements and totals advance by dt [s]. */
 void surface_contacts_add_loads(struct surface_contacts *c,
                                 const struct surface_scene *scene,
-                                struct chunk *s, const struct bodies *b,
+                                struct chunk *s, const struct rows *b,
                                 const struct contact_constants *k, double dt);
 
 /* Add the present loads over t [s] to carried surfaces, and to the budget. */

@@ -156,7 +156,7 @@ static void restore(struct surfaces *sf, int s, const struct chunk *chunk)
 }
 
 void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
-                   const struct bodies *b, double skin)
+                   const struct rows *b, double skin)
 {
     struct surface_contacts *const c = &sf->chunk[s];
 
@@ -167,16 +167,16 @@ void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
 }
 
 /* Chooses, for chunk s, the faces that are nearer than the margin [m]. */
-void surfaces_choose_contacts(struct surfaces *sf, int s,
-                              const struct bodies *b, double margin)
+void surfaces_choose_contacts(struct surfaces *sf, int s, const struct rows *b,
+                              double margin)
 {
     struct surface_contacts *const c = &sf->chunk[s];
     near_faces_choose(&c->close, &c->list, &sf->scene, c->pose, b, margin);
 }
 
 void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
-                        const struct bodies *b,
-                        const struct contact_constants *k, double dt)
+                        const struct rows *b, const struct contact_constants *k,
+                        double dt)
 {
     surface_contacts_add_loads(&sf->chunk[s], &sf->scene, chunk, b, k, dt);
 }
@@ -204,7 +204,7 @@ void surfaces_wear(struct surfaces *sf, double dt)
  */
 static int crosses(const struct surface_contacts *c,
                    const struct surface_scene *scene, int surface, int face,
-                   const double shift[3], const struct bodies *b, int i)
+                   const double shift[3], const struct rows *b, int i)
 {
     const struct near_face at = {surface, face, {shift[0], shift[1], shift[2]}};
     double x[3], old[3], from[3], to[3];
@@ -221,7 +221,7 @@ static int crosses(const struct surface_contacts *c,
 /* For a particle too fast for the lists all triangles are tested. */
 static int jumps_through(const struct surface_contacts *c,
                          const struct surface_scene *scene, int surface,
-                         const struct bodies *b, int i)
+                         const struct rows *b, int i)
 {
     static const double here[3] = {0.0, 0.0, 0.0};
 
@@ -231,7 +231,7 @@ static int jumps_through(const struct surface_contacts *c,
     return 0;
 }
 
-static double moved2(const struct bodies *b, int i)
+static double moved2(const struct rows *b, int i)
 {
     const struct near_face none = {0};
     double x[3], way[3];
@@ -241,7 +241,7 @@ static double moved2(const struct bodies *b, int i)
     return vector_dot(way, way);
 }
 
-static void record_lost(struct bodies_survey *found, int i, int surface)
+static void record_lost(struct rows_survey *found, int i, int surface)
 {
     if (found->lost++ > 0) return;
     found->first_lost = i;
@@ -251,7 +251,7 @@ static void record_lost(struct bodies_survey *found, int i, int surface)
 /* The surface that contains particle i or that it has passed through; or -1. */
 static int surfaces_beyond(const struct surface_contacts *c,
                            const struct surface_scene *scene,
-                           const struct bodies *b, int i, int fast)
+                           const struct rows *b, int i, int fast)
 {
     for (int k = 0; k < scene->n; k++)
         if (surface_contains(&scene->surface[k], &c->pose[k], b->place[i].x,
@@ -263,7 +263,7 @@ static int surfaces_beyond(const struct surface_contacts *c,
 
 /* The surface near an owner that it has crossed, or -1. */
 static int crossed(const struct surface_contacts *c,
-                   const struct surface_scene *scene, const struct bodies *b,
+                   const struct surface_scene *scene, const struct rows *b,
                    const struct near_owner *own)
 {
     for (int f = own->first; f < own->last; f++) {
@@ -277,8 +277,8 @@ static int crossed(const struct surface_contacts *c,
 }
 
 void surfaces_check_lost(const struct surfaces *sf, int s,
-                         const struct chunk *chunk, const struct bodies *b,
-                         int marks, double skin, struct bodies_survey *found)
+                         const struct chunk *chunk, const struct rows *b,
+                         int marks, double skin, struct rows_survey *found)
 {
     const struct surface_contacts *const c = &sf->chunk[s];
 

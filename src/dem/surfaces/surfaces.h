@@ -45,12 +45,12 @@ void surfaces_save_history(struct surfaces *sf, int s,
                            const struct particles *ps);
 void surfaces_locate_particles(struct surfaces *sf, const struct particles *ps);
 void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
-                   const struct bodies *b, double skin);
-void surfaces_choose_contacts(struct surfaces *sf, int s,
-                              const struct bodies *b, double margin);
+                   const struct rows *b, double skin);
+void surfaces_choose_contacts(struct surfaces *sf, int s, const struct rows *b,
+                              double margin);
 void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
-                        const struct bodies *b,
-                        const struct contact_constants *k, double dt);
+                        const struct rows *b, const struct contact_constants *k,
+                        double dt);
 
 /* Adds what a step of dt [s] did to the faces of those that wear, after the
  * loads of all chunks; by one thread. */
@@ -60,8 +60,8 @@ void surfaces_wear(struct surfaces *sf, double dt);
  * by more than their radius and, if `marks` says that the positions at the last
  * rebuild are known, those whose path since then crosses a triangle. */
 void surfaces_check_lost(const struct surfaces *sf, int s,
-                         const struct chunk *chunk, const struct bodies *b,
-                         int marks, double skin, struct bodies_survey *found);
+                         const struct chunk *chunk, const struct rows *b,
+                         int marks, double skin, struct rows_survey *found);
 
 /* The contact histories of chunk s, of the particles ps, or as kept if that is
  * NULL; none from now on; and one that the next run starts with. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/fast/bodies.h"
+#include "dem/fast/rows.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,9 +8,9 @@
 #include "base/alloc.h"
 #include "dem/integrator.h"
 
-struct bodies *bodies_create(int capacity, const struct box_domain *box)
+struct rows *rows_create(int capacity, const struct box_domain *box)
 {
-    struct bodies *const b = alloc_zeroed(1, sizeof *b);
+    struct rows *const b = alloc_zeroed(1, sizeof *b);
     const size_t n = (size_t)capacity;
 
     b->box = *box;
@@ -21,7 +21,7 @@ struct bodies *bodies_create(int capacity, const struct box_domain *box)
     return b;
 }
 
-void bodies_free(struct bodies *b)
+void rows_free(struct rows *b)
 {
     if (b == NULL) return;
     free(b->place);
@@ -34,7 +34,7 @@ void bodies_free(struct bodies *b)
     free(b);
 }
 
-void bodies_add_implicit_drag(struct bodies *b, const struct particles *ps)
+void rows_add_implicit_drag(struct rows *b, const struct particles *ps)
 {
     if (ps->drag_coefficient == NULL) return;
     if (b->drag == NULL)
@@ -42,8 +42,7 @@ void bodies_add_implicit_drag(struct bodies *b, const struct particles *ps)
     b->drag_impulse = ps->drag_impulse;
 }
 
-void bodies_load(struct bodies *b, const struct particles *ps, int begin,
-                 int end)
+void rows_load(struct rows *b, const struct particles *ps, int begin, int end)
 {
     for (int i = begin; i < end; i++) {
         const double R = 0.5 * ps->d[i], per_mass = 1.0 / ps->m[i];
@@ -60,11 +59,11 @@ void bodies_load(struct bodies *b, const struct particles *ps, int begin,
         a[1] = ps->ey[i] * per_mass;
         a[2] = ps->ez[i] * per_mass;
     }
-    if (b->drag != NULL) bodies_load_drag(b, ps, begin, end);
+    if (b->drag != NULL) rows_load_drag(b, ps, begin, end);
 }
 
-void bodies_load_drag(struct bodies *b, const struct particles *ps, int begin,
-                      int end)
+void rows_load_drag(struct rows *b, const struct particles *ps, int begin,
+                    int end)
 {
     for (int i = begin; i < end; i++) {
         const double per_mass = 1.0 / (ps->m[i] + ps->added_mass[i]);
@@ -80,8 +79,7 @@ void bodies_load_drag(struct bodies *b, const struct particles *ps, int begin,
     }
 }
 
-void bodies_store(const struct bodies *b, struct particles *ps, int begin,
-                  int end)
+void rows_store(const struct rows *b, struct particles *ps, int begin, int end)
 {
     for (int i = begin; i < end; i++) {
         const struct row_place *const p = &b->place[i];
@@ -97,9 +95,9 @@ void bodies_store(const struct bodies *b, struct particles *ps, int begin,
 }
 
 /* With an implicit drag; the impulse of -k v is added to b->drag_impulse. */
-static void bodies_advance_with_drag(struct bodies *b, int begin, int end,
-                                     const struct row_load *load, double kick,
-                                     double drift, double fastest[4])
+static void rows_advance_with_drag(struct rows *b, int begin, int end,
+                                   const struct row_load *load, double kick,
+                                   double drift, double fastest[4])
 {
     const int half = kick < b->step;
     double top[3] = {fastest[0], fastest[1], fastest[2]};
@@ -130,16 +128,16 @@ static void bodies_advance_with_drag(struct bodies *b, int begin, int end,
  * (2/5) m R^2 and T = -R sum n x F_t [LS 4.1-4.3, 4.16], so
  * -(5/2) (sum n x F_t) dt/m. The rows are arrays of eight and four numbers
  * here, which are treated alike. */
-void bodies_advance(struct bodies *b, int begin, int end,
-                    const struct row_load *load, double kick, double drift,
-                    double fastest[4])
+void rows_advance(struct rows *b, int begin, int end,
+                  const struct row_load *load, double kick, double drift,
+                  double fastest[4])
 {
     static const double gain[8] = {1.0, 1.0, 1.0, 0.0, -2.5, -2.5, -2.5, 0.0};
     const double shift[4] = {drift, drift, drift, 0.0};
     double top[4] = {fastest[0], fastest[1], fastest[2], 0.0};
 
     if (b->drag != NULL) {
-        bodies_advance_with_drag(b, begin, end, load, kick, drift, fastest);
+        rows_advance_with_drag(b, begin, end, load, kick, drift, fastest);
         return;
     }
     for (int i = begin; i < end; i++) {
@@ -165,8 +163,8 @@ void bodies_advance(struct bodies *b, int begin, int end,
         fastest[k] = top[k];
 }
 
-struct row_motion bodies_kicked(const struct bodies *b, int i,
-                                const struct row_load *load)
+struct row_motion rows_kicked(const struct rows *b, int i,
+                              const struct row_load *load)
 {
     static const struct row_drag none = {.gain = 1.0};
     const struct row_drag *const drag = b->drag != NULL ? &b->drag[i] : &none;
@@ -206,10 +204,9 @@ static int finite(const struct row_motion *m)
     return sum < HUGE_VAL;
 }
 
-struct bodies_survey bodies_check_lost(const struct bodies *b, int begin,
-                                       int end)
+struct rows_survey rows_check_lost(const struct rows *b, int begin, int end)
 {
-    struct bodies_survey found = {0.0, 0, -1, -1};
+    struct rows_survey found = {0.0, 0, -1, -1};
 
     for (int i = begin; i < end; i++) {
         double moved2 = 0.0;
@@ -227,7 +224,7 @@ struct bodies_survey bodies_check_lost(const struct bodies *b, int begin,
     return found;
 }
 
-void bodies_record_positions(struct bodies *b, int begin, int end)
+void rows_record_positions(struct rows *b, int begin, int end)
 {
     for (int i = begin; i < end; i++)
         for (int k = 0; k < 3; k++)

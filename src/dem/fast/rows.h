@@ -1,4 +1,4 @@
-/* bodies.h -- the particles in the layout of the contact loop.
+/* rows.h -- the particles in the layout of the contact loop.
  * Chapter "Particles and contact".
  *
  * Outside a run the particles are a structure of arrays (particles.h). During a
@@ -6,8 +6,8 @@
  * two rows contains everything that a contact needs to know of its pair, in two
  * operations, for any two diameters.
  */
-#ifndef DEM_FAST_BODIES_H
-#define DEM_FAST_BODIES_H
+#ifndef DEM_FAST_ROWS_H
+#define DEM_FAST_ROWS_H
 
 #include <math.h>
 
@@ -37,7 +37,7 @@ struct row_drag {
     double per_m;           /* [1/kg] 1/(m + m_a) */
 };
 
-struct bodies {
+struct rows {
     int n;
     struct box_domain box;
     const struct contact_law *law;
@@ -60,37 +60,35 @@ struct bodies {
     int wall_material;   /* [-] of the box */
 };
 
-struct bodies *bodies_create(int capacity, const struct box_domain *box);
-void bodies_free(struct bodies *b);
+struct rows *rows_create(int capacity, const struct box_domain *box);
+void rows_free(struct rows *b);
 
 /* Allocates the rows of the implicit drag if the particles have one. */
-void bodies_add_implicit_drag(struct bodies *b, const struct particles *ps);
+void rows_add_implicit_drag(struct rows *b, const struct particles *ps);
 
 /* Copies particles begin .. end - 1 from the arrays into the rows, and back;
  * the positions written back are inside a periodic box. */
-void bodies_load(struct bodies *b, const struct particles *ps, int begin,
-                 int end);
-void bodies_store(const struct bodies *b, struct particles *ps, int begin,
-                  int end);
+void rows_load(struct rows *b, const struct particles *ps, int begin, int end);
+void rows_store(const struct rows *b, struct particles *ps, int begin, int end);
 
 /* The same for the rows of the implicit drag, in steps of b->step. */
-void bodies_load_drag(struct bodies *b, const struct particles *ps, int begin,
-                      int end);
+void rows_load_drag(struct rows *b, const struct particles *ps, int begin,
+                    int end);
 
 /* Velocity Verlet in one pass: v += kick F/m, then x += drift v. `load` is that
  * of the particles from begin on. The largest |v_x|, |v_y|, |v_z| raise what is
  * in fastest. */
-void bodies_advance(struct bodies *b, int begin, int end,
-                    const struct row_load *load, double kick, double drift,
-                    double fastest[4]);
+void rows_advance(struct rows *b, int begin, int end,
+                  const struct row_load *load, double kick, double drift,
+                  double fastest[4]);
 
 /* The velocities that a kick of one step with this load of particle i would
  * give. */
-struct row_motion bodies_kicked(const struct bodies *b, int i,
-                                const struct row_load *load);
+struct row_motion rows_kicked(const struct rows *b, int i,
+                              const struct row_load *load);
 
 /* The result of a check of the particles begin .. end - 1. */
-struct bodies_survey {
+struct rows_survey {
     double moved2;    /* [m^2] largest squared displacement since the
                          last rebuild */
     int lost;         /* [-] particles outside of the box or not finite */
@@ -98,15 +96,14 @@ struct bodies_survey {
     int lost_through; /* [-] the surface that it passed through, or -1 */
 };
 
-struct bodies_survey bodies_check_lost(const struct bodies *b, int begin,
-                                       int end);
+struct rows_survey rows_check_lost(const struct rows *b, int begin, int end);
 
 /* Records the present positions, as those of the last rebuild. */
-void bodies_record_positions(struct bodies *b, int begin, int end);
+void rows_record_positions(struct rows *b, int begin, int end);
 
 /* Squared distance of particles i and j, nearest image [m^2]; their gap, and
  * that of particle i and a side of the box [m]. */
-static inline double bodies_distance2(const struct bodies *b, int i, int j)
+static inline double rows_distance2(const struct rows *b, int i, int j)
 {
     const double *const x = b->place[i].x, *const y = b->place[j].x;
     double r2 = 0.0;
@@ -118,12 +115,12 @@ static inline double bodies_distance2(const struct bodies *b, int i, int j)
     return r2;
 }
 
-static inline double bodies_pair_gap(const struct bodies *b, int i, int j)
+static inline double rows_pair_gap(const struct rows *b, int i, int j)
 {
-    return sqrt(bodies_distance2(b, i, j)) - b->place[i].R - b->place[j].R;
+    return sqrt(rows_distance2(b, i, j)) - b->place[i].R - b->place[j].R;
 }
 
-static inline double bodies_wall_gap(const struct bodies *b, int i, int wall)
+static inline double rows_wall_gap(const struct rows *b, int i, int wall)
 {
     const struct row_place *const p = &b->place[i];
     const int k = wall / 2;
