@@ -91,17 +91,20 @@ const double *vtk_read_corner(const struct vtk_shapes *s, size_t i, size_t q);
  * A slice is a raster: each point of it shows the cell whose box contains it,
  * of several the one with the nearest centre. */
 
-enum { PLANE_MOST = 96 }; /* points of a raster along the longer side */
+/* Points of a raster along the longer side; slices: across x, y and z in the
+ * middle, then at a quarter and at three quarters of a side of four cells. */
+enum { PLANE_MOST = 96, PLANES = 9 };
 
 struct plane {
-    int n[2]; /* [-] points; 0: there is no such slice */
-    double low[3], high[3];
-    int cells; /* [-] of the mesh */
-    int *cell; /* of each point; -1: none */
+    int n[2];                   /* [-] points; 0: there is no such slice */
+    double low[3], high[3], at; /* [m] */
+    int cells;                  /* [-] of the mesh */
+    int *cell;                  /* of each point; -1: none */
 };
 
-/* The slices across x, y and z; non-zero if the file has not so many cells. */
-int plane_make(struct plane plane[3], const struct vtk_read *f, size_t cells);
-void plane_free(struct plane plane[3]);
+/* Non-zero if the file has not so many cells. */
+int plane_make(struct plane plane[PLANES], const struct vtk_read *f,
+               size_t cells);
+void plane_free(struct plane plane[PLANES]);
 
 #endif

@@ -27,7 +27,7 @@ function numbers(e) {
   }
   e.remove();
   return { series: d.series, name: d.array, time: +d.time, low, high, value,
-           axis: +d.axis, size: list(d.size), box: list(d.box) };
+           axis: +d.axis, at: +d.at, size: list(d.size), box: list(d.box) };
 }
 
 function vector(text, key) {
@@ -193,10 +193,10 @@ function turning(canvas, view, draw) {
 }
 
 /* The array of a state: the last one at or before the time. */
-function at(run, series, name, t, axis) {
+function at(run, series, name, t, axis, place) {
   let found = null;
   for (const a of run.arrays)
-    if (a.series === series && a.name === name && !(axis >= 0 && a.axis !== axis) &&
+    if (a.series === series && a.name === name && !(axis >= 0 && (a.axis !== axis || a.at !== place)) &&
         a.time <= t * (1 + 1e-12) + 1e-300 && (!found || a.time >= found.time)) found = a;
   return found;
 }
@@ -305,7 +305,13 @@ function slice(parent, run) {
   const axes = [2, 0, 1].filter(k => all.some(a => a.axis === k));
   axes.sort((a, b) => [b, a].map(k => { const s = all.find(q => q.axis === k).size; return s[0] * s[1]; })
     .reduce((x, y) => x - y));
-  const plane = choose(tools, 'plane', axes.map(k => 'middle of ' + 'xyz'[k]), () => show());
+  const places = new Map();
+  for (const k of axes) {
+    const of = all.filter(a => a.axis === k), [from, to] = of[0].box.slice(4), middle = (from + to) / 2;
+    for (const p of [...new Set(of.map(a => a.at))].sort((a, b) => Math.abs(a - middle) - Math.abs(b - middle)))
+      places.set(Math.abs(p - middle) < 0.01 * (to - from) ? 'middle of ' + 'xyz'[k] : 'xyz'[k] + ' = ' + short(p) + ' m', [k, p]);
+  }
+  const plane = choose(tools, 'plane', [...places.keys()], () => show());
   const canvas = add(parent, 'canvas', null, { className: 'field' });
   const legend = add(parent, 'canvas', null, { className: 'bar' }), say = ends(parent);
   const upward = run.up.map(Math.abs).indexOf(Math.max(...run.up.map(Math.abs)));
@@ -313,7 +319,8 @@ function slice(parent, run) {
   let now = 0;
   function show(t) {
     if (t !== undefined) now = t;
-    const axis = 'xyz'.indexOf(plane.value.slice(-1)), a = at(run, 'fluid', field.value, now, axis);
+    const [axis, place] = places.get(plane.value), a = at(run, 'fluid', field.value, now, axis, place);
+    canvas.style.visibility = a ? 'visible' : 'hidden'; // a slice of the last state alone, say
     if (!a) return;
     const limits = range(all.filter(q => q.name === field.value)), flip = (axis + 1) % 3 === upward;
     const [nu, nv] = a.size, [w, h] = flip ? [nv, nu] : [nu, nv], down = run.up[flip ? (axis + 1) % 3 : (axis + 2) % 3] < 0;

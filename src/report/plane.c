@@ -121,10 +121,9 @@ static void plane_add_cell(struct plane *p, int axis, int i,
                            double *nearest)
 {
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    const double middle = 0.5 * (p->low[axis] + p->high[axis]);
     int from[2], to[2];
 
-    if (!(low[axis] <= middle && middle < high[axis])) return;
+    if (!(low[axis] <= p->at && p->at < high[axis])) return;
     plane_span(p, axis, 0, (double[]){low[a], high[a]}, &from[0], &to[0]);
     plane_span(p, axis, 1, (double[]){low[b], high[b]}, &from[1], &to[1]);
     for (int v = from[1]; v < to[1]; v++)
@@ -135,7 +134,7 @@ static void plane_add_cell(struct plane *p, int axis, int i,
                 p->low[b] + (v + 0.5) * (p->high[b] - p->low[b]) / p->n[1];
             const double far = pow(x - 0.5 * (low[a] + high[a]), 2) +
                                pow(y - 0.5 * (low[b] + high[b]), 2) +
-                               pow(middle - 0.5 * (low[axis] + high[axis]), 2);
+                               pow(p->at - 0.5 * (low[axis] + high[axis]), 2);
             const int q = u + p->n[0] * v;
             if (p->cell[q] >= 0 && far >= nearest[q]) continue;
             p->cell[q] = i;
@@ -143,20 +142,25 @@ static void plane_add_cell(struct plane *p, int axis, int i,
         }
 }
 
-int plane_make(struct plane plane[3], const struct vtk_read *f, size_t cells)
+int plane_make(struct plane plane[PLANES], const struct vtk_read *f,
+               size_t cells)
 {
+    static const double part[PLANES / 3] = {0.5, 0.25, 0.75};
     struct cells c;
     double low[3], high[3];
     int across[3];
     const int none = cells_read(&c, f) != 0 || (size_t)c.n != cells ||
                      around(&c, low, high, across);
 
-    for (int axis = 0; axis < 3; axis++)
-        plane[axis] = (struct plane){0};
-    for (int axis = 0; axis < 3 && !none; axis++) {
-        struct plane *const p = &plane[axis];
+    for (int q = 0; q < PLANES; q++)
+        plane[q] = (struct plane){0};
+    for (int q = 0; q < PLANES && !none; q++) {
+        struct plane *const p = &plane[q];
+        const int axis = q % 3;
+        if (q >= 3 && across[axis] < 4) continue;
         memcpy(p->low, low, sizeof low);
         memcpy(p->high, high, sizeof high);
+        p->at = low[axis] + part[q / 3] * (high[axis] - low[axis]);
         p->cells = c.n;
         plane_begin(p, axis, across);
         if (p->n[0] == 0) continue;
@@ -172,10 +176,10 @@ int plane_make(struct plane plane[3], const struct vtk_read *f, size_t cells)
     return none;
 }
 
-void plane_free(struct plane plane[3])
+void plane_free(struct plane plane[PLANES])
 {
-    for (int axis = 0; axis < 3; axis++) {
-        free(plane[axis].cell);
-        plane[axis] = (struct plane){0};
+    for (int q = 0; q < PLANES; q++) {
+        free(plane[q].cell);
+        plane[q] = (struct plane){0};
     }
 }

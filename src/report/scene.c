@@ -27,9 +27,11 @@ struct listed {
 struct scene {
     struct page *page;
     struct listed of[SERIES];
-    struct plane plane[3]; /* of the mesh of the file before */
-    int wrong;             /* files that could not be read */
-    size_t every[SERIES];  /* [-] 1: all of its points are shown */
+    struct plane plane[PLANES]; /* of the mesh of the file before */
+    int planes;                 /* [-] of them that are shown */
+    long beside; /* [byte] of those that are not in the middle, so far */
+    int wrong;   /* files that could not be read */
+    size_t every[SERIES]; /* [-] 1: all of its points are shown */
 };
 
 /* DIR/NAME.pvd; a file elsewhere than in DIR/NAME is left out. */
@@ -170,22 +172,23 @@ static int put_polygons(struct scene *s, int k, double t,
 }
 
 /* A field in a slice: of the side that comes first in a row. */
-static void put_slice(struct scene *s, double t, int axis, const char *name,
+static void put_slice(struct scene *s, double t, int q, const char *name,
                       const double *field)
 {
-    const struct plane *const p = &s->plane[axis];
-    const int n = p->n[0] * p->n[1];
+    const struct plane *const p = &s->plane[q];
+    const int n = p->n[0] * p->n[1], axis = q % 3;
+    const long before = ftell(s->page->out);
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     char more[256];
 
     if (n == 0) return;
     double *const value = alloc_doubles(n);
-    for (int q = 0; q < n; q++)
-        value[q] = p->cell[q] >= 0 ? field[p->cell[q]] : NAN;
+    for (int i = 0; i < n; i++)
+        value[i] = p->cell[i] >= 0 ? field[p->cell[i]] : NAN;
     snprintf(more, sizeof more,
-             " data-axis=\"%d\" data-size=\"%d %d\" "
+             " data-axis=\"%d\" data-at=\"%.6g\" data-size=\"%d %d\" "
              "data-box=\"%.9g %.9g %.9g %.9g %.9g %.9g\"",
-             axis, p->n[0], p->n[1], p->low[a], p->high[a], p->low[b],
+             axis, p->at, p->n[0], p->n[1], p->low[a], p->high[a], p->low[b],
              p->high[b], p->low[axis], p->high[axis]);
     page_put_numbers(s->page, &(struct page_numbers){.series = "fluid",
                                                      .name = name,
@@ -193,6 +196,7 @@ static void put_slice(struct scene *s, double t, int axis, const char *name,
                                                      .n = (size_t)n,
                                                      .value = value,
                                                      .more = more});
+    if (q >= 3) s->beside += ftell(s->page->out) - before;
     free(value);
 }
 
@@ -212,8 +216,8 @@ static int put_fluid(struct scene *s, double t, const struct vtk_read *f)
         }
         if (field != NULL && n > 0 && n == (size_t)s->plane[0].cells) {
             found = 1;
-            for (int axis = 0; axis < 3; axis++)
-                put_slice(s, t, axis, i < 2 ? names[i] : "speed", field);
+            for (int q = 0; q < s->planes; q++)
+                put_slice(s, t, q, i < 2 ? names[i] : "speed", field);
         }
         free(field);
     }
@@ -249,8 +253,15 @@ static void put_state(struct scene *s, int i, int n)
 static void put_states(struct scene *s, int all)
 {
     const long before = ftell(s->page->out);
+    s->planes = PLANES;
     put_state(s, 0, 1);
-    const long each = 1 + ftell(s->page->out) - before;
+    long each = 1 + ftell(s->page->out) - before;
+    if (s->beside > 0 && (double)each * all > (double)page_room(s->page)) {
+        s->planes = 3;
+        each -= s->beside;
+        texts_add(&s->page->left,
+                  "slices beside the middle are of the last state alone");
+    }
     const int n = number_clamped((double)page_room(s->page) / (double)each, 0,
                                  all < MOST_STATES ? all : MOST_STATES);
     int shown = 1;
