@@ -7,3 +7,14 @@ cd "$(dirname "$0")/../.."
 PATH=$(cd "${BUILD:-build}" && pwd):$PATH
 work=$(mktemp -d)
 trap 'code=$?; rm -rf "$work"; [ $code -eq 0 ] || echo "$0: stopped, exit code $code" >&2' EXIT
+
+# Columns of a table of a run, by their names.
+columns() { # FILE NAME...
+    from=$1
+    shift
+    awk -F, -v wanted="$*" '
+        NR == 1 { n = split(wanted, want, " "); for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
+        { for (k = 1; k <= n; k++) printf "%s%s", $at[want[k]], k < n ? " " : "\n" }' "$from"
+}
+# A number of a run's summary.
+summary() { sed -n "s/^.*\"$2\": \([^,]*\).*/\1/p" "$1/summary.json"; } # FOLDER KEY

@@ -11,23 +11,10 @@ for form in mixture void-rate; do
         winnow run cases/small-bed.cfg --quiet -o "$out" \
             -s fluid.continuity=$form -s averaging.method=$method \
             -s output.end=0.1 >/dev/null 2>&1
-        awk -F, -v form=$form -v method=$method -v worst="$(sed -n \
-            's/.*"momentum_residual": \(.*\),/\1/p' "$out/summary.json")" '
-            NR == 1 {
-                for (i = 1; i <= NF; i++) {
-                    sub(/ .*/, "", $i)
-                    column[$i] = i
-                }
-            }
-            NR > 250 {
-                d = $column["pressure_drop"] - before
-                sum += d * d * (n++ > 0)
-            }
-            { before = $column["pressure_drop"] }
-            END {
-                r = $column["relabelled_momentum"]
-                printf "%-9s %-9s %16.2f %17.1e %13.1e\n", form, method,
-                    sqrt(sum / (n - 1)), r, worst
-            }' "$out/history.csv"
+        columns "$out/history.csv" pressure_drop relabelled_momentum |
+            awk -v form=$form -v method=$method -v worst="$(summary "$out" momentum_residual)" '
+            NR > 249 { d = $1 - before; sum += d * d * (n++ > 0) }
+            { before = $1 }
+            END { printf "%-9s %-9s %16.2f %17.1e %13.1e\n", form, method, sqrt(sum / (n - 1)), $2, worst }'
     done
 done

@@ -6,9 +6,6 @@ for step in 1e-4 4e-6 2e-6; do
     winnow run cases/small-bed.cfg -s particles.step=$step -o out/stiff --quiet \
         -s particles.unsafe_step=true \
         -s particles.grains.young=1.2e6 -s output.end=0.3 >/dev/null 2>&1
-    awk -F, -v step=$step '
-        NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^granular/) c = i; next }
-        { sum += $c }
-        END { printf "at_%s = %.2e [m2/s2]\n", step, sum / (NR - 1) }' \
-        out/stiff/history.csv
+    columns out/stiff/history.csv granular_temperature |
+        awk -v step=$step '{ sum += $1 } END { printf "at_%s = %.2e [m2/s2]\n", step, sum / NR }'
 done

@@ -3,9 +3,8 @@
 # last moments (17-rolling.c).
 . "$(dirname "$0")/../here.sh"
 winnow run cases/rolling-sphere.cfg -o out/rolling --quiet >/dev/null
-awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^momentum_x/) at = k; next }
-    NR % 3 == 2 { printf "%.2f %.5f\n", $1, $at / (2500 * atan2(0, -1) / 6 * 1e-6) }' \
-    out/rolling/history.csv
+columns out/rolling/history.csv time momentum_x |
+    awk 'NR % 3 == 1 { printf "%.2f %.5f\n", $1, $2 / (2500 * atan2(0, -1) / 6 * 1e-6) }'
 echo
 echo
 sh figures/run.sh figures/17/17-rolling.c

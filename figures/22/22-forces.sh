@@ -19,21 +19,11 @@ run() { # CASE NAME OVERRIDES...
     shift 2
     winnow run "$file" -o "$to" --quiet "$@" >/dev/null
 }
-# Columns of a history, by the beginning of their titles.
-columns() { # NAME TITLE...
-    from=out/22-$1/history.csv
+# Columns of the history of such a run.
+of() { # NAME COLUMN...
+    which=$1
     shift
-    awk -F, -v wanted="$*" '
-        NR == 1 {
-            n = split(wanted, want, " ")
-            for (k = 1; k <= n; k++)
-                for (i = 1; i <= NF; i++)
-                    if (index($i, want[k] " ") == 1) at[k] = i
-            next
-        }
-        {
-            for (k = 1; k <= n; k++) printf "%s%s", $at[k], k < n ? " " : "\n"
-        }' "$from"
+    columns "out/22-$which/history.csv" "$@"
 }
 
 # v/v_t of Boussinesq, Basset and Oseen for a tenth of the density: E(z) =
@@ -57,8 +47,8 @@ history() {
     run history-sphere history-with
     run history-sphere history-without \
         -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};virtual_mass={};}"
-    columns history-with time mean_fall_velocity >out/history-with.txt
-    columns history-without mean_fall_velocity >out/history-without.txt
+    of history-with time mean_fall_velocity >out/history-with.txt
+    of history-without mean_fall_velocity >out/history-without.txt
     echo "# t/T; v/v_t without, with, exact [-]"
     paste -d' ' out/history-with.txt out/history-without.txt | awk "$exact"'
         NR % 5 == 1 { printf "%6.3f %8.5f %8.5f %8.5f\n",
@@ -73,7 +63,7 @@ shear() {
             [ $name = with ] ||
                 echo "-s effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};}"
         )
-        columns shear-$name time momentum_x | awk '
+        of shear-$name time momentum_x | awk '
             BEGIN { m = 2650 * 3.141592653589793 / 6 * 8e-12; x = 1 }
             { if (t >= 6) x += 1e3 * $2 / m * ($1 - t)
               t = $1
@@ -92,7 +82,7 @@ spin() {
             none) more="" ;;
         esac
         run saltating-grain spin-$name -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};$more}"
-        columns spin-$name time momentum_x mean_height | awk '
+        of spin-$name time momentum_x mean_height | awk '
             BEGIN { m = 2650 * 3.141592653589793 / 6 * 1.25e-10; x = 20 }
             { x += 1e3 * $2 / m * ($1 - t); t = $1
               printf "%.2f %.3f\n", x, 1e3 * $3 }' >out/spin-$name.txt
@@ -111,7 +101,7 @@ rebound() {
             run wet-rebound rebound -s fluid.viscosity=$mu -s fluid.step=2e-5 \
                 -s output.history=2e-5 -s output.every=0.025 -s output.end=0.025 \
                 -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};virtual_mass={};$more}"
-            columns rebound mean_height mean_fall_velocity |
+            of rebound mean_height mean_fall_velocity |
                 awk '$1 > 2.25e-3 && $2 > 0 && !up { down = $2 }
                      $1 > 2.25e-3 && $2 < 0 && !up { up = -$2 }
                      END { printf "%.4f %.3f\n", down, up / down }'
@@ -128,9 +118,9 @@ bead() {
     run rising-bead bead-both
     run rising-bead bead-light -s "effects={${g}pressure_gradient={};}"
     run rising-bead bead-heavy -s "effects={${g}virtual_mass={};}"
-    columns bead-both time mean_fall_velocity >out/bead-both.txt
-    columns bead-light mean_fall_velocity >out/bead-light.txt
-    columns bead-heavy mean_fall_velocity >out/bead-heavy.txt
+    of bead-both time mean_fall_velocity >out/bead-both.txt
+    of bead-light mean_fall_velocity >out/bead-light.txt
+    of bead-heavy mean_fall_velocity >out/bead-heavy.txt
     paste -d' ' out/bead-both.txt out/bead-light.txt out/bead-heavy.txt |
         awk 'NR % 6 == 1 { printf "%4.1f %8.5f %8.5f %8.5f\n", 1e3 * $1, -$2, -$3, -$4 }'
 }
@@ -139,8 +129,8 @@ turn() {
     echo "# t [ms]; spin over that at the start with torque, without, exact"
     run spinning-grain turn-with
     run spinning-grain turn-without -s "effects={}"
-    columns turn-with time rotational_energy_particles >out/turn-with.txt
-    columns turn-without rotational_energy_particles >out/turn-without.txt
+    of turn-with time rotational_energy_particles >out/turn-with.txt
+    of turn-without rotational_energy_particles >out/turn-without.txt
     paste -d' ' out/turn-with.txt out/turn-without.txt | awk '
         NR == 1 { first = $2 }
         NR % 4 == 1 { printf "%.1f %.6f %.6f %.6f\n", 1e3 * $1, sqrt($2 / first),
@@ -152,9 +142,9 @@ cloud() {
     run falling-cloud cloud-1 -s 'particles.list="none"' -s 'exchange.coupling="one-way"'
     run falling-cloud cloud-2 -s 'particles.list="none"'
     run falling-cloud cloud-4
-    columns cloud-1 time mean_fall_velocity >out/cloud-1.txt
-    columns cloud-2 mean_fall_velocity >out/cloud-2.txt
-    columns cloud-4 mean_fall_velocity >out/cloud-4.txt
+    of cloud-1 time mean_fall_velocity >out/cloud-1.txt
+    of cloud-2 mean_fall_velocity >out/cloud-2.txt
+    of cloud-4 mean_fall_velocity >out/cloud-4.txt
     paste -d' ' out/cloud-1.txt out/cloud-2.txt out/cloud-4.txt |
         awk 'NR % 5 == 1 { printf "%.2f %7.3f %7.3f %7.3f\n", $1, 1e3 * $2, 1e3 * $3, 1e3 * $4 }'
 }
@@ -169,7 +159,7 @@ carry() {
             none) effects="" ;;
         esac
         run carried-bead carry-$name -s "effects={$effects}" -s output.every=0.01
-        columns carry-$name time kinetic_energy_particles >out/carry-e.txt
+        of carry-$name time kinetic_energy_particles >out/carry-e.txt
         tail -n +2 out/22-carry-$name/probes.csv | cut -d, -f2 |
             paste -d' ' out/carry-e.txt - | awk '
                 { printf "%.2f %.4f %.3f\n", $1, 1e3 * $3,

@@ -4,10 +4,6 @@
 . "$(dirname "$0")/../here.sh"
 out=out/26-break
 mkdir -p $out
-value() { # key: of the summary
-    sed -n "s/^.*\"$1\": \([^,]*\).*/\1/p" "$dir/summary.json"
-}
-
 echo "# mesh, method, last time [s], steps with a capped cell, lowest eps_f [-],"
 echo "# mean pressure drop of the second half [Pa]; the bed weighs 186.4 Pa"
 for mesh in C,18,50,4 D,36,100,8 E,72,200,16; do
@@ -19,9 +15,9 @@ for mesh in C,18,50,4 D,36,100,8 E,72,200,16; do
         winnow run cases/mueller-bed-sx15.cfg --quiet -o "$dir" -s output.end=0.01 \
             -s mesh.cells="[${mesh#*,}]" -s averaging.method="${how%,*}" $cap \
             >"$dir.log" 2>&1 || true
-        echo "${mesh%%,*} $how $(value simulated_seconds)" \
-            "$(value steps_with_capped_cells) $(value eps_f_lowest)" \
-            "$(value mean_pressure_drop)" |
+        echo "${mesh%%,*} $how $(summary "$dir" simulated_seconds)" \
+            "$(summary "$dir" steps_with_capped_cells) $(summary "$dir" eps_f_lowest)" \
+            "$(summary "$dir" mean_pressure_drop)" |
             awk '{ printf "%s %-9s %5.4g %3d  %5.3f  %5.1f\n", $1, $2, $3, $4, $5, $6 }'
         sed -n 's/^winnow: \(.*\) at t = .*/    \1/p' "$dir.log"
     done

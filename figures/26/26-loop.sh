@@ -19,8 +19,8 @@ for cells in 4,16,1 8,32,1 12,48,1 16,64,1; do
             --quiet >"$dir.log" 2>&1 || code=$?
         echo "# cells $cells, $method: exit $code," \
             "steps with a capped cell:" \
-            "$(sed -n 's/.*"steps_with_capped_cells": \([0-9]*\).*/\1/p' "$dir/summary.json")," \
-            "steps: $(sed -n 's/.*"steps": \([0-9]*\).*/\1/p' "$dir/summary.json")"
+            "$(summary "$dir" steps_with_capped_cells)," \
+            "steps: $(summary "$dir" steps)"
         cat "$dir"/profiles/*.csv
         echo
         echo

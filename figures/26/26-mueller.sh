@@ -26,16 +26,12 @@ run() { # mesh cells method end
         echo "$1, $3: $(grep '^winnow' "$dir.log")" >&2
 }
 
-value() { # key: of the summary
-    sed -n "s/.*\"$1\": \([^,]*\).*/\1/p" "$dir/summary.json"
-}
-
 collect() { # mesh cells method
     dir=$out/$3-$(echo "$2" | tr , x)
     [ -s "$dir/summary.json" ] || return 0
-    echo "run $1 $3 $(echo "$2" | tr , x) $(value simulated_seconds) $(value steps)" \
-        "$(value steps_with_capped_cells) $(value eps_f_lowest)" \
-        "$(value mean_pressure_drop)"
+    echo "run $1 $3 $(echo "$2" | tr , x) $(summary "$dir" simulated_seconds) $(summary "$dir" steps)" \
+        "$(summary "$dir" steps_with_capped_cells) $(summary "$dir" eps_f_lowest)" \
+        "$(summary "$dir" mean_pressure_drop)"
     for file in "$dir"/profiles/*.csv; do
         line=$(basename "$file" .csv) # eps_f_y16.4mm
         height=${line##*_y}

@@ -60,11 +60,7 @@ theirs() {
     done
 }
 
-of() { # NAME COLUMN
-    awk -F, -v want="$2" '
-        NR == 1 { for (i = 1; i <= NF; i++) if (index($i, want " ") == 1) k = i; next }
-        { printf "%.2f %.6g\n", $1, $k }' "$out/$1/history.csv"
-}
+of() { columns "$out/$1/history.csv" time "$2" | awk '{ printf "%.2f %.6g\n", $1, $2 }'; } # NAME COLUMN
 
 table() {
     echo "# Made by: sh figures/27/27-goldschmidt.sh dpmfoam, whole, gradient, then table"

@@ -74,7 +74,7 @@ collect() { # FOLDER
     for dir in "$1"/*/; do
         name=$(basename "$dir")
         if [ ! -s "$dir/asked" ] || [ ! -d "$dir/profiles" ]; then continue; fi
-        end=$(sed -n 's/.*"simulated_seconds": \([0-9.]*\).*/\1/p' "$dir/summary.json")
+        end=$(summary "$dir" simulated_seconds)
         echo "run $(cat "$dir/asked") end $end"
         for file in "$dir"/profiles/*.csv; do
             line=$(basename "$file" .csv) # us_y_y25mm or us_y_y25mm_from6s

@@ -27,11 +27,9 @@ grid() { # d [m], eps_f
 
 falls() { # the mean of the second half, of mean_fall_velocity [m/s]
     winnow run cases/settling-suspension.cfg --quiet -j 1 -o $out/run "$@" >/dev/null 2>&1
-    awk -F, '
-        NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^mean_fall/) c = i; next }
-        { t[NR] = $1; v[NR] = $c }
-        END { for (i in t) if (t[i] > t[NR] / 2) { sum += v[i]; n++ }; printf "%.6g\n", sum / n }
-    ' $out/run/history.csv
+    columns $out/run/history.csv time mean_fall_velocity | awk '
+        { t[NR] = $1; v[NR] = $2 }
+        END { for (i in t) if (t[i] > t[NR] / 2) { sum += v[i]; n++ }; printf "%.6g\n", sum / n }'
 }
 
 echo "# law, d [mm], Re_t, eps_f, u / u_t; fit: law, d [mm], Re_t, n"

@@ -9,15 +9,10 @@ for b in 1.2 2.4 3.6 4.8 6.6 9.6; do
     winnow run cases/small-bed.cfg --quiet -o out/27-umf/$b -s averaging.bandwidth=${b}e-3 \
         -s 'fluid.bottom.inlet=((0.0,0.0),(6.0,1.2))' -s output.end=6.0 \
         -s output.history=0.005 -s output.every=6.0 >/dev/null 2>&1
-    awk -F, -v b=$b '
-        NR == 1 {
-            for (i = 1; i <= NF; i++) { split($i, word, " "); at[word[1]] = i }
-            next
-        }
-        { u = $at["inlet_velocity"]; h = $at["mean_height"] }
+    columns out/27-umf/$b/history.csv inlet_velocity mean_height pressure_drop bed_weight | awk -v b=$b '
+        { u = $1; h = $2 }
         u < 0.2 { rest = h }
-        !carried && $at["pressure_drop"] >= $at["bed_weight"] { carried = u }
+        !carried && $3 >= $4 { carried = u }
         !lifted && u > 0.2 && h > 1.02 * rest { lifted = u }
-        END { printf "%4.1f %5.2f %6.2f %6.3f %6.3f\n", b, b / 1.2, 2000 * rest / b, carried, lifted }
-    ' out/27-umf/$b/history.csv
+        END { printf "%4.1f %5.2f %6.2f %6.3f %6.3f\n", b, b / 1.2, 2000 * rest / b, carried, lifted }'
 done
