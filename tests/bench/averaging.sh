@@ -25,24 +25,8 @@ boundary (
     bottom { type patch; faces ((1 5 4 0)); }
     sides { type wall; faces ((0 4 7 3) (2 6 5 1) (0 3 2 1) (4 5 6 7)); });
 END
-    dictionary volVectorField U 0/U <<END
-dimensions [0 1 -1 0 0 0 0];
-internalField uniform (0 0 0);
-boundaryField {
-    top { type zeroGradient; }
-    bottom { type fixedValue; value uniform (0 0.9 0); }
-    sides { type noSlip; }
-}
-END
-    dictionary volScalarField p 0/p <<END
-dimensions [0 2 -2 0 0 0 0];
-internalField uniform 0;
-boundaryField {
-    top { type fixedValue; value uniform 0; }
-    bottom { type zeroGradient; }
-    sides { type zeroGradient; }
-}
-END
+    fields "top { type zeroGradient; } bottom { type fixedValue; value uniform (0 0.9 0); } sides { type noSlip; }" \
+        "top { type fixedValue; value uniform 0; } bottom { type zeroGradient; } sides { type zeroGradient; }"
     blockMesh >log.blockMesh 2>&1
 }
 

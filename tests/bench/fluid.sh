@@ -41,24 +41,8 @@ boundary (
     sides { type wall; faces ((0 4 7 3) (2 6 5 1) (1 5 4 0)); }
     ends { type $type; faces ((0 3 2 1) (4 5 6 7)); });
 END
-    dictionary volVectorField U 0/U <<END
-dimensions [0 1 -1 0 0 0 0];
-internalField uniform (0 0 0);
-boundaryField {
-    lid { type fixedValue; value uniform (1 0 0); }
-    sides { type noSlip; }
-    $(ends noSlip)
-}
-END
-    dictionary volScalarField p 0/p <<END
-dimensions [0 2 -2 0 0 0 0];
-internalField uniform 0;
-boundaryField {
-    lid { type zeroGradient; }
-    sides { type zeroGradient; }
-    $(ends zeroGradient)
-}
-END
+    fields "lid { type fixedValue; value uniform (1 0 0); } sides { type noSlip; } $(ends noSlip)" \
+        "lid { type zeroGradient; } sides { type zeroGradient; } $(ends zeroGradient)"
     blockMesh >log.blockMesh 2>&1
 }
 

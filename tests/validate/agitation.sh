@@ -56,6 +56,19 @@ row() {
 columns="sqrt_T_axial error sqrt_T_transverse error height error drop/weight error\
  C_d sigma/C_d T cuts seconds"
 
+# PART HEADER: makes the runs and the table of lines NAME WORDS... | CASE OVERRIDES...
+table() {
+    lines=$(cat)
+    # shellcheck disable=SC2086 # words
+    echo "$lines" | while IFS='|' read -r words change; do run ${words%% *} $change </dev/null; done || exit
+    {
+        made "$1"
+        echo "# $2 $columns"
+        # shellcheck disable=SC2086
+        echo "$lines" | while IFS='|' read -r words _; do row $words; done
+    } >$figures/23/23-"$1".txt
+}
+
 # The rows of such a table by name, for the text; in which columns the words are.
 numbers() {
     awk -v first="$1" -v second="$2" -v columns="$columns" '
@@ -150,31 +163,20 @@ measured() {
 choices() {
     grain=particles.grains random=effects.stochastic_drag
     gauss=cases/ew18-liquid.cfg with=cases/ew18-liquid-random.cfg
-    while read -r name case change; do
-        # shellcheck disable=SC2086 # two words each
-        run "$name" "$case" $change
-    done >/dev/null <<END
-gauss-11 $gauss
-restitution $gauss -s $grain.restitution=0.7
-friction $gauss -s $grain.friction=0.1
-stiffness $gauss -s $grain.stiffness=9e4
-longer $gauss -s output.end=350.0
-step $gauss -s fluid.step=3e-3 -s particles.step=3e-4
-random-11 $with
-seed-2 $with -s $random.seed=2
-seed-3 $with -s $random.seed=3
-memory-0.5 $with -s $random.time=0.5
-memory-0.1 $with -s $random.time=0.1
-thinner $with -s $random.sigma_low=46.8 -s $random.sigma_high=6.71
+    table choices what <<END
+gauss-11 gauss-11 | $gauss
+restitution restitution | $gauss -s $grain.restitution=0.7
+friction friction | $gauss -s $grain.friction=0.1
+stiffness stiffness | $gauss -s $grain.stiffness=9e4
+longer longer | $gauss -s output.end=350.0
+step step | $gauss -s fluid.step=3e-3 -s particles.step=3e-4
+random-11 random-11 | $with
+seed-2 seed-2 | $with -s $random.seed=2
+seed-3 seed-3 | $with -s $random.seed=3
+memory-0.5 memory-0.5 | $with -s $random.time=0.5
+memory-0.1 memory-0.1 | $with -s $random.time=0.1
+thinner thinner | $with -s $random.sigma_low=46.8 -s $random.sigma_high=6.71
 END
-    {
-        made choices
-        echo "# what $columns"
-        for name in gauss-11 restitution friction stiffness longer step \
-            random-11 seed-2 seed-3 memory-0.5 memory-0.1 thinner; do
-            row $name $name
-        done
-    } >$figures/23/23-choices.txt
 }
 
 # The drag law as the whole force or beside the pressure gradient, and two ways of
@@ -184,51 +186,28 @@ treatments() {
     long="-s fluid.step=1e-2 -s particles.step=1e-3"
     semi="-s exchange.treatment=semi-implicit"
     whole=cases/ew18-liquid.cfg shared=cases/ew18-liquid-shared.cfg
-    # shellcheck disable=SC2086
-    {
-        run whole $whole $brief
-        run shared-long $shared $brief $long
-        run shared $shared $brief
-        run semi-long $whole $brief $semi $long
-        run semi $whole $brief $semi
-        run gauss-11 $whole
-        run shared-11 $shared
-    }
-    {
-        made treatments
-        echo "# Re_in, form, treatment, step, $columns"
-        row whole 4 whole explicit 3e-3
-        row shared-long 4 shared explicit 1e-2
-        row shared 4 shared explicit 3e-3
-        row semi-long 4 whole semi-implicit 1e-2
-        row semi 4 whole semi-implicit 3e-3
-        row gauss-11 11 whole explicit 1e-2
-        row shared-11 11 shared explicit 1e-2
-    } >$figures/23/23-treatments.txt
+    table treatments "Re_in, form, treatment, step," <<END
+whole 4 whole explicit 3e-3 | $whole $brief
+shared-long 4 shared explicit 1e-2 | $shared $brief $long
+shared 4 shared explicit 3e-3 | $shared $brief
+semi-long 4 whole semi-implicit 1e-2 | $whole $brief $semi $long
+semi 4 whole semi-implicit 3e-3 | $whole $brief $semi
+gauss-11 11 whole explicit 1e-2 | $whole
+shared-11 11 shared explicit 1e-2 | $shared
+END
 }
 
 # Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
 kernels() {
-    scale=$middle
-    # shellcheck disable=SC2086
-    {
-        run gauss-6 cases/ew18-liquid.cfg $scale
-        run cells-0.5 cases/ew18-liquid.cfg $scale -s mesh.cells=[4,8,4]
-        run cells-1.5 cases/ew18-liquid.cfg $scale -s mesh.cells=[12,22,12]
-        run cells-2 cases/ew18-liquid.cfg $scale -s mesh.cells=[16,30,16]
-        run width-1.5 cases/ew18-liquid.cfg $scale -s averaging.delta_05=1.5
-        run width-2 cases/ew18-liquid.cfg $scale -s averaging.delta_05=2.0
-    }
-    {
-        made kernels
-        echo "# cells a d, delta_05/d, $columns"
-        row cells-0.5 0.5 1
-        row gauss-6 1 1
-        row cells-1.5 1.5 1
-        row cells-2 2 1
-        row width-1.5 1 1.5
-        row width-2 1 2
-    } >$figures/23/23-kernels.txt
+    scale="cases/ew18-liquid.cfg $middle"
+    table kernels "cells a d, delta_05/d," <<END
+cells-0.5 0.5 1 | $scale -s mesh.cells=[4,8,4]
+gauss-6 1 1 | $scale
+cells-1.5 1.5 1 | $scale -s mesh.cells=[12,22,12]
+cells-2 2 1 | $scale -s mesh.cells=[16,30,16]
+width-1.5 1 1.5 | $scale -s averaging.delta_05=1.5
+width-2 1 2 | $scale -s averaging.delta_05=2.0
+END
 }
 
 # Figs. 18 to 20: coarse, with a Gaussian on cells of one diameter, with a random
@@ -239,21 +218,14 @@ gas() {
     sigma="$sigma -s effects.stochastic_drag.linear=true -s effects.stochastic_drag.time=1.0"
     case=cases/ew18-gas.cfg fine="-s mesh.cells=[20,100,20]"
     ways="cube gauss random di-felice gauss-2 random-2"
-    # shellcheck disable=SC2086
-    {
-        run gas-cube $case -s mesh.cells=[6,30,6] \
-            -s 'averaging={method="cube";interpolation="linear";}'
-        run gas-gauss $case
-        run gas-random $case $sigma
-        run gas-di-felice $case -s exchange.drag=di-felice
-        run gas-gauss-2 $case $fine
-        run gas-random-2 $case $fine $sigma
-    }
-    {
-        made gas
-        echo "# bed way $columns"
-        for way in $ways; do row gas-$way gas $way; done
-    } >$figures/23/23-gas.txt
+    table gas "bed way" <<END
+gas-cube gas cube | $case -s mesh.cells=[6,30,6] -s averaging={method="cube";interpolation="linear";}
+gas-gauss gas gauss | $case
+gas-random gas random | $case $sigma
+gas-di-felice gas di-felice | $case -s exchange.drag=di-felice
+gas-gauss-2 gas gauss-2 | $case $fine
+gas-random-2 gas random-2 | $case $fine $sigma
+END
     {
         numbers 1 2 <$figures/23/23-gas.txt
         for way in $ways; do
