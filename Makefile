@@ -54,11 +54,11 @@ slow: commands-slow faults-slow kills-slow pairs-slow parcels-slow sanitized-slo
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
 cylinder-slow: $B/winnow
-	@sh tests/cylinder.sh $B/winnow
+	@sh tests/table.sh $B tests/tables/cylinder.txt
 bare-slow: $B/winnow
 	@sh tests/bare.sh $B
 view-slow: $B/winnow
-	@sh tests/view.sh $B
+	@sh tests/table.sh $B tests/tables/view.txt
 	@sh tests/report.sh $B
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
