@@ -172,6 +172,7 @@ void averaging_spread(struct averaging *a, int m, const double *q,
     check_first_field(&a->report, a->cells->mesh, m, field);
 }
 
+/* The mean of m fields at each particle, by the weights of the averaging. */
 void averaging_gather(struct averaging *a, int m, const double *field,
                       double *q)
 {

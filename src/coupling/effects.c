@@ -147,6 +147,7 @@ void effect_force_inertia(struct simulation *sim)
     particles_attach(sim->particles, "u_before", "m/s", cp->u_before, 3);
 }
 
+/* Charges the fluid in advance for an added mass m [kg] of particle i. */
 void effect_force_charge(struct simulation *sim, int i, double m)
 {
     struct coupling *const cp = sim->coupling;

@@ -81,6 +81,8 @@ static void estimate_drag_impulse(struct simulation *sim)
     }
 }
 
+/* The share s [-] of an added mass C [-] that the fluid is charged in
+ * advance (20.11). */
 double reaction_share_in_advance(double C, double ratio, double eps_s)
 {
     const double q = eps_s / (1.0 - eps_s);

@@ -27,6 +27,7 @@ double curve_average(int n, const double *x)
     return sum / n;
 }
 
+/* The standard error of the mean of n independent samples. */
 double curve_scatter(int n, const double *x)
 {
     double sum = 0.0, squares = 0.0;

@@ -108,6 +108,8 @@ static int is_at(const struct mesh *m, int c, double height)
     return m->box.edge[1][j] <= height && height < m->box.edge[1][j + 1];
 }
 
+/* Measures each set of cells: volume [m^3], whether it is open, passes the
+ * height. */
 static void measure_sets(struct bubbles *b, const struct simulation *sim)
 {
     const struct mesh *const m = sim->mesh;
@@ -287,6 +289,7 @@ static int sample_at(const struct mixing *self, const struct mesh *m,
     return at[0] + self->n[0] * (at[1] + self->n[1] * at[2]);
 }
 
+/* Counts all and the marked spheres of each sample. */
 static void mixing_count(struct mixing *self, const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
