@@ -141,6 +141,7 @@ struct effect_scales {
     double gravity;       /* [m/s^2] */
     double mean_gradient; /* [Pa/m] that drives the fluid through a period */
     double eps_s;         /* [-] solids fraction where the particles are */
+    double passed;        /* [-] of what a stream passes: less, over a bed */
     int partners;         /* [-] 1: there are others that a particle can meet */
     int carried;     /* [-] 1: the particles move with the stream, or fall */
     int held;        /* [-] 1: the fluid cannot go along with the drag on it */

@@ -165,7 +165,7 @@ pressure_gradient_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
     const double steady = V * (k->mean_gradient + k->rho_f * k->gravity);
-    const double of_drag = k->eps_s * k->drag / (1.0 - k->eps_s);
+    const double of_drag = k->passed * k->drag / (1.0 - k->passed);
     struct effect_estimate e;
 
     if (k->held || steady > 0.0)

@@ -134,6 +134,7 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
     k->shear = stirred * k->slip / k->length;
     k->stirred = k->carried;
     if (!k->carried) { /* the stream begins, and then nothing changes */
+        k->rests = 1;
         k->time = in->end;
         k->acceleration = k->slip / k->time;
         return;
@@ -277,8 +278,8 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
         bed_scales(s, k, in, load);
     else
         free_scales(s, k, in, p, load);
-    const double eps_s = k->eps_s;
-    k->drag = drag_at(s, k, eps_s);
+    k->passed = k->eps_s;
+    k->drag = drag_at(s, k, k->passed);
     k->tau =
         k->slip > 0.0 ? k->rho_s * scales_volume(k) * k->slip / k->drag : 0.0;
     if (k->partners) /* at the relative speed that was measured in beds */

@@ -238,7 +238,7 @@ static struct effect_estimate whole_drag_estimate(const struct effect_scales *k)
     const double V = M_PI / 6.0 * gsl_pow_3(k->d);
 
     return effects_estimate(
-        (k->drag * k->eps_s / (1.0 - k->eps_s) + V * k->rho_f * k->gravity) /
+        (k->drag * k->passed / (1.0 - k->passed) + V * k->rho_f * k->gravity) /
             k->force,
         "");
 }
