@@ -197,6 +197,7 @@ static long first_steps(const struct settings *s, double *seconds, int *code,
 
     now.particles.bed.settle = 0.0;
     now.particles.bed_file = NULL;
+    now.quiet = 1;
     omp_set_num_threads(1);
     struct simulation *const sim = build_simulation(&now, code);
     int failed = sim != NULL && coupling_start(sim) != 0;
