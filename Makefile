@@ -59,7 +59,7 @@ bare-slow: $B/winnow
 	@sh tests/bare.sh $B
 view-slow: $B/winnow
 	@sh tests/table.sh $B tests/tables/view.txt
-	@sh tests/report.sh $B
+	@sh tests/table.sh $B tests/tables/pages.txt
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
