@@ -4,8 +4,9 @@
 #include "base/model.h"
 #include "fluid/fluid.h"
 
-void convection_upwind_weights(const struct convection_faces *faces,
-                               double *weight)
+/* The weights of upwind, which schemes with a deferred part use as well. */
+static void convection_upwind_weights(const struct convection_faces *faces,
+                                      double *weight)
 {
     for (int f = 0; f < faces->n; f++)
         weight[f] = faces->phi[f] >= 0.0 ? 1.0 : 0.0;

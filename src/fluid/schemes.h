@@ -79,10 +79,6 @@ extern const struct convection_scheme convection_upwind, convection_linear,
 extern const struct convection_scheme *const convection_schemes[];
 const struct convection_scheme *convection_scheme_named(const char *name);
 
-/* The weights of upwind, which schemes with a deferred part use as well. */
-void convection_upwind_weights(const struct convection_faces *faces,
-                               double *weight);
-
 /* The gradient of the velocity in the cells.
  *
  * Gauss: (1/V) sum u_f S, u_f linear between the two cells of a face. Least

@@ -22,9 +22,6 @@ struct page {
 /* How much of the budget is left [byte]. */
 long page_room(const struct page *p);
 
-/* The lines of a text, `of` bytes, in a hidden element <pre data-name>. */
-void page_put_text(struct page *p, const char *name, const char *text);
-
 /* n numbers as whole ones of 16 bit from the lowest to the highest, 65535 for
  * what is no number. */
 struct page_numbers {

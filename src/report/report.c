@@ -45,7 +45,8 @@ static void page_put_lines(FILE *out, const char *text)
     free(line);
 }
 
-void page_put_text(struct page *p, const char *name, const char *text)
+/* The lines of a text, `of` bytes, in a hidden element <pre data-name>. */
+static void page_put_text(struct page *p, const char *name, const char *text)
 {
     fprintf(p->out, "<pre hidden data-name=\"%s\">\n", name);
     page_put_lines(p->out, text);

@@ -186,7 +186,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     return b->dem == NULL;
 }
 
-void solid_bodies_state(struct solid_bodies *b, struct state *s)
+static void solid_bodies_state(struct solid_bodies *b, struct state *s)
 {
     const int n = b->ps->n;
 

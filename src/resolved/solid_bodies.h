@@ -85,7 +85,6 @@ void solid_bodies_set_spring(struct solid_bodies *b, int i, const double k[3]);
 int solid_bodies_hung(const struct solid_bodies *b, int i);
 /* All are there and hold the borrowed fluid, which rests. Non-zero if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
-void solid_bodies_state(struct solid_bodies *b, struct state *s);
 
 /* --- bodies effect -------------------------------------------------------- */
 

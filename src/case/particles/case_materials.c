@@ -65,7 +65,9 @@ static double measured(int given, double value)
     return given ? value : -1.0;
 }
 
-struct materials_measured case_materials_pair(const struct settings *s, int k)
+/* The measured properties of the k-th pair of materials. */
+static struct materials_measured case_materials_pair(const struct settings *s,
+                                                     int k)
 {
     const struct pair_setup *const p = &s->particles.pairs.item[k];
 

@@ -28,9 +28,6 @@ struct material case_materials_one(const struct settings *s, int number);
 /* All but number 0, to be released with free(); NULL if there is no other. */
 struct materials *case_materials_create(const struct settings *s);
 
-/* The measured properties of the k-th pair of materials. */
-struct materials_measured case_materials_pair(const struct settings *s, int k);
-
 /* Each is given once, and what is made of a material names one that there is:
  * 0, or 2 after one message. */
 int case_materials_check(const struct settings *s);

@@ -72,11 +72,6 @@ void near_faces_choose(struct near_faces *l, const struct near_faces *from,
 void near_faces_image(const struct near_face *f, const struct rows *b, int i,
                       double x[3]);
 
-/* Visits all faces, under this name (state.h), of the particles of a chunk. */
-void near_faces_state(struct near_faces *l, const char *name,
-                      const struct surface_scene *scene,
-                      const struct chunk *chunk, struct state *s);
-
 /* Returns `list` with capacity for one more than n items of this size [bytes].
  */
 void *near_faces_room(void *list, int n, int *room, size_t size);

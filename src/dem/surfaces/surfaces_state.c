@@ -26,9 +26,10 @@ static int are_faces(const struct near_faces *l,
     return 1;
 }
 
-void near_faces_state(struct near_faces *l, const char *name,
-                      const struct surface_scene *scene,
-                      const struct chunk *chunk, struct state *s)
+/* Visits all faces, under this name (state.h), of the particles of a chunk. */
+static void near_faces_state(struct near_faces *l, const char *name,
+                             const struct surface_scene *scene,
+                             const struct chunk *chunk, struct state *s)
 {
     state_begin(s, name);
     state_count(s, "owners", &l->n_owners, INT_MAX);
