@@ -28,11 +28,11 @@ shares() { # case, end [s], overrides
         >/dev/null 2>&1 || echo "$name broke down"
     for effect in $forces; do
         awk -v name="${label:-$name}" -v effect="$effect" '
-            FILENAME ~ /check$/ && $1 == effect { sub(/</, "", $2); estimate = $2 }
+            FILENAME ~ /check$/ && $1 == effect { bound = sub(/</, "", $2); estimate = $2 }
             $1 == "\"" effect "\":" && $2 == "{" { within = 1 }
             within && /mean_share/ { measured = 100 * $2; within = 0 }
             END {
-                ratio = estimate < 1 && measured < 1 ? "small" \
+                ratio = bound ? "bound" : estimate < 1 && measured < 1 ? "small" \
                     : measured > 0 ? sprintf("%.2f", estimate / measured) : "-"
                 printf "%-22s %-18s %9.3g %9.3g %6s\n", name, effect, estimate,
                     measured, ratio

@@ -171,9 +171,9 @@ static double free_slip(const struct settings *s, const struct effect_scales *k,
 }
 
 /* Whether walls or ends hold the fluid, which the drag would else take along,
- * in the direction in which the particles go: that of gravity, or of their
- * first velocities. */
-static int is_held(const struct settings *s)
+ * in the direction in which the particles go: that of gravity, of an inlet, or
+ * of their first velocities. */
+static int is_held(const struct settings *s, const struct case_scales *in)
 {
     const double *const g = s->effects.gravity;
     double along[3] = {0.0, 0.0, 0.0};
@@ -186,7 +186,8 @@ static int is_held(const struct settings *s)
         if (vector_length(g) > 0.0 ? fabs(g[k]) > fabs(g[most])
                                    : fabs(along[k]) > fabs(along[most]))
             most = k;
-    return !periodic[most] || s->fluid.has_mean_flow;
+    return !periodic[most] || s->fluid.has_mean_flow ||
+           (vector_length(g) == 0.0 && in->inlet > 0.0);
 }
 
 /* Spheres that fall or rise through the box, or that the stream carries across
@@ -285,7 +286,7 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     if (k->partners) /* at the relative speed that was measured in beds */
         k->meetings = 6.0 * k->eps_s * stirred * k->slip / k->d;
     settle_time(s, k);
-    k->held = is_held(s);
+    k->held = is_held(s, in);
     if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);
 }
 
