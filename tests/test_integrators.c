@@ -7,11 +7,12 @@
 
 #include "dem/energy.h"
 #include "dem/integrator.h"
+#include "dem/surfaces/surface.h"
 #include "facts.h"
 #include "spheres.h"
 
-static const char *const names[3] = {"velocity-verlet", "symplectic-euler",
-                                     "heun"};
+static const char *const names[4] = {"velocity-verlet", "symplectic-euler",
+                                     "heun", "adaptive-heun"};
 
 /* Two spheres that overlap and are pushed apart, as long as they touch: with
  * law "linear" half of their distance is a damped oscillator,
@@ -19,14 +20,12 @@ static const char *const names[3] = {"velocity-verlet", "symplectic-euler",
  *   x(t) = x_0 e^(-zeta w t) (cos(w_d t) + zeta w/w_d sin(w_d t)).
  *
  * The error of the overlap over its start after a fifth of a period. */
-static double error_of_oscillator(const char *integrator, double e, int steps)
+static double error_with(struct dem_options o, double e, int steps)
 {
     struct particles *const ps = particles_create(2);
-    struct dem_options o = spheres_options(&contact_linear, 0.0, 0.1);
     const double overlap = 1e-4;
     struct dem_report r;
 
-    o.integrator = integrator_named(integrator);
     o.material.restitution = e;
     spheres_add(ps, -0.005 + 0.5 * overlap, 0, 0, 0.01);
     spheres_add(ps, 0.005 - 0.5 * overlap, 0, 0, 0.01);
@@ -44,6 +43,33 @@ static double error_of_oscillator(const char *integrator, double e, int steps)
     dem_free(dem);
     particles_free(ps);
     return fabs(found - exact) / overlap;
+}
+
+static double error_of_oscillator(const char *integrator, double e, int steps)
+{
+    struct dem_options o = spheres_options(&contact_linear, 0.0, 0.1);
+
+    o.integrator = integrator_named(integrator);
+    return error_with(o, e, steps);
+}
+
+static struct dem_options adaptive_options(double step, double error,
+                                           double half)
+{
+    struct dem_options o = spheres_options(&contact_linear, step, half);
+
+    o.integrator = integrator_named("adaptive-heun");
+    o.shortest_step = 5e-7;
+    o.step_error = error;
+    return o;
+}
+
+static double error_of_adaptive(double e, double error)
+{
+    struct dem_options o = adaptive_options(0.0, error, 0.1);
+
+    o.shortest_step = 1e-8;
+    return error_with(o, e, 1);
 }
 
 /* 2, 1, 2 without damping; the velocity of half a step before makes it 1, 1, 2
@@ -157,6 +183,8 @@ static struct particles *moved(const char *integrator, int pieces)
     struct dem_report r;
 
     o.integrator = integrator != NULL ? integrator_named(integrator) : NULL;
+    o.shortest_step = 2e-6;
+    o.step_error = 1e-4;
     o.material.friction = 0.3;
     o.material.restitution = 0.8;
     o.periodic[2] = 1;
@@ -239,6 +267,107 @@ START_TEST(energy_closes_by_heun_to_second_order)
 }
 END_TEST
 
+/* --- steps that adapt ----------------------------------------------------- */
+
+static const double g = 9.81; /* [m/s^2] */
+
+/* One step of 1.2/w in parts: the error falls with that of a part, which is of
+ * second order in its length, with damping and without. */
+START_TEST(the_error_of_steps_that_adapt_falls_as_they_are_told)
+{
+    const double e = _i ? 0.5 : 1.0;
+    const double coarse = error_of_adaptive(e, 4e-4);
+    const double fine = error_of_adaptive(e, 4e-4 / 64.0);
+
+    ck_assert_double_eq_tol(log2(coarse / fine) / 6.0, 1.0, 0.1);
+    ck_assert_double_lt(fine, 1e-4);
+}
+END_TEST
+
+/* The height [m] of a sphere that falls from 1 m, after `end` [s]: parabolas
+ * and damped oscillations, joined. */
+static double exact_height(double end, double k, double eta, double m)
+{
+    double t = 0.0, y = 1.0, v = 0.0;
+
+    for (;;) {
+        const double fall = (v + sqrt(v * v + 2.0 * g * y)) / g;
+        const double left = end - t;
+        if (fall > left) return y + v * left - 0.5 * g * left * left;
+        t += fall, v -= g * fall;
+        /* m y'' = -k y - eta y' - m g until y = 0 again */
+        const double a = 0.5 * eta / m, w = sqrt(k / m - a * a);
+        const double A = m * g / k, B = (v + a * A) / w;
+        double lo = 0.5 * M_PI / w, hi = 1.5 * M_PI / w;
+        for (int q = 0; q < 100; q++) {
+            const double s = 0.5 * (lo + hi);
+            const double at =
+                -A + exp(-a * s) * (A * cos(w * s) + B * sin(w * s));
+            *(at < 0.0 ? &lo : &hi) = s;
+        }
+        v = exp(-a * lo) *
+            ((w * B - a * A) * cos(w * lo) - (w * A + a * B) * sin(w * lo));
+        t += lo, y = 0.0;
+    }
+}
+
+/* Three rebounds with e = 0.9 in 2.9 s, each in 1 ms: 2191 parts of the steps
+ * of 5 ms, where Verlet takes 58,000 steps of a twentieth of a contact. */
+START_TEST(a_sphere_falls_in_long_steps_and_bounces_in_short_ones)
+{
+    struct particles *const ps = particles_create(1);
+    struct dem_options o = adaptive_options(5e-3, 1e-4, 3.0);
+    struct dem_report r;
+
+    o.skin = 0.1;
+    o.material.restitution = 0.9;
+    spheres_add(ps, 0.0, -3.0 + 1.01, 0.0, 0.02);
+    ps->ey[0] = -g * ps->m[0];
+    const double zeta = contact_damping_ratio(0.9), m = ps->m[0];
+    o.material.stiffness = m * M_PI * M_PI / 1e-6 / (1.0 - zeta * zeta);
+    const double eta = 2.0 * zeta * sqrt(m * o.material.stiffness);
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, 580, &r), 0);
+    const double exact = exact_height(2.9, o.material.stiffness, eta, m);
+    ck_assert_double_eq_tol(ps->y[0] + 2.99, exact, 1e-4);
+    ck_assert_int_lt((int)r.parts, 2500);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* 25 diameters a step: against another sphere, a wall, and a sheet. */
+START_TEST(no_step_that_adapts_passes_over_a_contact)
+{
+    double corner[1][3][3] = {
+        {{0.2, -0.5, -0.5}, {0.2, 0.5, -0.5}, {0.2, 0.0, 0.9}}};
+    const struct surface sheet = {.name = "sheet",
+                                  .shape = &surface_stl,
+                                  .triangles = triangles_create(1, corner)};
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = adaptive_options(5e-3, 1e-5, 0.5);
+    struct dem_report r;
+    double kinetic = 0.0;
+
+    o.surfaces = &sheet;
+    o.n_surfaces = _i == 2;
+    o.material.stiffness = 1e6;
+    spheres_throw(ps, spheres_add(ps, -0.3, 0.0, 0.0, 0.01), 50.0, 0.0, 0.0);
+    const double start = 0.5 * ps->m[0] * 2500.0;
+    if (_i == 0) spheres_add(ps, 0.1, 0.0, 0.0, 0.01);
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, _i ? 4 : 2, &r), 0);
+    for (int i = 0; i < ps->n; i++)
+        kinetic += 0.5 * ps->m[i] * ps->vx[i] * ps->vx[i];
+    const int first = spheres_place(ps, 0);
+    ck_assert_double_eq_tol(ps->vx[first], _i ? -50.0 : 0.0, 0.05);
+    ck_assert_double_eq_tol(kinetic / start, 1.0, 1e-3);
+    dem_free(dem);
+    particles_free(ps);
+    triangles_free((struct triangles *)(uintptr_t)sheet.triangles);
+}
+END_TEST
+
 FACTS("integrators")
 {
     tcase_set_timeout(facts, 30);
@@ -246,8 +375,11 @@ FACTS("integrators")
     FACT_FOR_EACH(heun_is_of_second_order_with_springs_dashpots_and_spin, 2);
     FACT_FOR_EACH(the_integrators_agree_in_the_end, 2);
     FACT(verlet_and_euler_keep_energy_and_heun_gains_it);
-    FACT_FOR_EACH(no_integrator_depends_on_the_number_of_threads, 3);
+    FACT_FOR_EACH(no_integrator_depends_on_the_number_of_threads, 4);
     FACT(velocity_verlet_is_the_default_to_the_bit);
-    FACT_FOR_EACH(a_run_in_pieces_is_one_run, 3);
+    FACT_FOR_EACH(a_run_in_pieces_is_one_run, 4);
     FACT(energy_closes_by_heun_to_second_order);
+    FACT_FOR_EACH(the_error_of_steps_that_adapt_falls_as_they_are_told, 2);
+    FACT(a_sphere_falls_in_long_steps_and_bounces_in_short_ones);
+    FACT_FOR_EACH(no_step_that_adapts_passes_over_a_contact, 3);
 }

@@ -297,8 +297,8 @@ double implicit_drag_gain(double x)
     return x > 0.0 ? -expm1(-x) / x : 1.0;
 }
 
-const struct integrator *const integrators[] = {&integrators_velocity_verlet,
-                                                &integrators_symplectic_euler,
-                                                &integrators_heun, NULL};
+const struct integrator *const integrators[] = {
+    &integrators_velocity_verlet, &integrators_symplectic_euler,
+    &integrators_heun, &integrators_adaptive_heun, NULL};
 
 MODEL_NAMED(integrator)

@@ -72,6 +72,7 @@ struct dem_options {
     const struct integrator *integrator; /* NULL: velocity Verlet */
     const struct dem_method *method;     /* NULL: the first of dem_methods */
     double step;                         /* [s] */
+    double shortest_step, step_error;    /* [s], [-] of one that adapts */
     double skin;                         /* [m] of the neighbour list; 0: d/3 */
     double lo[3], hi[3];                 /* [m] walls of the box */
     int periodic[3]; /* [-] 1: no walls, hi and lo coincide; the box must be at
@@ -89,6 +90,7 @@ struct dem_options {
 
 struct dem_report {
     long steps;         /* [-] of this run, that were done */
+    long parts;         /* [-] that these were split in, if the step adapts */
     long rebuilds;      /* [-] of the neighbour list, in this run */
     int contacts;       /* [-] touching at the end, walls included */
     double max_overlap; /* [-] largest of the run, over the mean diameter

@@ -22,6 +22,7 @@ struct integrator {
     MODEL_MEMBERS;      /* base/model.h */
     double first, last; /* [-] of a step that the first and last kick take */
     int predicts;       /* [-] 1: Heun */
+    int adapts;         /* [-] 1: and splits the steps (fast/adaptive.c) */
 };
 
 /* By how much of a step the velocity lags behind the positions between runs
@@ -34,7 +35,7 @@ static inline double integrator_lag(const struct integrator *by)
 /* All of them, ended by NULL, the default first; integrator_named: NULL for an
  * unknown name. */
 extern const struct integrator integrators_velocity_verlet,
-    integrators_symplectic_euler, integrators_heun;
+    integrators_symplectic_euler, integrators_heun, integrators_adaptive_heun;
 extern const struct integrator *const integrators[];
 const struct integrator *integrator_named(const char *name);
 

@@ -55,6 +55,7 @@ struct particles_setup {
     const struct integrator *integrator;
     const struct dem_method *list;
     double step;                          /* [s] */
+    double shortest_step, step_error;     /* [s], [-] of one that adapts */
     double skin;                          /* [m] 0: d/3 */
     double expected_overlap, max_overlap; /* [-] over the mean diameter */
     int unsafe_step;                      /* [-] 1: any step is taken */

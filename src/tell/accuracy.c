@@ -274,10 +274,12 @@ static void add_substeps(const struct settings *s, const struct case_scales *k,
 }
 
 /* The force of a dashpot jumps when a contact begins and ends. Without one, e =
- * 1, the integrator has its own order; without contacts there is no impact. */
+ * 1, the integrator has its own order; without contacts there is no impact. One
+ * that adapts is told its error. */
 static void add_impacts(const struct settings *s, const struct case_scales *k,
                         int flow, struct choices *c)
 {
+    if (s->particles.integrator->adapts) return;
     const double e = case_materials_one(s, 0).restitution;
     const double x = k->dem_dt / case_scales_tightest(s, k->impact).contact;
     const double error = e == 1.0 ? M_PI * M_PI * x * x / 24.0 : (1.0 - e) * x;

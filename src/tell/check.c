@@ -141,9 +141,11 @@ static void print_contacts(const struct settings *s,
         print_one(k, &one);
     }
     text_line("particle step", k->dem_dt, "s",
-              case_scales_is_auto(s) ? "auto: the suggested one or less"
-              : k->dem_dt <= safe    ? "safe"
-                                     : "NOT SAFE: collisions are not resolved");
+              s->particles.integrator->adapts
+                  ? "split in parts as short as particles.shortest_step"
+              : case_scales_is_auto(s) ? "auto: the suggested one or less"
+              : k->dem_dt <= safe      ? "safe"
+                                  : "NOT SAFE: collisions are not resolved");
     text_line("particle steps in one step", k->dem_steps, "-", "");
 }
 

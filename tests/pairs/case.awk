@@ -253,6 +253,7 @@ function put_particles() {
     grain = d / l
     put("particles = {")
     put("  step = " (is("count", "crowd") ? 2.5e-6 : 1e-5) ";")
+    if (is("particles.integrator", "adaptive-heun")) put("  shortest_step = 2e-6;")
     if (on("parcel"))
         put("  parcel = { grains = 8; restitution = \"" v["parcel"] "\"; };")
     put_materials()

@@ -34,7 +34,7 @@ BEGIN {
     choice("m", "sinks", "none region")
     choice("cp", "driven", "none line swing circle")
     choice("cp", "surface", "none plane cylinder stl moving turning loaded")
-    choice("cm", "particles.integrator", values_of("particles.integrator", "heun"))
+    choice("cm", "particles.integrator", values_of("particles.integrator", "heun adaptive-heun"))
     choice("p", "particles.integrator", values_of("particles.integrator"))
     choice("cpm", "particles.list", values_of("particles.list"))
     choice("cp", "gravity", "down none oblique")
@@ -97,7 +97,7 @@ BEGIN {
     apart("surface", "plane", "periodic", "y xyz",
           "not parallel to y, which is periodic")
     # The reference loop knows the sides of a box.
-    apart("particles.list", "link-cells all-pairs none", "particles.integrator", "heun",
+    apart("particles.list", "link-cells all-pairs none", "particles.integrator", "heun adaptive-heun",
           "does not support integrators that")
     apart("particles.list", "link-cells all-pairs none", "driven", "line swing circle",
           "does not support prescribed particles")

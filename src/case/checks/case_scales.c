@@ -293,7 +293,14 @@ int case_scales_check(const struct settings *s)
     if (s->particles.list->no_contacts) return case_scales_check_no_contacts(s);
     if (s->particles.unsafe_step) return 0;
     const struct case_limits m = case_scales_tightest(s, k.impact);
-    if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
+    const int adapts = s->particles.integrator->adapts;
+    const double dt = adapts ? s->particles.shortest_step : k.dem_dt;
+    if (m.d <= 0.0 || dt <= m.longest) return 0;
+    if (adapts)
+        return settings_wrong(s, KEY_OF(s, particles.shortest_step),
+                              "%.3g s does not resolve the impacts, which last "
+                              "%.3g s: at most %.3g s",
+                              dt, m.contact, m.longest);
     if (0.5 * m.d < k.impact * m.longest * (1.0 + 1e-9))
         return settings_wrong(
             s, KEY_OF(s, particles.step),

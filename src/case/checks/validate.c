@@ -205,6 +205,12 @@ static int validate_check_place(const struct settings *s)
 /* The drag is solved exactly within kick and drift; Heun has neither. */
 static int check_integrator(const struct settings *s)
 {
+    if (s->particles.integrator->adapts &&
+        s->particles.shortest_step > s->particles.step &&
+        s->particles.step > 0.0)
+        return settings_wrong(s, KEY_OF(s, particles.shortest_step),
+                              "%g s is longer than particles.step, %g s",
+                              s->particles.shortest_step, s->particles.step);
     if (!s->has.exchange || !s->particles.integrator->predicts) return 0;
     return settings_wrong(s, KEY_OF(s, particles.integrator),
                           "%s is for cases without exchange; with it there are "

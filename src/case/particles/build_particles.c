@@ -248,6 +248,8 @@ struct dem_options build_particles_dem(const struct settings *s, double step)
                             .integrator = s->particles.integrator,
                             .method = s->particles.list,
                             .step = step,
+                            .shortest_step = s->particles.shortest_step,
+                            .step_error = s->particles.step_error,
                             .skin = s->particles.skin};
 
     settings_where(s, KEY_OF(s, mesh.box.periodic), o.where, sizeof o.where);

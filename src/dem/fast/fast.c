@@ -84,6 +84,8 @@ static int fast_create(struct dem *dem)
     struct fast *const fast = dem->state = alloc_zeroed(1, sizeof *fast);
     if (o->integrator->predicts) add_heun(fast, dem->ps->capacity);
     fast->neighbours = create_neighbours(dem);
+    if (o->integrator->adapts)
+        adaptive_create(&fast->adaptive, o, fast->neighbours->n_chunks);
     if (fast->neighbours->rows->sweep_options & SWEEP_ROLLING)
         neighbours_add_rolling(fast->neighbours);
     return 0;
@@ -95,6 +97,7 @@ static void fast_release(struct dem *dem)
 
     if (fast == NULL) return;
     neighbours_free(fast->neighbours);
+    adaptive_release(&fast->adaptive);
     free(fast->heun.place);
     free(fast->heun.motion);
     free(fast->heun.load);
@@ -175,6 +178,7 @@ static void fast_report(struct dem *dem, long rebuilds, struct dem_report *r)
     const struct neighbours *const nb = fast_of(dem)->neighbours;
 
     *r = (struct dem_report){.steps = fast_of(dem)->steps_done,
+                             .parts = fast_of(dem)->parts,
                              .rebuilds = rebuilds,
                              .crossing = fast_of(dem)->crossing};
     for (int s = 0; s < nb->n_chunks; s++) {

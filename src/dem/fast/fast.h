@@ -15,13 +15,44 @@ struct heun {
     struct row_load (*part)[ENERGY_PARTS]; /* NULL without a budget */
 };
 
+/* What the length of a step follows from (adaptive.c). */
+struct adaptive {
+    double fall, pull; /* [m/s], [m/s^2] the largest speed of a fall by a
+                          diameter, and external acceleration */
+    double *changed;   /* [m/s] |a* - a| dt/2, the largest of each chunk */
+    double *closes;    /* [s] when the first gap closes, of each chunk */
+    double next;       /* [s] the length of the next step */
+};
+
+void adaptive_create(struct adaptive *a, const struct dem_options *o,
+                     int n_chunks);
+void adaptive_release(struct adaptive *a);
+
+/* Once in a run, by one thread. */
+void adaptive_begin(struct adaptive *a, const struct rows *b);
+
+/* No longer than `length` [s], nor than what the contacts are chosen for. */
+double adaptive_longest(const struct adaptive *a, const struct neighbours *nb,
+                        double speed, double length);
+
+/* Finds when the first gap of chunk s closes; that of all [s]. */
+void adaptive_look(struct adaptive *a, const struct neighbours *nb, int s);
+double adaptive_closes(const struct adaptive *a, int n_chunks);
+
+/* The length of the next step [s] after one of `done` [s] that was to be of
+ * `next`. */
+double adaptive_next(const struct adaptive *a, const struct dem_options *o,
+                     const struct neighbours *nb, double done, double next);
+
 struct fast {
     struct neighbours *neighbours;
     double min_margin; /* [m] */
     long steps_done;   /* [-] steps of the run at hand */
     struct dem_crossing crossing;
-    int interrupted;  /* [-] 1: by a signal */
-    struct heun heun; /* empty with another integrator */
+    int interrupted;          /* [-] 1: by a signal */
+    struct heun heun;         /* empty with another integrator */
+    struct adaptive adaptive; /* likewise */
+    long parts;               /* [-] that the steps of the run were split in */
 };
 
 /* The state of a dem with this method. */
@@ -32,6 +63,49 @@ static inline struct fast *fast_of(const struct dem *dem)
 
 /* So many steps, by one thread of the team. */
 void fast_move(struct dem *dem, int steps);
+
+/* --- steps (fast_move.c, heun.c) ------------------------------------------ *
+ * All functions here are called by every thread of the team. Each thread has
+ * its own copy of the margin [m] by which gaps may decrease before the contacts
+ * are chosen again, and of the part of it that is used. */
+struct contact_margin {
+    double margin, used;
+    double next; /* [s] length of the next step, of one that adapts */
+    int cut;     /* [-] 1: where a gap closes */
+    long parts;  /* [-] steps so far */
+};
+
+/* The time after k steps of this run, for the prescribed motions. */
+double fast_move_time(const struct dem *dem, int k);
+
+/* Those of a step: the tangential displacements advance by dt; the length of
+ * the kick and of the drift [s]. */
+struct step_parameters fast_move_parameters(const struct dem *dem, double dt,
+                                            double kick, double drift);
+
+/* Computes the loads alone; the tangential displacements advance by dt.
+ * Prescribed velocities are not set. */
+void fast_move_loads(const struct dem *dem, double dt);
+
+/* Gives surfaces under load their velocity from t [s] on; puts all surfaces
+ * where they are at t; and makes the prescribed particles ready for a drift of
+ * dt from there [s]. */
+void fast_move_follow_loads(const struct dem *dem, double t);
+void fast_move_surfaces(const struct neighbours *nb, double t);
+void fast_move_prescribed(const struct neighbours *nb, double t, double dt);
+
+/* Chooses the contacts for steps in which gaps close by `closer` [m] each. */
+void fast_move_choose(struct dem *dem, struct contact_margin *r, double closer);
+
+/* 1 if two have crossed in the last drift, in which a gap became smaller by
+ * `closer` [m] at most: where that is less than the smallest diameter, no two
+ * can have. 1 if a signal ends the run after step k: one thread looks for all.
+ */
+int fast_move_crossed(const struct dem *dem, double closer);
+int fast_move_interrupted(const struct dem *dem, int k);
+
+/* Heun's method; the number of steps done. */
+int heun_steps(struct dem *dem, int steps, struct contact_margin *r);
 
 /* All that the next run depends on (dem_method.h). */
 void fast_state(struct dem *dem, struct state *s);

@@ -209,6 +209,8 @@ static void neighbours_state(struct neighbours *nb, struct state *s)
 void fast_state(struct dem *dem, struct state *s)
 {
     state_real(s, "min_margin", "m", &fast_of(dem)->min_margin);
+    if (dem->options.integrator->adapts)
+        state_real(s, "next_step", "s", &fast_of(dem)->adaptive.next);
     neighbours_state(fast_of(dem)->neighbours, s);
 }
 
