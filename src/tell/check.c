@@ -104,7 +104,8 @@ static void print_resolution(const struct case_scales *k)
     if (k->particles == 0) return;
     text_line("particles", k->particles, "-", "");
     text_line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
-    text_line("N_p / N_c", (double)k->particles / k->cells, "-", "");
+    text_line("N_p / N_c", (double)k->particles / k->cells, "-",
+              "particles a cell, in the mean");
 }
 
 static void print_one(const struct case_scales *k, const struct case_limits *m)

@@ -194,7 +194,8 @@ static void print_reaction(const struct settings *s,
              k->eps_s, M);
     if (!k->partners) {
         e.loss = 0.0;
-        snprintf(e.remark, sizeof e.remark, "a lone one meets its own wake");
+        snprintf(e.remark, sizeof e.remark,
+                 "a lone grain would only meet its own wake");
     }
     e.of = "the momentum of the mixture";
     check_verdict(&(struct effect_row){.estimate = e}, verdict);
@@ -211,12 +212,13 @@ static void print_collisions(const struct settings *s,
 
     if (k->rests)
         snprintf(verdict, sizeof verdict,
-                 "needed: they lie on each other; relaxation in %.2g s",
+                 "needed: they lie on each other; the drag slows one in %.2g s",
                  k->tau);
     else if (often)
-        snprintf(verdict, sizeof verdict,
-                 "needed: one in %.2g s for a grain, relaxation in %.2g s",
-                 1.0 / rate, k->tau);
+        snprintf(
+            verdict, sizeof verdict,
+            "needed: one in %.2g s for a grain, the drag slows it in %.2g s",
+            1.0 / rate, k->tau);
     else if (s->effects.has_gravity || k->slip > 0.0)
         snprintf(verdict, sizeof verdict,
                  "negligible: hardly one with a grain in %.3g s; with a floor "

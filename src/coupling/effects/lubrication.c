@@ -351,8 +351,8 @@ estimate_van_der_waals(const struct effect_scales *k)
 {
     return cohesion_touching(
         k, van_der_waals_force(is_liquid(k) ? 1e-20 : 1e-19, 1e-7, 4e-10),
-        is_liquid(k) ? "asperities of 0.1 um, A = 1e-20 J"
-                     : "asperities of 0.1 um, A = 1e-19 J");
+        is_liquid(k) ? "for tips of 0.1 um, Hamaker constant 1e-20 J"
+                     : "for tips of 0.1 um, Hamaker constant 1e-19 J");
 }
 
 static struct effect_estimate estimate_capillary(const struct effect_scales *k)
