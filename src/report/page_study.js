@@ -216,7 +216,7 @@ function rows() {
     put(v.seconds, 4);
     if (!study.processor) put(v.cost, 4);
     put(of(v).value, 5);
-    add(row, 'td', differs(v).replace(m.error + ' ', ''));
+    add(row, 'td', differs(v).replace(/^(error|difference) /, ''));
     put(of(v).order, 3);
   }
 }
