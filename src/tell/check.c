@@ -229,7 +229,7 @@ static int print_time(const struct settings *s, const struct case_scales *k)
     for (int i = 0; i < s->particles.insert.n; i++)
         comes |= !insertion_at_once(&s->particles.insert.item[i].of);
     if (processes_engine != NULL) return 0;
-    if (case_scales_cost(k, s->has.fluid) * k->dt / k->end > enough) {
+    if (case_scales_cost(k, 1) * k->dt / k->end > enough) {
         printf("  time: winnow check %s --try %.2g tells\n", s->file,
                20.0 * k->dt);
         return 0;
