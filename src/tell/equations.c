@@ -328,7 +328,7 @@ static const struct equation equations_ew18[] = {
      "(24 eps^2) (1 / eps + 3 eps (1 - eps) + 8.4 Re^-0.343) / (1 + 10^(3 (1 - "
      "eps)) Re^(-0.5 - 2 (1 - eps)))",
      "eps [-], Re [-]", "g", "-", EQUATION_BY(drag_beetstra_factor)},
-    {"EW18:B.7", "slope at a particle in a row of three cells, by a kernel",
+    {"EW18:B.7", "slope by a kernel at a particle in a row of three cells",
      "X = sum w r (phi - phi_i) / sum w r^2, r = {-h, 0, h} - x, w = exp(-r^2 "
      "/ b^2), phi_i = sum w phi / sum w",
      "h [m], b [m], x [m], phi_1 [-], phi_2 [-], phi_3 [-]", "X", "1/m",
