@@ -23,7 +23,7 @@ LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 
 # Built into build/winnow-mpi only: see `distributed` below.
 RANKS := src/distributed/ranks
-SRC   := $(filter-out $(RANKS)/%,$(wildcard src/commands.c src/*/*.c src/*/*/*.c))
+SRC   := $(filter-out $(RANKS)/%,$(wildcard src/commands.c src/run_command.c src/*/*.c src/*/*/*.c))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/tell/equation_index_rows.o $B/src/output/pictures/programs.o $B/src/report/page_parts.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)

@@ -73,7 +73,7 @@ rooms() {
         split($1, path, "/"); split($0, quoted, "\"")
         split(quoted[2], included, "/")
         room = path[2]; other = included[1]
-        if (room ~ /^(main|commands)[.]c/) next
+        if (room ~ /^(main|commands|run_command)[.]c/) next
         if (rank[other] == 0 || rank[other] > rank[room] ||
             (room " " other) in apart)
             print $0

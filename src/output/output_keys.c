@@ -138,4 +138,8 @@ const struct key output_keys[] = {
     {"output.picture", KEY_BOOL, "", "", "true",
      "bed.png, a picture of the last state, where there is a gnuplot", "", "",
      .at = KEY_AT(output_options, picture), .divided = KEY_DIVIDED},
+    {"output.report", KEY_BOOL, "", "", "false",
+     "report.html at the end of the run, the page of `winnow report`", "", "",
+     .at = KEY_AT(output_options, report),
+     .divided = "winnow report makes the page afterwards"},
     KEY_END};

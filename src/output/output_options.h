@@ -36,7 +36,7 @@ struct output_options {
     double end, every; /* [s] of the run; between two pictures of the fields */
     double history;    /* [s] between two rows; 0: left out */
     double checkpoint; /* [s] of wall time */
-    int picture, animation, contacts, walls, sorted; /* [-] 1: on */
+    int picture, animation, report, contacts, walls, sorted; /* [-] 1: on */
     const char *format;    /* "vtk", or "vtu" for all files */
     const char *particles; /* further arrays, by their names; NULL: none */
     struct output_statistics statistics;

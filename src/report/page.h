@@ -33,6 +33,10 @@ struct page_numbers {
 };
 void page_put_numbers(struct page *p, const struct page_numbers *of);
 
+/* `winnow report` of n folders: writes dir[0]/report.html. 0, or the exit code
+ * after a message. */
+int report_pages(int n, const char *const *dir);
+
 /* The states of a run: particles, bodies, surfaces, slices of the fluid. */
 void page_put_scene(struct page *p);
 

@@ -341,18 +341,23 @@ static int page_write(const int *folder, int n, const char *const *dir)
     return code;
 }
 
-static int report_act(const struct command_line *l)
+int report_pages(int n, const char *const *dir)
 {
-    int *const folder = alloc_ints(l->n_words);
-    int n = 0, code = 2;
+    int *const folder = alloc_ints(n);
+    int opened = 0, code = 2;
 
-    while (n < l->n_words && (folder[n] = open_run(l->words[n])) >= 0)
-        n++;
-    if (n == l->n_words) code = page_write(folder, n, l->words);
-    while (n > 0)
-        close(folder[--n]);
+    while (opened < n && (folder[opened] = open_run(dir[opened])) >= 0)
+        opened++;
+    if (opened == n) code = page_write(folder, n, dir);
+    while (opened > 0)
+        close(folder[--opened]);
     free(folder);
     return code;
+}
+
+static int report_act(const struct command_line *l)
+{
+    return report_pages(l->n_words, l->words);
 }
 
 const struct command report_command = {"report",

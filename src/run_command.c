@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* run_command.c -- `winnow run`: what the case needs and leaves out is said
- * before it runs. */
+ * before it runs; its page, where it asks for one, after it. */
 #include "case/command.h"
 #include "tell/check.h"
 
@@ -16,6 +16,7 @@
 #include "case/run.h"
 #include "coupling/effect.h"
 #include "coupling/processes.h"
+#include "report/page.h"
 
 /* One process of several says nothing. */
 static void tell_of_effects(const struct settings *s)
@@ -76,6 +77,10 @@ static int run_act(const struct command_line *l)
                 case_steps_length(s) / case_steps_within(s));
     if (s != NULL && !l->quiet) tell_of_effects(s);
     if (s != NULL) code = run_case(s, &o);
+    if (s != NULL && s->output.report && code != 2 && code != 4) {
+        const int told = report_pages(1, &o.dir);
+        if (code == 0) code = told;
+    }
     settings_free(s);
     free(dir);
     return code;
