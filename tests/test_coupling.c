@@ -348,7 +348,7 @@ START_TEST(xs11_3_9a_the_velocity_at_a_particle_is_the_mean_by_the_kernel)
             for (int k = 0; k < 3; k++)
                 r2 += gsl_pow_2(
                     remainder(x[k] - mesh->centre[3 * c + k], s.size));
-            const double K = kernel_bell(sqrt(r2) / b);
+            const double K = kernel_polynomial(sqrt(r2) / b);
             sum += K;
             for (int k = 0; k < 3; k++)
                 mean[k] += K * sim->fluid->u[3 * c + k];

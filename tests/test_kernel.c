@@ -15,12 +15,12 @@ enum { N = 90 };
 /* (1 - zeta^2)^4 worked out: (15/16)^4, (3/4)^4, 0.19^4. */
 START_TEST(xs11_3_6_values)
 {
-    ck_assert(kernel_bell(0.0) == 1.0);
-    ck_assert_double_eq_tol(kernel_bell(0.25), 50625.0 / 65536.0, 1e-16);
-    ck_assert_double_eq_tol(kernel_bell(-0.5), 81.0 / 256.0, 1e-16);
-    ck_assert_double_eq_tol(kernel_bell(0.9), 0.00130321, 1e-17);
-    ck_assert(kernel_bell(1.0) == 0.0);
-    ck_assert(kernel_bell(1.5) == 0.0 && kernel_bell(-7.0) == 0.0);
+    ck_assert(kernel_polynomial(0.0) == 1.0);
+    ck_assert_double_eq_tol(kernel_polynomial(0.25), 50625.0 / 65536.0, 1e-16);
+    ck_assert_double_eq_tol(kernel_polynomial(-0.5), 81.0 / 256.0, 1e-16);
+    ck_assert_double_eq_tol(kernel_polynomial(0.9), 0.00130321, 1e-17);
+    ck_assert(kernel_polynomial(1.0) == 0.0);
+    ck_assert(kernel_polynomial(1.5) == 0.0 && kernel_polynomial(-7.0) == 0.0);
 }
 END_TEST
 
@@ -30,7 +30,7 @@ struct scene {
     struct averaging *a;
     double *field;
     double b;
-    int gaussian; /* 1: in the place of the bell */
+    int gaussian; /* 1: in the place of the polynomial */
 };
 
 static struct scene scene_with(int shape, double b, int gaussian)
@@ -84,7 +84,7 @@ static double kernel_of(const struct scene *s, int i, int c)
         if (counts && s->gaussian)
             sum += zeta < 3.0 ? exp(-zeta * zeta) : 0.0;
         else if (counts)
-            sum += kernel_bell(zeta);
+            sum += kernel_polynomial(zeta);
     }
     return sum * s->mesh->V[c];
 }
@@ -159,7 +159,7 @@ START_TEST(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance)
         double K[3], sum = 0.0;
         cloud_place(ps, x[i], 0.5, 0.5, 0.1);
         for (int c = 0; c < 3; c++)
-            sum += K[c] = kernel_bell((c + 0.5 - x[i]) / 2.0);
+            sum += K[c] = kernel_polynomial((c + 0.5 - x[i]) / 2.0);
         for (int c = 0; c < 3; c++) {
             volume[c] += K[c] / sum * V[i];
             momentum[c] += K[c] / sum * V[i] * u[i];

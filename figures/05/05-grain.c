@@ -35,7 +35,7 @@ static void place_grain(struct fluid *fl, double bandwidth, double y)
 
     for (int c = 0; c < CELLS; c++) {
         const double far = fabs((c + 0.5) * h - y);
-        weight[c] = bandwidth > 0.0 ? kernel_bell(far / bandwidth)
+        weight[c] = bandwidth > 0.0 ? kernel_polynomial(far / bandwidth)
                                     : c == (int)(y / h + 1e-9);
         sum += weight[c];
     }

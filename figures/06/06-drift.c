@@ -35,7 +35,7 @@ static void average(struct fluid *fl, double t, double width)
         for (int c = 0; c < CELLS; c++) {
             const double far = fabs(c + 0.5 - x);
             weight[c] = width > 0.0
-                            ? kernel_bell(fmin(far, CELLS - far) / width)
+                            ? kernel_polynomial(fmin(far, CELLS - far) / width)
                             : c == (int)x;
             sum += weight[c];
         }

@@ -97,8 +97,8 @@ static void average(const struct scene *s, const char *method,
     free(V);
 }
 
-/* As the papers advise: b = 2.5 cells for the bell, 4 d for diffusion. */
-static const struct averaging_options bell = {.bandwidth = 3.75},
+/* As the papers advise: b = 2.5 cells for the kernel, 4 d for diffusion. */
+static const struct averaging_options kernel_wide = {.bandwidth = 3.75},
                                       wide = {.bandwidth = 4.0};
 
 /* Particles, then cells with the three fields. */
@@ -111,7 +111,7 @@ static void layout(void)
     struct averaging_report r;
 
     average(&s, "pcm", &wide, pcm, &r);
-    average(&s, "kernel", &bell, kernel, &r);
+    average(&s, "kernel", &kernel_wide, kernel, &r);
     average(&s, "diffusion", &wide, diffusion, &r);
     printf("# x y of each particle [d]\n");
     for (int i = 0; i < s.ps->n; i++)
@@ -335,7 +335,7 @@ static void times_of(int per_cell)
     }
     const double pcm = seconds(&s, "pcm", &wide);
     printf("%d a cell: kernel %.1f, diffusion %.1f, crank-nicolson %.1f\n",
-           per_cell, seconds(&s, "kernel", &bell) / pcm,
+           per_cell, seconds(&s, "kernel", &kernel_wide) / pcm,
            seconds(&s, "diffusion", &wide) / pcm,
            seconds(&s, "diffusion", &cn) / pcm);
     scene_free(&s);

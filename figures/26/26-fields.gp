@@ -15,7 +15,7 @@ set palette defined (-0.2 "#b00020", -0.001 "#f7c6cc", 0 "#ffffff", \
                      0.2 "#cfe0ea", 0.4 "#5b97bd", 0.6 "#0b3a5a", \
                      0.8 "#000000")
 unset colorbox
-names = "exact pcm dpvm two-grid bell images series Crank-N."
+names = "exact pcm dpvm two-grid kernel images series Crank-N."
 sizes = "4 2 0.5"
 do for [r = 0:2] {
     set tmargin at screen 0.945 - 0.315 * r

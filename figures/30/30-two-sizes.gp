@@ -1,5 +1,5 @@
 # XS11 Case 2 (Figs. 6 and 7): drop and velocity of the grains at the lower sensor on
-# two meshes, with the bell and with sums of each cell; figures/30/30-two-sizes.txt.
+# two meshes, with the kernel and with PCM; figures/30/30-two-sizes.txt.
 load "figures/style.gp"
 set terminal svg size 860,560 dynamic font "sans,13" background "#ffffff"
 set output "figures/30/30-two-sizes.svg"
@@ -8,7 +8,7 @@ set xrange [0:6]
 set key top right horizontal samplen 2
 f = "figures/30/30-two-sizes.txt"
 do for [k=0:1] {
-    set title (k == 0 ? "bell kernel, 10 mm" : "sums of each cell (box-car)")
+    set title (k == 0 ? "kernel, 10 mm" : "PCM")
     set xlabel ""
     set ylabel "drop between the sensors [Pa]"
     set yrange [150:850]

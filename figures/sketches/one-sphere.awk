@@ -1,16 +1,16 @@
-# What PCM, the bell and diffusion make of one sphere: the part of it in each cell, in
+# What PCM, the kernel and diffusion make of one sphere: the part of it in each cell, in
 # per cent, by (8.6), (8.7) and (8.9). Cells of one diameter, in a plane.
 BEGIN {
     begin(760, 400)
     n = 7; w = 33; top = 70
     px = 3.72; py = 3.36   # the centre, in cells
-    b = 2.5                # bandwidth of the bell and of the Gaussian, in cells
+    b = 2.5                # bandwidth of the kernel and of the Gaussian, in cells
     panel(12, "PCM", "all of it in the cell of its centre", 1)
-    panel(262, "bell kernel, b = 2.5 cells", "by the distance of the cell's centre", 2)
+    panel(262, "kernel, b = 2.5 cells", "by the distance of the cell's centre", 2)
     panel(512, "diffusion, b = 2.5 cells", "by a Gaussian, of cell averages", 3)
     word(12, 350, "Numbers: per cent of the volume of the sphere; where none stands, less than one half. In each panel", "start", soft)
     word(12, 369, "all cells together have 100. Diffusion begins with the field of PCM: it is symmetric about the cell of", "start", soft)
-    word(12, 388, "the centre. The bell is symmetric about the centre itself, which the cross marks.", "start", soft)
+    word(12, 388, "the centre. The kernel is symmetric about the centre itself, which the cross marks.", "start", soft)
     end()
 }
 function erfc2(x,    t, s) { # erf by Abramowitz and Stegun 7.1.26, to 1.5e-7
@@ -37,7 +37,7 @@ function part(i, j, how,    dx, dy, z) {
 function panel(x, title, below, how,    i, j, sum, v, shade, far) {
     word(x + n * w / 2, 30, title, "middle", ink, "bold")
     word(x + n * w / 2, 52, below, "middle", soft, " font-size=\"13\"")
-    # the bell is divided by its sum; the others have theirs
+    # the kernel is divided by its sum; the others have theirs
     far = how == 3 ? 12 : 0
     sum = 0
     for (i = -far; i < n + far; i++) for (j = -far; j < n + far; j++) sum += part(i, j, how)

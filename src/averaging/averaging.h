@@ -139,8 +139,8 @@ averaging_variant(const struct averaging_method *method,
 double averaging_sigma(double delta_05);
 double averaging_bandwidth(double delta_05);
 
-/* [XS11 3.6], the bell: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
-double kernel_bell(double zeta);
+/* [XS11 3.6], bell-shaped: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
+double kernel_polynomial(double zeta);
 
 /* [EW18 19] at the distance r [m]: W [1/m^3]. */
 double images_kernel(double r, double sigma);

@@ -39,7 +39,7 @@
 EQUATION_OF_4(drag_reynolds)
 EQUATION_OF_2(drag_terminal_ratio)
 EQUATION_OF_7(drag_released)
-EQUATION_OF_1(kernel_bell)
+EQUATION_OF_1(kernel_polynomial)
 EQUATION_OF_2(diffusion_kernel)
 EQUATION_OF_2(time_average_weight)
 EQUATION_OF_4(contact_linear_damping)
@@ -137,8 +137,9 @@ static const struct equation others[] = {
      "2, A1 = eps_f^4.14, A2 = 0.8 eps_f^1.28 to eps_f = 0.85, eps_f^2.65 "
      "above",
      "Re [-], eps_f [-]", "V_r", "-", EQUATION_BY(drag_terminal_ratio)},
-    {"XS11:3.6", "bell kernel", "K = (1 - zeta^2)^4 for zeta < 1, else 0",
-     "zeta [-]", "K", "-", EQUATION_BY(kernel_bell)},
+    {"XS11:3.6", "bell-shaped kernel",
+     "K = (1 - zeta^2)^4 for zeta < 1, else 0", "zeta [-]", "K", "-",
+     EQUATION_BY(kernel_polynomial)},
     {"XS11:3.17", "time in which drag would stop a particle, Syamlal-O'Brien",
      "tau_p = rho_s eps_s / beta",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]",

@@ -8,11 +8,11 @@ $1 == "copies" { if (!many) many = mesh } # the meshes end here
 { v[$1, mesh] = $2 }
 
 function by_the_sphere(first, last,  m, n) {
-    print "# cells  spheres   bell of 2.5 cells   dpvm"
+    print "# cells  spheres   kernel, 2.5 cells   dpvm"
     for (m = first; m <= last; m++) {
         n = v["spheres", m] * 1e-9
         printf "%7d %8d %12.0f %12.0f\n", v["cells", m], v["spheres", m],
-            (v["bell", m] + v["bell-bind", m]) / n, (v["dpvm", m] + v["dpvm-bind", m]) / n
+            (v["kernel", m] + v["kernel-bind", m]) / n, (v["dpvm", m] + v["dpvm-bind", m]) / n
     }
 }
 

@@ -230,7 +230,7 @@ int main(int argc, char **argv)
     if (argc == 6) {
         sim.particles = side_by_side(sim.particles, hi[0], copies);
         printf("cells %d\nspheres %d\n", sim.mesh->n_cells, sim.particles->n);
-        time_spread(&sim, "bell", "kernel", NULL);
+        time_spread(&sim, "kernel", "kernel", NULL);
         time_spread(&sim, "dpvm", "dpvm", NULL);
         return 0;
     }

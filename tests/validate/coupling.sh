@@ -55,9 +55,9 @@ sensor() {
             -s particles.step=1.2e-5 -s output.end=1.5 -s "output.probes=($probes)" "$@"
     }
     scene=cases/fluidization-two-sizes.cfg
-    try bell
-    try bell-5mm -s averaging.bandwidth=0.005
-    try bell-3mm -s averaging.bandwidth=0.003
+    try kernel
+    try kernel-5mm -s averaging.bandwidth=0.005
+    try kernel-3mm -s averaging.bandwidth=0.003
     try linear -s averaging.interpolation=linear
     try coarse -s "mesh.cells=[8,40,1]"
     try sums -s averaging.method=pcm

@@ -15,8 +15,8 @@
  * cancels. K V_c is the integral of K over the cell by the midpoint rule, and
  * without V_c small cells beside large ones would seem fuller (8.7).
  *
- *     bell      K = (1 - zeta^2)^4 for |zeta| < 1, else 0           [XS11 3.6]
- *     gaussian  K = exp(-zeta^2) for |zeta| < 3, else 0       [SX15 6 and 4.1]
+ *     polynomial  K = (1 - zeta^2)^4 for |zeta| < 1, else 0     [XS11 3.6]
+ *     gaussian    K = exp(-zeta^2) for |zeta| < 3, else 0  [SX15 6 and 4.1]
  */
 #include <math.h>
 #include <stdlib.h>
@@ -48,15 +48,15 @@ struct kernel {
 };
 
 /* [XS11 3.6] as a function of zeta^2. */
-static inline double bell(double zeta2)
+static inline double polynomial(double zeta2)
 {
     const double one = zeta2 < 1.0 ? 1.0 - zeta2 : 0.0;
     return (one * one) * (one * one);
 }
 
-double kernel_bell(double zeta)
+double kernel_polynomial(double zeta)
 {
-    return bell(zeta * zeta);
+    return polynomial(zeta * zeta);
 }
 
 /* [XS11 3.5b] divides by the sum, and so the weights add up to one [XS11 3.4].
@@ -91,10 +91,10 @@ values_of(double (*K)(double zeta2), double per_b2, const double o[3],
     return sum;
 }
 
-static double bell_weights(double per_b2, const double o[3],
-                           const struct neighbourhood *near, double *w)
+static double polynomial_weights(double per_b2, const double o[3],
+                                 const struct neighbourhood *near, double *w)
 {
-    return values_of(bell, per_b2, o, near, w);
+    return values_of(polynomial, per_b2, o, near, w);
 }
 
 static inline double gaussian(double zeta2)
@@ -186,13 +186,13 @@ const struct averaging_method kernel_method = {
     .name = "kernel",
     .what = "a bell-shaped kernel over the neighbouring cells",
     .equations = "XS11 3.2-3.9",
-    .function = "bell_weights",
+    .function = "polynomial_weights",
     .keys = {averaging_bandwidth_keys},
     .gaussian = 0.4, /* sqrt(2/13) of a sphere, sqrt(1/6) of a disk */
     .uniform_widths = 1.5,
     .needs_bandwidth = 1,
     .reach_b = 1.0,
-    .variety = &(const struct kernel_values){bell_weights},
+    .variety = &(const struct kernel_values){polynomial_weights},
     .create = kernel_create,
     .free = kernel_free,
     .spread = kernel_spread,
