@@ -38,7 +38,7 @@ struct basset {
     double decay[BASSET_TERMS];                /* [-] exp(-s_k dt) */
     double gain[BASSET_TERMS];                 /* [-] g(s_k dt) */
     double *E[BASSET_TERMS / TERMS_A_ROW];     /* [m/s] ROW each */
-    char name[BASSET_TERMS / TERMS_A_ROW][16]; /* of each of these, for a
+    char name[BASSET_TERMS / TERMS_A_ROW][24]; /* of each of these, for a
                                                   checkpoint */
     double *change; /* [m/s] of w in the step before, 3 */
     double *u;      /* [m/s] of the fluid in the step before, 3 */
