@@ -8,6 +8,7 @@
 #include "base/vector.h"
 #include "coupling/coupling.h"
 
+/* Speed of the fluid relative to particle i [m/s]. */
 static double slip_speed(const struct simulation *sim, int i)
 {
     double w[3];

@@ -55,6 +55,7 @@ void snapshot_free(struct snapshot *s);
 /* All of it (state.h). */
 void snapshot_state(struct snapshot *s, const struct mesh *mesh,
                     struct state *state);
+/* Copies the present state of the simulation. */
 void snapshot_take(struct snapshot *s, const struct simulation *sim);
 /* Adds a field, which is computed with `memory`; before the first step. */
 void snapshot_add(struct snapshot *s, const struct snapshot_field *field,

@@ -60,6 +60,7 @@ struct material case_materials_one(const struct settings *s, int number)
     return m;
 }
 
+/* The value that a case gives, or -1, which says that it gives none. */
 static double measured(int given, double value)
 {
     return given ? value : -1.0;

@@ -49,6 +49,7 @@ static int parcels_are_alike(const struct settings *s)
     return 1;
 }
 
+/* Whether every parcel has one grain. */
 static int parcels_are_grains(const struct settings *s)
 {
     return parcels_are_alike(s) && case_parcels_across(s, 0) == 1.0;
@@ -122,6 +123,7 @@ static const char *parcels_needing_one_size(const struct settings *s)
     return NULL;
 }
 
+/* Refuses what parcels cannot be. 0, or 2 after a message. */
 static int parcels_check(const struct settings *s)
 {
     const char *const one = parcels_needing_one_size(s);
@@ -140,6 +142,7 @@ static int parcels_check(const struct settings *s)
 
 /* --- from grains to parcels ----------------------------------------------- */
 
+/* The spring and the charge of a parcel of l diameters (32.2). */
 static void parcels_scale_material(struct material *m, double l)
 {
     m->stiffness *= l;
@@ -163,11 +166,13 @@ static int parcels_count(struct settings *s, const char *key, double l,
     return 0;
 }
 
+/* The same as case_parcels_across, for the name of a material. */
 static double parcels_across_named(const struct settings *s, const char *name)
 {
     return case_parcels_across(s, case_materials_number(s, name));
 }
 
+/* Makes sources of grains those of parcels. 0, or 2 after a message. */
 static int parcels_make_sources(struct settings *s)
 {
     int code = 0;

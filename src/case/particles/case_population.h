@@ -49,8 +49,9 @@ void case_population_report_waiting(const struct simulation *sim);
  * from that of a run without the signal. */
 int case_population_is_cut_short(const struct simulation *sim);
 
-/* --- case_parcels.c ------------------------------------------------------- *
- * Diameter of a parcel over that of its grains, l [-]; 1 without parcels, and
+/* --- case_parcels.c ------------------------------------------------------- */
+
+/* Diameter of a parcel over that of its grains, l [-]; 1 without parcels, and
  * for a material that there is not that of the grains. */
 double case_parcels_across(const struct settings *s, int material);
 
@@ -74,6 +75,7 @@ void case_parcels_print(const struct settings *s, const struct case_scales *k,
 /* The restitution of parcels whose grains have e; the walls keep theirs, for so
  * many grains strike them as do. */
 double case_parcels_restitution(const struct settings *s, double e);
+/* Whether parcels are to lose as much energy by collisions as their grains. */
 int case_parcels_keep_dissipation(const struct settings *s);
 
 #endif

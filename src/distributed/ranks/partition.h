@@ -76,9 +76,9 @@ struct halo; /* PETSc's star forest */
 struct halo *halo_create(const struct partition *p, MPI_Comm comm);
 void halo_free(struct halo *h);
 
-/* m fields side by side: the owners' values to all copies; and the copies'
- * added to the owners'. */
+/* Copies the values of the owners to all copies, of m fields side by side. */
 void halo_refresh(struct halo *h, int m, double *field);
+/* Adds the values of the copies to those of the owners. */
 void halo_add(struct halo *h, int m, double *field);
 
 /* The flux, or any number, of the faces around each cell of the layers, as its

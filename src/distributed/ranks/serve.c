@@ -37,6 +37,7 @@ static void join_nothing(struct processes *self, enum processes_order order)
     (void)self, (void)order;
 }
 
+/* Frees the part of the case that this rank has. */
 static void release_part(struct engine *e)
 {
     if (e->part == NULL) return;

@@ -29,6 +29,7 @@ struct solve {
     double relabelled[3]; /* [N s] of all ranks */
 };
 
+/* Ends all ranks if PETSc reports an error. */
 static void solve_must(PetscErrorCode error)
 {
     if (error != 0) MPI_Abort(MPI_COMM_WORLD, 4);
@@ -137,6 +138,7 @@ static void solve_put(const struct solve *s, Vec v, const double *from,
     solve_must(VecRestoreArray(v, &x));
 }
 
+/* The other way: from the vector to every stride-th number of own cells. */
 static void solve_take(const struct solve *s, Vec v, double *to, int stride)
 {
     const double *x;
@@ -147,6 +149,7 @@ static void solve_take(const struct solve *s, Vec v, double *to, int stride)
     solve_must(VecRestoreArrayRead(v, &x));
 }
 
+/* What PETSc says of its last solve. */
 static struct solve_report report_of(KSP ksp)
 {
     PetscInt iterations;
