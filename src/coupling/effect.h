@@ -155,6 +155,8 @@ struct effect_scales {
     double tau;      /* [s] relaxation time */
     double meetings; /* [1/s] of a particle with others */
     double acceleration; /* [m/s^2] of the slip, in the mean */
+    double fluctuation;  /* [m/s^2] of the slip besides, in a crowd */
+    double changes;      /* [m/s^2] of the stream that comes in, in the mean */
     double time;         /* [s] that the slip has had to develop, or takes to
                             die out */
     double end;          /* [s] of the run */

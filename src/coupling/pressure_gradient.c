@@ -157,14 +157,15 @@ static void pressure_gradient_before_particles(void *memory,
 
 /* In a fluidized bed this force is eps_s + eps_f rho_f/rho_s of the weight, on
  * a lone particle the buoyancy. In a bed that is not fluidized the gradient is
- * that of the drag, eps_s beta w. Where a period lets the fluid go along with
- * the drag on it, there is none in the mean: what is left, of an uneven bed, is
- * less. */
+ * that of the drag, eps_s beta w. A stream that changes in time has its own.
+ * Where a period lets the fluid go along with the drag on it, there is none in
+ * the mean: what is left, of an uneven bed, is less. */
 static struct effect_estimate
 pressure_gradient_estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
-    const double steady = V * (k->mean_gradient + k->rho_f * k->gravity);
+    const double steady =
+        V * (k->mean_gradient + k->rho_f * (k->gravity + k->changes));
     const double of_drag = k->passed * k->drag / (1.0 - k->passed);
     struct effect_estimate e;
 

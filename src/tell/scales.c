@@ -220,6 +220,29 @@ static void free_scales(const struct settings *s, struct effect_scales *k,
     k->decays = k->gravity == 0.0;
 }
 
+/* In a crowd that falls or rises through a liquid the velocities change as in a
+ * bed, over no less than the way of a diameter, until it has come to an end of
+ * the box. */
+static void crowd_scales(struct effect_scales *k, double way)
+{
+    if (!k->partners || k->gravity == 0.0 || k->slip == 0.0) return;
+    const double T = fmax(sqrt(k->d / k->gravity), k->d / k->slip);
+
+    k->fluctuation = stirred * k->slip / T * fmin(1.0, way / k->slip / k->end) *
+                     fabs(k->rho_s - k->rho_f) / (k->rho_s + 0.5 * k->rho_f);
+}
+
+/* Grains that a stream moves along their bed, as its drag is above their
+ * weight, are stopped by others and start again: their slip changes by itself
+ * within tau. */
+static void swept_scales(struct effect_scales *k)
+{
+    k->acceleration = k->changes;
+    if (k->drag < k->weight * fabs(1.0 - k->rho_f / k->rho_s)) return;
+    k->time = k->tau;
+    k->acceleration += k->slip / k->tau;
+}
+
 /* Spheres that come to rest lie as densely as a bed, on whatever floor. */
 static void pack(const struct settings *s, struct effect_scales *k,
                  const struct case_scales *in)
@@ -238,6 +261,8 @@ static void pack(const struct settings *s, struct effect_scales *k,
     k->rests = k->partners && ends &&
                (is_laid(s, k) || way < falls_with(s, k, k->eps_s) * in->end);
     if (k->rests) k->eps_s = CHECK_PACKED;
+    if (k->rests && in->inlet > 0.0) swept_scales(k);
+    if (!is_laid(s, k)) crowd_scales(k, ends ? way : HUGE_VAL);
 }
 
 /* A slip that dies out does so within tau; later by the fluid's mass that is
@@ -249,6 +274,8 @@ static void settle_time(const struct settings *s, struct effect_scales *k)
         if (s->exchange.two_way)
             k->time /= 1.0 + stability_loading(k->rho_s, k->eps_s, k->rho_f);
         k->acceleration = k->slip / k->time;
+        const double x = k->end / k->time; /* the drag dies out, too */
+        k->changes *= x / -expm1(-x);
     }
     k->acceleration = fmin(k->acceleration, k->slip / k->time);
 }
@@ -273,6 +300,7 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     k->rho_f = s->fluid.rho;
     k->mu = s->fluid.mu;
     k->dt = in->dt;
+    k->changes = in->changes / in->end;
     const double load = volume_of_all(k, in) / case_mesh_volume(s);
     const int is_bed = in->volume > 0.0 || load > crowd;
     if (is_bed && k->gravity > 0.0 && in->up > 0.0)

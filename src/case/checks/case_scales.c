@@ -105,6 +105,17 @@ static void add_stream(const struct settings *s, double U, double share,
                                 vector_dot(e, s->effects.gravity) / g);
 }
 
+/* The sum of the changes of a series up to its end [m/s], from rest. */
+static double changes_of(const struct key_series *x, double end)
+{
+    double sum = fabs(x->value[0]);
+
+    for (int j = 1; j < x->n && x->at[j - 1] < end; j++)
+        sum += fabs(x->value[j] - x->value[j - 1]) *
+               fmin(1.0, (end - x->at[j - 1]) / (x->at[j] - x->at[j - 1]));
+    return sum;
+}
+
 /* The largest in time, in the mean over its side: where a jet comes through a
  * slot, the grains beside it are not struck at the speed of the jet. */
 static void stream_scales(const struct settings *s, const struct mesh *m,
@@ -119,6 +130,7 @@ static void stream_scales(const struct settings *s, const struct mesh *m,
         if (o == NULL || o->inlet.n == 0) continue;
         build_boundaries_shares(s, m->patches[i].name, &mean, &peak);
         case_scales_inward(m, &m->patches[i], e);
+        k->changes = fmax(k->changes, mean * changes_of(&o->inlet, k->end));
         for (int j = 0; j < o->inlet.n; j++)
             add_stream(s, o->inlet.value[j] * mean,
                        share_of_section(s, m, &m->patches[i]), e, k);

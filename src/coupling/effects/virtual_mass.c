@@ -149,13 +149,23 @@ static void virtual_mass_state(void *memory, struct state *s)
     state_reals(s, "u_past", "m/s", self->past, self->n_cells, 3);
 }
 
+/* A slip that is driven begins with a start, in which the fluid that goes along
+ * takes its part of the push for as long as the slip grows. */
 static struct effect_estimate
 virtual_mass_estimate(const struct effect_scales *k)
 {
     const double C = k->numbers != NULL ? k->numbers[0] : 0.5;
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
 
-    return effects_estimate(C * k->rho_f * V * k->acceleration / k->force, "");
+    const double ratio = C * k->rho_f / k->rho_s, part = ratio / (1.0 + ratio);
+    struct effect_estimate e = effects_estimate(
+        C * k->rho_f * V * (k->acceleration + k->fluctuation) / k->force, "");
+
+    if (part > 0.05 && k->tau > 0.0 && !k->decays)
+        snprintf(e.remark, sizeof e.remark,
+                 "%.2g %% of the push in the first %.2g s", 100.0 * part,
+                 k->tau * (1.0 + ratio));
+    return e;
 }
 
 static void virtual_mass_added_mass(const struct effect_scales *k,
