@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds a small program with Winnow's library, and runs it: for results that no case
-# gives, a page of C that uses one room alone.
+# gives, a page of C that uses one module alone.
 #
 #   sh figures/run.sh figures/06/06-surface.c [PATCH...] [-- ARGUMENT...]
 #

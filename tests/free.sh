@@ -3,7 +3,7 @@
 # program is linked from whose list its descriptor is left out; the same bed in it
 # and in the whole program, which has the effect and does not name it, must allocate
 # the same arrays, enter the same functions and run the same pieces of code, counted in
-# the rooms coupling and dem. With the effect named more functions are entered, and no fewer
+# the modules coupling and dem. With the effect named more functions are entered, and no fewer
 # arrays allocated (whole_drag needs none): the count sees it.
 #
 #   sh tests/free.sh build          (ends with "free: N passed, 0 failed")

@@ -16,7 +16,7 @@ sources=$(find src tests -name '*.[ch]' | sort)
 # What includes headers of LAMMPS and PETSc, which need not be there, is laid
 # out and measured only.
 ranks=src/distributed/ranks
-modules=$(find src -name '*.c' -not -path "$ranks/*" | sort)
+units=$(find src -name '*.c' -not -path "$ranks/*" | sort)
 headers=$(find src -name '*.h' -not -path "$ranks/*" | sort)
 objects=$(find "$build/src" -name '*.o' -not -path "*/$ranks/*" 2>/dev/null | sort)
 
@@ -36,8 +36,8 @@ layout() {
         wrong 'not as clang-format lays it out'
 }
 
-# Every header compiles alone: it is the first that a module includes, which was
-# compiled, or it is compiled here. And every module does with clang, too.
+# Every header compiles alone: it is the first that a source file includes, which was
+# compiled, or it is compiled here. And every source file does with clang, too.
 alone() {
     for header in $headers; do
         first=$(grep -m 1 '^#include' "${header%.h}.c" 2>/dev/null)
@@ -55,12 +55,12 @@ alone() {
 clang_too() {
     command -v clang >/dev/null || return $left_out
     # shellcheck disable=SC2086
-    clang $flags $modules $(find tests -name '*.c' -not -path 'tests/ranks/*') 2>&1 | grep -E 'error:' |
+    clang $flags $units $(find tests -name '*.c' -not -path 'tests/ranks/*') 2>&1 | grep -E 'error:' |
         wrong 'clang objects'
 }
 
-# A room knows itself and earlier ones; some not even all of these.
-rooms() {
+# A module knows itself and earlier ones; some not even all of these.
+modules() {
     grep -rn --include='*.[ch]' '^#include "' src | awk '
     BEGIN {
         n = split("base mesh linear fluid dem averaging coupling resolved output record case tell report study distributed",
@@ -69,35 +69,35 @@ rooms() {
         apart["linear mesh"]; apart["dem fluid"]; apart["averaging fluid"]
         apart["output fluid"]; apart["output coupling"]
     }
-    { # src/room/[folder/]file:line:#include "other/[folder/]file"
+    { # src/module/[folder/]file:line:#include "other/[folder/]file"
         split($1, path, "/"); split($0, quoted, "\"")
         split(quoted[2], included, "/")
-        room = path[2]; other = included[1]
-        if (room ~ /^(main|commands|run_command)[.]c/) next
-        if (rank[other] == 0 || rank[other] > rank[room] ||
-            (room " " other) in apart)
+        module = path[2]; other = included[1]
+        if (module ~ /^(main|commands|run_command)[.]c/) next
+        if (rank[other] == 0 || rank[other] > rank[module] ||
+            (module " " other) in apart)
             print $0
-    }' | wrong 'room includes one it may not know'
+    }' | wrong 'module includes one it may not know'
 }
 
-# An exported name begins with a file of its room, or with a part of one ("--- magnus").
+# An exported name begins with a file of its module, or with a part of one ("--- magnus").
 names() {
     # shellcheck disable=SC2086
     parts=$(awk '/^\/[*] --- [a-z ]* -/ {
         gsub(/^.* --- | -+ .*$/, ""); gsub(/ /, "_"); print FILENAME "/" $0 ".part" }' \
-        $modules $headers)
+        $units $headers)
     # shellcheck disable=SC2086
     nm -A -g --defined-only $objects | awk -v files="$headers
-$modules
+$units
 $parts" '
-    BEGIN { # behind[room]: a pattern of its files and parts, those of its folders too
+    BEGIN { # behind[module]: a pattern of its files and parts, those of its folders too
         n = split(files, file, "\n")
         for (i = 1; i <= n; i++) {
             m = split(file[i], part, "[/.]")
             behind[part[2]] = behind[part[2]] "|" part[m - 1]
         }
     }
-    { # build/.../src/room/[folder/]file.o:0000 T name
+    { # build/.../src/module/[folder/]file.o:0000 T name
         path = $1
         sub(/^.*\/src\//, "", path)
         if (path ~ /^(main|commands)[.]o/) next
@@ -132,15 +132,15 @@ lengths() {
     # shellcheck disable=SC2086 # one word a file
     wc -l $headers | awk '$1 > 250 && $2 != "total" { print $2 ": " $1 " lines" }' |
         wrong 'header of more than 250 lines'
-    for module in $modules "$ranks"/*.c; do
-        lines=$(wc -l <"$module")
-        [ "$lines" -le 500 ] || echo "$module: $lines lines" |
-            wrong 'module of more than 500 lines'
-        awk -v file="$module" '
+    for unit in $units "$ranks"/*.c; do
+        lines=$(wc -l <"$unit")
+        [ "$lines" -le 500 ] || echo "$unit: $lines lines" |
+            wrong 'file of more than 500 lines'
+        awk -v file="$unit" '
             /^[a-z].*\(/ { start = NR }
             /^}/ { if (start && NR - start + 1 > 60)
                        print file ":" start ": " NR - start + 1 " lines"
-                   start = 0 }' "$module" |
+                   start = 0 }' "$unit" |
             wrong 'function of more than 60 lines'
     done
 }
@@ -155,14 +155,14 @@ tree() { # module
 # A cast of a real number beyond the range of the whole one gives nonsense: only
 # base/number makes one of the other. clang knows the type of what is cast.
 casts() {
-    grep -n -E '\<l?l(round|rint)[fl]?\(' $modules $headers |
+    grep -n -E '\<l?l(round|rint)[fl]?\(' $units $headers |
         wrong 'whole number that number.h did not make'
     [ "$extent" = long ] && command -v clang >/dev/null || return
     tree src/base/number.c | grep -q '<FloatingToIntegral>' ||
         echo 'none in number.c' | wrong 'casts are not seen'
     for module in $(grep -l -E '\((int|long|unsigned|u?int[0-9]*_t|size_t)\)' \
-        $modules); do
-        tree "$module" | awk -v module="$module" '
+        $units); do
+        tree "$unit" | awk -v module="$unit" '
             /^[|`]-FunctionDecl/ { mine = $0 !~ / number_(int|long|clamped) / }
             /CStyleCastExpr.*<FloatingToIntegral>/ && mine { print module }'
     done | uniq -c | wrong 'cast of a real number, which number.h does'
@@ -171,9 +171,9 @@ casts() {
 text() {
     grep -rn --include='*.[ch]' '^ *# *if' src |
         grep -v -E '#ifndef [A-Z0-9_]+_H$|_OPENMP' | wrong 'code behind #if'
-    for module in $modules $(find tests -name '*.c'); do
-        head -1 "$module" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' ||
-            echo "$module" | wrong 'no licence in the first line'
+    for unit in $units $(find tests -name '*.c'); do
+        head -1 "$unit" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' ||
+            echo "$unit" | wrong 'no licence in the first line'
     done
 }
 
@@ -181,7 +181,7 @@ text() {
 tidy() {
     if command -v clang-tidy >/dev/null; then
         # shellcheck disable=SC2086
-        clang-tidy --quiet $modules -- $flags 2>/dev/null | grep ' error: ' |
+        clang-tidy --quiet $units -- $flags 2>/dev/null | grep ' error: ' |
             wrong 'clang-tidy'
     else
         echo "style: no clang-tidy here, left out"
@@ -216,7 +216,7 @@ guards() {
 
 facts=0
 failed=0
-for rule in layout alone guards rooms names unique variables lengths casts text \
+for rule in layout alone guards modules names unique variables lengths casts text \
     $(long "clang_too tidy unused"); do
     : >"$found"
     $rule

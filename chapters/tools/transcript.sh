@@ -15,9 +15,9 @@
 # changed since, the processor time that it took, and a sum of what it depends on:
 # "# slow, made at 1234abc in 12 s of 3870412: reason". age names the slow ones of which
 # this sum is another now: that of their commands, of the files that these name, and of
-# the numbers that figures/short-runs.txt has of the rooms that their programs reach.
+# the numbers that figures/short-runs.txt has of the modules that their programs reach.
 # These short runs stand for the code of src, which changes every day while few changes
-# move a number; what moves longer runs only is not noticed. Of rooms that have no short
+# move a number; what moves longer runs only is not noticed. Of modules that have no short
 # runs the code counts. Comments and layout do not. moved runs those of them that took at
 # most so many seconds, and leaves out the ones that still print the same.
 set -u
@@ -103,7 +103,7 @@ named() {
         grep -v -E '\.(svg|png)$' | sort -u
 }
 
-# Rooms of src that programs reach, through the rooms that these include, and the headers
+# Modules of src that programs reach, through the modules that these include, and the headers
 # of tests.
 reached() { # program.c...
     [ $# -gt 0 ] || return 0
@@ -119,8 +119,8 @@ reached() { # program.c...
 }
 
 # What a transcript depends on: the files that its commands and their scripts name,
-# and of the source the rooms that its programs reach. The whole program has all
-# but the rooms aside that nothing names.
+# and of the source the modules that its programs reach. The whole program has all
+# but the modules aside that nothing names.
 depends() {
     commands=$(sed -n 's/^\$ //p' "$1")
     files=$(echo "$commands" | named)
@@ -151,11 +151,11 @@ code() { # name
     esac
 }
 
-# The numbers that short runs have of rooms; all but those left out for src alone.
-numbers_of() { # rooms, with :!src/ROOM for what is left out
-    awk -v rooms="$1" '
+# The numbers that short runs have of modules; all but those left out for src alone.
+numbers_of() { # modules, with :!src/MODULE for what is left out
+    awk -v modules="$1" '
     BEGIN {
-        n = split(rooms, r, /[ \n]+/)
+        n = split(modules, r, /[ \n]+/)
         for (i = 1; i <= n; i++)
             if (sub(/^:!src\//, "", r[i])) out[r[i]]
             else if (sub(/^src\//, "", r[i])) in_[r[i]]

@@ -89,7 +89,7 @@ static int take_truth(struct words *w, const char *value)
     if (w->n_measures == w->old_measures)
         return words_wrong("--truth", " follows the --measure that it is for");
     if (w->truth[w->n_measures - 1] != NULL)
-        return words_wrong(value, ": a second truth for one measure");
+        return words_wrong(value, ": a second --truth for one measure");
     w->truth[w->n_measures - 1] = value;
     return 0;
 }

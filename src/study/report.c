@@ -382,7 +382,7 @@ static const char *nothing_known(const struct outcomes *o, int m)
                ? "the finest has not come to its end"
            : kind == TRUTH_EXTRAPOLATED
                ? "nothing could be extrapolated"
-               : "where it was measured the truth is unknown, or 0";
+               : "where it was measured the reference is unknown, or 0";
 }
 
 /* A line for each limit that a variant is within, one for the first that none

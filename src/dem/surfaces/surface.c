@@ -130,7 +130,7 @@ static const struct key file_keys[] = {
 
 const struct surface_shape surface_stl = {
     .name = "stl",
-    .what = "triangles from a file; a seam, an edge, a vertex count once",
+    .what = "triangles from a file; a place that several share counts once",
     .equations = "LS section 4.3",
     .function = "surface_contact_points_find",
     .keys = {surface_point_keys, file_keys},
