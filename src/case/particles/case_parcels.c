@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/text.h"
 #include "case/case_mesh.h"
 #include "case/checks/checks.h"
@@ -162,8 +163,7 @@ static int parcels_count(struct settings *s, const char *key, double l,
             *count, N);
     s->particles.parcel.asked += *count;
     s->particles.parcel.made += n * N;
-    *count = (int)n;
-    return 0;
+    return number_int(n, count); /* at most as many as grains: N >= 1 */
 }
 
 /* The same as case_parcels_across, for the name of a material. */
