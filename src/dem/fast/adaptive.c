@@ -53,7 +53,9 @@ double adaptive_longest(const struct adaptive *a, const struct neighbours *nb,
     const double way = nb->skin / 16.0;
     const double divisor = speed + sqrt(speed * speed + 2.0 * a->pull * way);
 
-    return divisor > 0.0 ? fmin(length, 2.0 * way / divisor) : length;
+    /* without a particle there is no skin, and nothing to come closer to */
+    return divisor > 0.0 && way > 0.0 ? fmin(length, 2.0 * way / divisor)
+                                      : length;
 }
 
 /* When a gap that closes at the speed c and the acceleration p is closed, or
