@@ -117,7 +117,8 @@ function put_bodies(    where) { # above the particles, where there are any
 }
 
 function put_materials() {
-    charge = is("cohesion", "electrostatic all") ? " charge = 1e-11;" : ""
+    charge = is("count", "crowd") ? " charge = 1e-12;" : " charge = 1e-11;" # of smaller grains
+    if (!is("cohesion", "electrostatic all")) charge = ""
     put("  grains = {" material(" density = 1000;") charge " };")
     if (is("materials", "one")) return
     put("  materials = ( { name = \"felt\";" material(" density = 2000;") " } );")
