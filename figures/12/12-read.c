@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads one array of a file that Winnow wrote, with nothing but zlib.
  *
- *     sh figures/run.sh figures/12/12-read.c -- out/seen/fluid/fluid_000005.vtr pressure
+ *     sh figures/run.sh figures/12/12-read.c -- FILE.vtr pressure
  */
 #include <stdint.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An even bed, a fine lattice of points, in the cone and tube of
  * cases/tapered-bed.cfg: the lowest and the highest of what is to be 1 in each
- * cell, and the root mean square of the error. The kernel is twice as wide, which
- * makes it about the same Gaussian (the chapter on averaging).
+ * cell, and the root mean square of the error. The kernel is twice as wide,
+ * which makes it about the same Gaussian (the chapter on averaging).
  *
  *     sh figures/run.sh figures/21/21-even.c
  */
