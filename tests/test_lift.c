@@ -120,6 +120,36 @@ START_TEST(ls_5_6_who_lags_goes_to_the_faster_side)
 }
 END_TEST
 
+/* u_a = G x_b of any two axes: the curl is along the third, with the sign of
+ * their order. */
+START_TEST(ls_5_6_a_shear_along_any_axes_has_its_own_curl)
+{
+    const int a = _i / 2, b = (a + 1 + _i % 2) % 3, axis = 3 - a - b;
+    const double G = 40.0, w[3] = {0.02, 0.01, -0.015};
+    struct scene s = still();
+    s.saffman = 1;
+    struct simulation *const sim = in_shear(&s, 0.0, 0.0);
+    struct particles *const ps = sim->particles;
+    const double at[3] = {ps->x[0], ps->y[0], ps->z[0]};
+    double curl[3] = {0.0, 0.0, 0.0}, F[3];
+
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        sim->fluid->u[3 * c + a] = G * sim->mesh->centre[3 * c + b];
+    sim->coupling->u_f[a] = G * at[b];
+    ps->vx[0] = sim->coupling->u_f[0] - w[0];
+    ps->vy[0] = sim->coupling->u_f[1] - w[1];
+    ps->vz[0] = sim->coupling->u_f[2] - w[2];
+    act(sim);
+    curl[axis] = (b + 1) % 3 == a ? G : -G;
+    saffman_lift(s.rho, s.mu, s.d, w, curl, F);
+    const double size = 1e-12 * vector_length(F);
+    ck_assert_double_eq_tol(ps->ex[0], F[0], size);
+    ck_assert_double_eq_tol(ps->ey[0], F[1], size);
+    ck_assert_double_eq_tol(ps->ez[0], F[2], size);
+    discard(sim);
+}
+END_TEST
+
 /* With a gradient bandwidth the curl is that of a Gaussian: a wave of wave
  * number k has k exp(-(k b)^2 / 4) of it, where differences of the cells have
  * sin(k h) / h. The kernel ends at 3 b and is a sum over cells. */
@@ -306,6 +336,7 @@ FACTS("lift")
     FACT(ls_5_6_vector_form_is_the_printed_one);
     FACT(ls_5_6_meis_factor_starts_at_one_and_is_nearly_continuous);
     FACT_FOR_EACH(ls_5_6_who_lags_goes_to_the_faster_side, 4);
+    FACT_FOR_EACH(ls_5_6_a_shear_along_any_axes_has_its_own_curl, 6);
     FACT_FOR_EACH(ew18_b_6_the_lift_of_a_wave_is_damped_as_the_kernel, 2);
     FACT(ls_5_7_slow_spin_is_rubinow_and_keller);
     FACT(ls_5_7_the_coefficient_of_a_fast_spin_levels_off);
