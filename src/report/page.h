@@ -48,6 +48,9 @@ extern const char *const page_html[],
                                                      *const page_plots_js[],
                                                          *const page_scene_js[];
 
+/* Writes one of these parts. */
+void page_put_program(FILE *out, const char *const *line);
+
 /* --- vtk read ------------------------------------------------------------- */
 
 /* Reads back the files of output/vtk.h, whoever wrote them.

@@ -248,7 +248,7 @@ static void put_equations(FILE *out)
 
 /* --- the page ------------------------------------------------------------- */
 
-static void put_part(FILE *out, const char *const *line)
+void page_put_program(FILE *out, const char *const *line)
 {
     for (; *line != NULL; line++)
         fputs(*line, out);
@@ -293,7 +293,7 @@ static void page_put_all(struct page *p, const int *folder, int n,
         if (k == PARTS)
             fputs(*line, p->out);
         else if (part[k].lines != NULL)
-            put_part(p->out, part[k].lines);
+            page_put_program(p->out, part[k].lines);
         else
             put_runs(p, folder, n, dir);
     }

@@ -171,12 +171,6 @@ static void put_study(const struct outcomes *o, FILE *out)
         html_put_variant(o, v, out);
 }
 
-static void html_put_part(FILE *out, const char *const *line)
-{
-    for (; *line != NULL; line++)
-        fputs(*line, out);
-}
-
 int html_write(const struct outcomes *o)
 {
     struct file *const f = report_file(o->plan, "study.html");
@@ -190,12 +184,12 @@ int html_write(const struct outcomes *o)
         "content=\"default-src 'none'; script-src 'unsafe-inline'; style-src "
         "'unsafe-inline'\">\n<title>Winnow: study</title>\n<style>\n",
         out);
-    html_put_part(out, page_css);
+    page_put_program(out, page_css);
     fputs("</style>\n</head>\n<body>\n<main></main>\n", out);
     put_study(o, out);
     fputs("<script>\n", out);
-    html_put_part(out, page_add_js);
-    html_put_part(out, page_study_js);
+    page_put_program(out, page_add_js);
+    page_put_program(out, page_study_js);
     fputs("</script>\n</body>\n</html>\n", out);
     return file_commit(f);
 }
