@@ -178,6 +178,7 @@ bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour
 	sh .ci/install run
 	$(MAKE) $(CORES) $(BENCH) WERROR=
 	for subject in tests/bench/*.sh; do sh $$subject $B/tests/bench || exit; done
+	sh tests/table.sh $B tests/tables/study.txt timed
 
 book: $B/winnow $(STEPS) ## the chapters as pages: build/book/index.html
 	sh .ci/install book
