@@ -84,6 +84,7 @@ capillary cohesion_capillary {tension=0.01;range=5e-5;}
 whole_drag whole_drag_effect {}
 stochastic_drag stochastic_drag_effect {sigma_low=0.1;sigma_high=0.1;time=0.01;}
 lubrication lubrication_effect {roughness=1e-6;range=1e-4;}
+particle_stress particle_stress_effect {pressure=1.0;} particles.list="none"
 EOF
 instrument src/coupling/effects.c || exit
 # Contacts: without them none of the functions that compute them is entered.

@@ -21,6 +21,7 @@ static double case_steps_given(const struct settings *s, const char **key)
     *key = "fluid.step";
     if (s->has.fluid) return s->fluid.dt;
     *key = "particles.step";
+    if (s->effects.particle_stress) return s->particles.step;
     if (s->particles.has_insert || s->particles.has_sinks)
         return POPULATION_STEPS * s->particles.step;
     *key = history <= every ? "output.history" : "output.every";

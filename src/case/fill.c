@@ -286,7 +286,8 @@ static int numbers_of(const struct settings *s, const struct key *key,
 
     if (key->type == KEY_GROUP) return 0;
     assert(from != NULL);
-    if (key->type == KEY_INT || key->type == KEY_BOOL) {
+    if (key->type == KEY_INT || key->type == KEY_BOOL ||
+        key->type == KEY_NAME) { /* that of its choices */
         fill_store(key, from, &whole);
         v[0] = whole;
     } else

@@ -15,7 +15,8 @@
 struct effects_options {
     double gravity[3]; /* [m/s^2] 0 unless the case names it */
     /* [-] 1: the case names it */
-    int has_gravity, pressure_gradient, time_average, van_der_waals, capillary;
+    int has_gravity, pressure_gradient, time_average, van_der_waals, capillary,
+        particle_stress;
     double mixing_sample; /* [m] 0: the case does not name the effect */
 };
 
@@ -29,7 +30,8 @@ extern const struct effect viscous_stress_effect, virtual_mass_effect,
     basset_effect, saffman_effect, fluid_torque_effect, magnus_effect,
     time_average_effect, energy_budget_effect, cohesion_electrostatic,
     cohesion_van_der_waals, cohesion_capillary, whole_drag_effect,
-    stochastic_drag_effect, lubrication_effect, bubbles_effect, mixing_effect;
+    stochastic_drag_effect, lubrication_effect, bubbles_effect, mixing_effect,
+    particle_stress_effect;
 extern const struct effect *const effects[];
 const struct effect *effect_named(const char *name);
 

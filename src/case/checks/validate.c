@@ -229,6 +229,35 @@ static int validate_check_list(const struct settings *s)
                           unknown, dem_methods[0]->name);
 }
 
+/* What the stress in the place of contacts cannot be beside. */
+static const char *validate_beside_stress(const struct settings *s)
+{
+    if (!s->particles.list->no_contacts)
+        return "it takes the place of contacts: set particles.list to \"none\"";
+    if (s->poly != NULL)
+        return "it is computed on plain boxes; this mesh is none";
+    for (int k = 0; k < s->particles.materials.n; k++)
+        if (s->particles.materials.item[k].density !=
+            s->particles.grains.density)
+            return "all materials must have the same density";
+    for (int k = 0; effects[k] != NULL; k++)
+        if (effects[k]->added_mass != NULL &&
+            settings_has(s, effects[k]->keys[0]->path))
+            return "the mass that it accelerates is that of the particles "
+                   "alone: leave out the effects with an added mass";
+    return NULL;
+}
+
+static int validate_check_stress(const struct settings *s)
+{
+    const char *const why =
+        s->effects.particle_stress ? validate_beside_stress(s) : NULL;
+
+    return why == NULL ? 0
+                       : settings_wrong(s, KEY_OF(s, effects.particle_stress),
+                                        "%s", why);
+}
+
 static int validate_check_particles(struct settings *s)
 {
     const int bed = s->particles.has_bed, place = s->particles.has_place;
@@ -239,6 +268,7 @@ static int validate_check_particles(struct settings *s)
     if (code == 0) code = case_materials_check_attractions(s);
     if (code == 0) code = case_population_check(s);
     if (code == 0) code = validate_check_list(s);
+    if (code == 0) code = validate_check_stress(s);
     if (code != 0) return code;
     if (bed == place && (bed || !s->particles.has_insert))
         return settings_wrong(s, "particles", "give either bed or place%s",

@@ -165,4 +165,29 @@ double time_average_weight(double dt, double b_t);
 /* mean = (1 - alpha) now + alpha mean for n values [SX15 14]. */
 void time_average_update(double alpha, int n, const double *now, double *mean);
 
+/* --- particle stress -------------------------------------------------------
+ */
+
+/* The stress tau [Pa] of solids of the fraction eps_s that do not meet.
+ *
+ *   harris-crighton  tau = P eps_s^beta / (eps_cp - eps_s)        [Snider01]
+ *   lun              tau = P eps_s (1 + 2 (1 + e) eps_s g_0),     [Lun84]
+ *                    P = rho_s Theta, g_0 = 0.6 / (1 - (eps_s / eps_cp)^(1/3))
+ */
+struct particle_stress_law {
+    int lun;         /* [-] 1: of Lun */
+    double exponent; /* [-] beta */
+    double packing;  /* [-] eps_cp */
+    double e;        /* [-] restitution */
+};
+
+/* tau [Pa], its slope d tau / d eps_s [Pa], and the fraction [-] that has it;
+ * P [Pa]. */
+double particle_stress(const struct particle_stress_law *law, double P,
+                       double eps_s);
+double particle_stress_slope(const struct particle_stress_law *law, double P,
+                             double eps_s);
+double particle_stress_fraction(const struct particle_stress_law *law, double P,
+                                double tau);
+
 #endif

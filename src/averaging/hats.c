@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/hats.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+struct hats *hats_create(const struct mesh *mesh, int capacity)
+{
+    struct hats *const h = alloc_zeroed(1, sizeof *h);
+
+    h->mesh = mesh;
+    h->cell = alloc_ints(3 * capacity);
+    h->next = alloc_ints(3 * capacity);
+    h->share = alloc_doubles(3 * capacity);
+    h->place = alloc_doubles(3 * capacity);
+    return h;
+}
+
+void hats_free(struct hats *h)
+{
+    free(h->cell);
+    free(h->next);
+    free(h->share);
+    free(h->place);
+    free(h);
+}
+
+/* Of particle i along direction k, where it is at x [m]. */
+static void hats_find_one(struct hats *h, int i, int k, double x)
+{
+    const struct box *const b = &h->mesh->box;
+    const double *const edge = b->edge[k];
+    const int n = b->n[k], at = 3 * i + k;
+    int c =
+        (int)fmin(fmax((x - edge[0]) / (edge[n] - edge[0]) * n, 0.0), n - 1.0);
+
+    while (c > 0 && x < edge[c])
+        c--;
+    while (c < n - 1 && x >= edge[c + 1])
+        c++;
+    const double width = edge[c + 1] - edge[c];
+    const int up = x >= edge[c] + 0.5 * width, next = c + (up ? 1 : -1);
+    const int other = b->periodic[k]          ? (next + n) % n
+                      : next < 0 || next == n ? c
+                                              : next;
+    h->cell[at] = c;
+    h->next[at] = other;
+    h->place[at] = (x - edge[c]) / width;
+    h->share[at] = fabs(x - edge[c] - 0.5 * width) /
+                   (0.5 * (width + edge[other + 1] - edge[other]));
+}
+
+void hats_find(struct hats *h, const struct particles *ps)
+{
+    h->n = ps->n;
+    for (int i = 0; i < ps->n; i++) {
+        hats_find_one(h, i, 0, ps->x[i]);
+        hats_find_one(h, i, 1, ps->y[i]);
+        hats_find_one(h, i, 2, ps->z[i]);
+    }
+}
+
+/* Corner j of particle i, 0 to 7: its cell, and its share [-]. */
+static inline int hats_corner(const struct hats *h, int i, int j, double *share)
+{
+    const int *const n = h->mesh->box.n;
+    int at[3];
+
+    *share = 1.0;
+    for (int k = 0; k < 3; k++) {
+        const int other = j >> k & 1;
+        at[k] = (other ? h->next : h->cell)[3 * i + k];
+        *share *= other ? h->share[3 * i + k] : 1.0 - h->share[3 * i + k];
+    }
+    return at[0] + n[0] * (at[1] + n[1] * at[2]);
+}
+
+void hats_spread(const struct hats *h, int m, const double *q, double *field)
+{
+    const int n = h->mesh->n_cells;
+    double share;
+
+    memset(field, 0, (size_t)(m * n) * sizeof *field);
+    for (int i = 0; i < h->n; i++)
+        for (int j = 0; j < 8; j++) {
+            const int c = hats_corner(h, i, j, &share);
+            for (int k = 0; k < m; k++)
+                field[m * c + k] += share * q[m * i + k];
+        }
+    for (int c = 0; c < n; c++)
+        for (int k = 0; k < m; k++)
+            field[m * c + k] /= h->mesh->V[c];
+}
+
+void hats_gather(const struct hats *h, int m, const double *field, double *q)
+{
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < h->n; i++) {
+        double share;
+        for (int k = 0; k < m; k++)
+            q[m * i + k] = 0.0;
+        for (int j = 0; j < 8; j++) {
+            const int c = hats_corner(h, i, j, &share);
+            for (int k = 0; k < m; k++)
+                q[m * i + k] += share * field[m * c + k];
+        }
+    }
+}

@@ -1,0 +1,36 @@
+/* hats.h -- particles on a box of cells, linear between the cells' centres.
+ * Chapter "Fewer or other particles".
+ *
+ * A particle belongs to the eight cells whose centres are around it, more to
+ * the nearer ones; in the outer half of a cell at a wall to that cell alone. A
+ * cell's share falls linearly to zero at the centres of its neighbours, like a
+ * hat. So no field jumps where a particle crosses a face, and an average
+ * reaches no farther than the flux through the faces of a cell. Spreading and
+ * gathering are adjoint, as in averaging.h.
+ */
+#ifndef AVERAGING_HATS_H
+#define AVERAGING_HATS_H
+
+#include "dem/particles.h"
+#include "mesh/mesh.h"
+
+struct hats {
+    const struct mesh *mesh; /* borrowed; a box */
+    int n;                   /* [-] particles */
+    int *cell;               /* [-] 3 a particle: its cell along x, y, z */
+    int *next; /* [-] 3: the cell on the side of it, or the same at a wall */
+    double *share; /* [-] 3: of the next one */
+    double *place; /* [-] 3: in its cell, from 0 to 1 */
+};
+
+struct hats *hats_create(const struct mesh *mesh, int capacity);
+void hats_free(struct hats *h);
+
+/* Finds the particles; all are inside the mesh. */
+void hats_find(struct hats *h, const struct particles *ps);
+
+/* As averaging_spread and averaging_gather: m numbers side by side. */
+void hats_spread(const struct hats *h, int m, const double *q, double *field);
+void hats_gather(const struct hats *h, int m, const double *field, double *q);
+
+#endif

@@ -1,0 +1,503 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* particle_stress.c -- a stress on the mesh in the place of contacts.
+ * Chapter "Fewer or other particles".
+ *
+ * The particles move through each other with all other forces. Then the stress
+ * tau of where they are puts them back [Snider01],
+ *
+ *   eps(tau) - div((dt^2 / rho) grad tau) = eps* - max(0, eps^n - eps_cp),
+ *
+ * without flux through walls; eps* and eps^n are spread from the particles,
+ * after and before they have moved. It is implicit in tau: under a weight waves
+ * of tau run as fast as tau / sqrt(rho P eps^beta), and eps(tau) stays below
+ * eps_cp whatever tau is. The acceleration of face f between cells c and n,
+ *
+ *   a_f = -(tau_n - tau_c) S_f / (rho (eps_c V_c + eps_n V_n)),
+ *
+ * adds up to that of a cell. What the particles gather of it has the sum of
+ * tau_n - tau_c over the faces, whatever eps is: momentum is kept to rounding.
+ * Their places follow 2 a_f, linear between the faces of a cell, so that each
+ * cell gains what the equation says. What was above eps_cp before the step
+ * moves places only: else it would become energy.
+ */
+#include "coupling/effects/forces.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "averaging/hats.h"
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "coupling/coupling.h"
+#include "coupling/effect.h"
+#include "coupling/effects.h"
+#include "coupling/simulation.h"
+#include "dem/box_domain.h"
+#include "dem/dem.h"
+#include "linear/solvers.h"
+
+/* --- the law -------------------------------------------------------------- */
+
+/* 2 (1 + e) g_0 [-], and eps_s times its slope: (eps/eps_cp)^(1/3) of it. */
+static double lun_factor(const struct particle_stress_law *law, double eps_s,
+                         double *eps_slope)
+{
+    const double root = cbrt(eps_s / law->packing);
+    const double factor = 1.2 * (1.0 + law->e) / (1.0 - root);
+
+    *eps_slope = factor * root / (3.0 * (1.0 - root));
+    return factor;
+}
+
+double particle_stress(const struct particle_stress_law *law, double P,
+                       double eps_s)
+{
+    double unused;
+
+    if (law->lun)
+        return P * eps_s * (1.0 + eps_s * lun_factor(law, eps_s, &unused));
+    return P * pow(eps_s, law->exponent) / (law->packing - eps_s);
+}
+
+double particle_stress_slope(const struct particle_stress_law *law, double P,
+                             double eps_s)
+{
+    double eps_slope;
+
+    if (law->lun) {
+        const double factor = lun_factor(law, eps_s, &eps_slope);
+        return P * (1.0 + eps_s * (2.0 * factor + eps_slope));
+    }
+    return particle_stress(law, P, eps_s) *
+           (law->exponent / eps_s + 1.0 / (law->packing - eps_s));
+}
+
+/* Newton's method for ln tau in ln y, y = eps / (eps_cp - eps): nearly a line
+ * of slope 1 to beta. */
+double particle_stress_fraction(const struct particle_stress_law *law, double P,
+                                double tau)
+{
+    const double cp = law->packing;
+    double ln_y = 0.0, eps = 0.5 * cp;
+
+    if (tau <= 0.0) return 0.0;
+    if (!law->lun && law->exponent == 2.0)
+        return 2.0 * tau * cp / (tau + sqrt(tau * tau + 4.0 * P * tau * cp));
+    for (int k = 0; k < 50; k++) {
+        const double now = particle_stress(law, P, eps);
+        const double slope =
+            particle_stress_slope(law, P, eps) / now * eps * (cp - eps) / cp;
+        const double change = log(tau / now) / slope;
+        ln_y += change;
+        eps = cp / (1.0 + exp(-ln_y));
+        if (fabs(change) < 1e-12) break;
+    }
+    return eps;
+}
+
+/* --- the effect ----------------------------------------------------------- */
+
+struct particle_stress {
+    struct particle_stress_law law;
+    double least; /* [Pa] P_s; of lun the least P */
+    double rho;   /* [kg/m^3] of the particles */
+    double stiff; /* [Pa/m^2] rho / dt^2 */
+    struct preconditioned matrix;
+    struct cg_work *cg;
+    double *g;                 /* [m] S.S / S.d of each inner face */
+    double *P;                 /* [Pa] of the law in each cell */
+    double *tau, *shift;       /* [Pa] of velocities, and of places */
+    double *before, *eps;      /* [-] eps^n and eps* */
+    double *wanted, *fraction; /* [-] right-hand side, and eps(tau) */
+    double *rhs, *sums, *change;
+    double *face; /* [m/s^2] 2 a_f of the six sides of a cell */
+    double *a;    /* [m/s^2] 3 a cell */
+    double *q;    /* 3 a particle */
+    struct hats *hats;
+    int n_cells;
+    long solves, iterations, crowded; /* [-] so far */
+};
+
+/* Arrays of the cells, how wide each is. */
+enum { CELL_ARRAYS = 12 };
+static void particle_stress_arrays(struct particle_stress *self,
+                                   double **at[CELL_ARRAYS],
+                                   int width[CELL_ARRAYS])
+{
+    double **const all[CELL_ARRAYS] = {
+        &self->P,      &self->tau,      &self->shift, &self->before,
+        &self->eps,    &self->wanted,   &self->rhs,   &self->sums,
+        &self->change, &self->fraction, &self->a,     &self->face};
+
+    for (int k = 0; k < CELL_ARRAYS; k++) {
+        at[k] = all[k];
+        width[k] = k < 10 ? 1 : k == 10 ? 3 : 6;
+    }
+}
+
+static void *particle_stress_create(struct simulation *sim,
+                                    const double *parameters)
+{
+    const struct mesh *const m = sim->mesh;
+    const struct particles *const ps = sim->particles;
+    struct particle_stress *const self = alloc_zeroed(1, sizeof *self);
+    double **at[CELL_ARRAYS];
+    int width[CELL_ARRAYS];
+
+    self->law = (struct particle_stress_law){
+        .lun = parameters[0] != 0.0,
+        .exponent = parameters[2],
+        .packing = parameters[3],
+        .e = dem_created_with(sim->dem)->material.restitution};
+    self->n_cells = m->n_cells;
+    self->least = parameters[1];
+    particle_stress_arrays(self, at, width);
+    for (int k = 0; k < CELL_ARRAYS; k++)
+        *at[k] = alloc_doubles(width[k] * m->n_cells);
+    self->g = alloc_doubles(m->n_internal);
+    self->q = alloc_doubles(3 * ps->capacity);
+    self->hats = hats_create(m, ps->capacity);
+    for (int f = 0; f < m->n_internal; f++)
+        self->g[f] = vector_dot(&m->S[3 * f], &m->S[3 * f]) /
+                     vector_dot(&m->S[3 * f], &m->d[3 * f]);
+    self->matrix = preconditioned_create(m->n_cells, m->n_internal, m->owner,
+                                         m->neighbour, self->g, m->d, m->V);
+    self->cg = cg_work_create(m->n_cells);
+    return self;
+}
+
+static void particle_stress_free(void *memory)
+{
+    struct particle_stress *const self = memory;
+    double **at[CELL_ARRAYS];
+    int width[CELL_ARRAYS];
+
+    particle_stress_arrays(self, at, width);
+    for (int k = 0; k < CELL_ARRAYS; k++)
+        free(*at[k]);
+    free(self->g);
+    free(self->q);
+    hats_free(self->hats);
+    preconditioned_free(self->matrix);
+    cg_work_free(self->cg);
+    free(self);
+}
+
+/* The solids fraction of the particles where they are now. */
+static void particle_stress_spread(struct particle_stress *self,
+                                   const struct simulation *sim, double *eps)
+{
+    for (int i = 0; i < sim->particles->n; i++)
+        self->q[i] = particles_volume(sim->particles, i);
+    hats_find(self->hats, sim->particles);
+    hats_spread(self->hats, 1, self->q, eps);
+}
+
+static void particle_stress_before(void *memory, struct simulation *sim)
+{
+    struct particle_stress *const self = memory;
+
+    particle_stress_spread(self, sim, self->before);
+    if (sim->particles->n > 0) /* all have the same */
+        self->rho = sim->particles->m[0] / particles_volume(sim->particles, 0);
+    self->stiff = self->rho / (sim->dt * sim->dt);
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        self->P[c] = self->least;
+}
+
+/* --- tau ------------------------------------------------------------------ */
+
+/* Where eps is less [-], tau' is that of it: else the matrix has numbers of too
+ * many sizes. */
+static const double thin = 1e-6;
+
+/* Sets eps(tau), what is missing to `wanted` times V rho / dt^2 [Pa m], and the
+ * diagonal V rho / (dt^2 tau') [m]; returns the most [-] that is missing in a
+ * cell. */
+static double particle_stress_missing(struct particle_stress *self,
+                                      const struct mesh *m, const double *tau)
+{
+    const double stiff = self->stiff;
+    double most = 0.0;
+
+#pragma omp parallel for schedule(static)
+    for (int c = 0; c < m->n_cells; c++) {
+        const double eps =
+            particle_stress_fraction(&self->law, self->P[c], tau[c]);
+        self->fraction[c] = eps;
+        self->sums[c] =
+            stiff * m->V[c] /
+            particle_stress_slope(&self->law, self->P[c], fmax(eps, thin));
+        self->rhs[c] = stiff * m->V[c] * (self->wanted[c] - eps);
+    }
+    for (int f = 0; f < m->n_internal; f++) {
+        const int o = m->owner[f], n = m->neighbour[f];
+        const double out = self->g[f] * (tau[o] - tau[n]);
+        self->rhs[o] -= out;
+        self->rhs[n] += out;
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        most = fmax(most, fabs(self->rhs[c]) / m->V[c]);
+    return most / stiff;
+}
+
+/* Upward in tau, downward in eps: neither overshoots. */
+static void particle_stress_update(struct particle_stress *self,
+                                   const struct mesh *m, double *tau)
+{
+    for (int c = 0; c < m->n_cells; c++) {
+        const double eps = self->fraction[c], change = self->change[c];
+        const double by = change * self->sums[c] / (self->stiff * m->V[c]);
+        if (change > 0.0 && eps > thin)
+            tau[c] += change;
+        else
+            tau[c] = particle_stress(&self->law, self->P[c],
+                                     fmax(eps + by, 1e-3 * eps));
+    }
+}
+
+/* Solves for tau [Pa] by Newton's method, from the last one. */
+static void particle_stress_solve(struct particle_stress *self,
+                                  const struct simulation *sim, double *tau)
+{
+    static const double enough = 1e-8; /* [-] of eps */
+    enum { MOST = 60 };
+    const struct mesh *const m = sim->mesh;
+    const double absolute = 0.1 * enough * self->stiff * m->V[0];
+
+    for (int c = 0; c < m->n_cells; c++) /* the first time */
+        if (tau[c] <= 0.0)
+            tau[c] = particle_stress(&self->law, self->P[c],
+                                     fmin(fmax(self->wanted[c], enough),
+                                          self->law.packing * (1.0 - enough)));
+    for (int k = 0; k < MOST; k++, self->iterations++) {
+        if (particle_stress_missing(self, m, tau) < enough) break;
+        memset(self->change, 0, (size_t)m->n_cells * sizeof *self->change);
+        preconditioned_set(self->matrix, self->g, self->sums);
+        cg_solve(self->matrix, self->rhs, self->change, 1e-4, absolute, 500,
+                 self->cg);
+        particle_stress_update(self, m, tau);
+    }
+    self->solves++;
+}
+
+/* --- velocities and places ------------------------------------------------ */
+
+/* 2 a_f at the sides of cell c, lower and upper along x, y, z; at a wall that
+ * of the other side. */
+static void particle_stress_sides(const struct particle_stress *self,
+                                  const struct mesh *m, const double *tau,
+                                  int c, double side[6])
+{
+    int wall[6] = {0};
+
+    memset(side, 0, 6 * sizeof *side);
+    for (int j = m->cell_start[c]; j < m->cell_start[c + 1]; j++) {
+        const int f = m->cell_face[j], o = m->owner[f];
+        const double *const S = &m->S[3 * f];
+        const int k = S[0] != 0.0 ? 0 : S[1] != 0.0 ? 1 : 2;
+        const int w = 2 * k + (m->out[j] * S[k] > 0.0);
+        wall[w] = f >= m->n_internal;
+        if (wall[w]) continue;
+        const int n = m->neighbour[f];
+        const double V = self->eps[o] * m->V[o] + self->eps[n] * m->V[n];
+        if (V > 0.0)
+            side[w] = -2.0 * (tau[n] - tau[o]) * S[k] / (self->rho * V);
+    }
+    for (int w = 0; w < 6; w++)
+        if (wall[w]) side[w] = side[w ^ 1];
+}
+
+/* From the stress the acceleration of the cells and their sides. */
+static void particle_stress_accelerate(struct particle_stress *self,
+                                       const struct mesh *m, const double *tau)
+{
+#pragma omp parallel for schedule(static)
+    for (int c = 0; c < m->n_cells; c++) {
+        double *const side = &self->face[6 * c];
+        particle_stress_sides(self, m, tau, c, side);
+        for (int k = 0; k < 3; k++)
+            self->a[3 * c + k] = 0.5 * (side[2 * k] + side[2 * k + 1]);
+    }
+}
+
+static void particle_stress_push(struct particle_stress *self,
+                                 struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+    const double dt = sim->dt;
+
+    hats_gather(self->hats, 3, self->a, self->q);
+    for (int i = 0; i < ps->n; i++) {
+        const double *const a = &self->q[3 * i], m = ps->m[i];
+        const double F[3] = {m * a[0], m * a[1], m * a[2]};
+        ps->vx[i] += dt * a[0];
+        ps->vy[i] += dt * a[1];
+        ps->vz[i] += dt * a[2];
+        effects_report(sim, F, 1.0);
+    }
+}
+
+/* Between the sides of its cell, along k, where particle i is. */
+static double particle_stress_between(const struct particle_stress *self, int i,
+                                      int k)
+{
+    const struct hats *const h = self->hats;
+    const int *const n = h->mesh->box.n, *const at = &h->cell[3 * i];
+    const int c = at[0] + n[0] * (at[1] + n[1] * at[2]);
+    const double s = h->place[3 * i + k];
+
+    return (1.0 - s) * self->face[6 * c + 2 * k] +
+           s * self->face[6 * c + 2 * k + 1];
+}
+
+/* A wall holds what is pushed against it. */
+static double particle_stress_place(const struct box_domain *box, int k,
+                                    double x, double by, double R)
+{
+    if (box->periodic[k]) return box_domain_inside(box, k, x + by);
+    return by < 0.0 ? fmax(x + by, fmin(x, box->lo[k] + R))
+                    : fmin(x + by, fmax(x, box->hi[k] - R));
+}
+
+static void particle_stress_shift(const struct particle_stress *self,
+                                  struct simulation *sim)
+{
+    const struct dem_options *const o = dem_created_with(sim->dem);
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
+    struct particles *const ps = sim->particles;
+    double *const x[3] = {ps->x, ps->y, ps->z};
+
+    for (int i = 0; i < ps->n; i++)
+        for (int k = 0; k < 3; k++) {
+            const double a = particle_stress_between(self, i, k);
+            x[k][i] = particle_stress_place(
+                &box, k, x[k][i], sim->dt * sim->dt * a, 0.5 * ps->d[i]);
+            if (sim->coupling != NULL) /* that the fluid sees */
+                sim->coupling->u_mean[3 * i + k] += sim->dt * a;
+        }
+    dem_changed(sim->dem);
+}
+
+static void particle_stress_after(void *memory, struct simulation *sim)
+{
+    struct particle_stress *const self = memory;
+    const struct mesh *const m = sim->mesh;
+    int crowded = 0;
+
+    particle_stress_spread(self, sim, self->eps);
+    for (int c = 0; c < m->n_cells; c++) {
+        const double over = fmax(0.0, self->before[c] - self->law.packing);
+        self->wanted[c] = fmax(0.0, self->eps[c] - over);
+        crowded |= over > 0.0;
+    }
+    particle_stress_solve(self, sim, self->tau);
+    particle_stress_accelerate(self, m, self->tau);
+    particle_stress_push(self, sim);
+    if (crowded) {
+        memcpy(self->shift, self->tau, (size_t)m->n_cells * sizeof(double));
+        for (int c = 0; c < m->n_cells; c++)
+            self->wanted[c] = fmax(0.0, self->eps[c]);
+        particle_stress_solve(self, sim, self->shift);
+        particle_stress_accelerate(self, m, self->shift);
+        self->crowded++;
+    }
+    particle_stress_shift(self, sim);
+}
+
+/* --- what a case sees ----------------------------------------------------- */
+
+static int particle_stress_fields(const void *memory, struct effect_field *f)
+{
+    const struct particle_stress *const self = memory;
+
+    f[0] = (struct effect_field){"solids_stress", 1, self->tau};
+    return 1;
+}
+
+static int particle_stress_counts(const void *memory, struct effect_count *c)
+{
+    const struct particle_stress *const self = memory;
+
+    c[0] = (struct effect_count){"particle_stress_solves", self->solves};
+    c[1] =
+        (struct effect_count){"particle_stress_iterations", self->iterations};
+    c[2] = (struct effect_count){"particle_stress_crowded", self->crowded};
+    return 3;
+}
+
+/* The largest solids fraction and stress of a cell. */
+static int particle_stress_row(void *memory, const struct simulation *sim,
+                               double *values)
+{
+    struct particle_stress *const self = memory;
+
+    particle_stress_spread(self, sim, self->wanted);
+    values[0] = values[1] = 0.0;
+    for (int c = 0; c < self->n_cells; c++) {
+        values[0] = fmax(values[0], self->wanted[c]);
+        values[1] = fmax(values[1], self->tau[c]);
+    }
+    return 2;
+}
+
+static const char *const particle_stress_names[] = {
+    "solids_highest [-]", "solids_stress_highest [Pa]", NULL};
+
+static const struct effect_columns particle_stress_columns = {
+    particle_stress_names, particle_stress_row};
+
+/* tau is where Newton's method begins. */
+static void particle_stress_state(void *memory, struct state *s)
+{
+    struct particle_stress *const self = memory;
+
+    state_long(s, "solves", "-", &self->solves);
+    state_long(s, "iterations", "-", &self->iterations);
+    state_long(s, "crowded", "-", &self->crowded);
+    state_reals(s, "tau", "Pa", self->tau, self->n_cells, 1);
+}
+
+static const struct model stress_of_harris_crighton = {.name =
+                                                           "harris-crighton",
+                                                       .value = 0},
+                          stress_of_lun = {.name = "lun", .value = 1};
+static const struct model *const stress_laws[] = {&stress_of_harris_crighton,
+                                                  &stress_of_lun, NULL};
+
+static const struct key particle_stress_keys[] = {
+    {"effects.particle_stress", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "a stress on the mesh in the place of contacts, with particles.list = "
+     "\"none\"",
+     "Snider01", "particles", .given = KEY_AT(effects_options, particle_stress),
+     .divided = "the stress is one system of all cells"},
+    {"effects.particle_stress.law", KEY_NAME, "", "harris-crighton | lun",
+     "harris-crighton",
+     "the stress of the solids fraction, and with lun of the fluctuations",
+     "Snider01, Lun84", "", .choices = stress_laws},
+    {"effects.particle_stress.pressure", KEY_REAL, "Pa", "> 0", NULL,
+     "P_s; with lun the least density times mean square fluctuation",
+     "Snider01", ""},
+    {"effects.particle_stress.exponent", KEY_REAL, "-", ">= 1, <= 10", "2.0",
+     "beta of harris-crighton", "Snider01", ""},
+    {"effects.particle_stress.packing", KEY_REAL, "-", "> 0, < 1", "0.6",
+     "solids fraction eps_cp of the densest packing", "Snider01", ""},
+    {0}};
+
+const struct effect particle_stress_effect = {
+    .name = "particle_stress",
+    .what = "a stress of the solids in the place of contacts",
+    .equations = "Snider01",
+    .function = "particle_stress_solve",
+    .keys = {particle_stress_keys},
+    .create = particle_stress_create,
+    .before_particles = particle_stress_before,
+    .after_particles = particle_stress_after,
+    .fields = particle_stress_fields,
+    .columns = &particle_stress_columns,
+    .counts = particle_stress_counts,
+    .state = particle_stress_state,
+    .free = particle_stress_free,
+};
