@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/body_motion.h"
 
+#include "base/rotation.h"
 #include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/body_numbers.h"
@@ -140,8 +141,9 @@ static void body_motion_turn(struct solid_bodies *b, int i, double dt)
     }
 }
 
-/* The same with moments G of its own, where the spin also turns the angular
- * momentum: that of the solid less that of the fluid inside. */
+/* The same with moments G of its own. What the body has turned by itself is in
+ * neither spin of which the difference is taken (body_turn_freely): the fluid
+ * inside has turned with it, and its angular momentum is as it was. */
 static void turn_outline(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
@@ -149,21 +151,17 @@ static void turn_outline(struct solid_bodies *b, int i, double dt)
     const double C_c = contact_spin_mass(b, i);
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
     double *const by_fluid = &b->w_by_fluid[3 * i];
-    double G[6], gained[3], inside[3], late[3], whole[3], gyro[3], J[3];
+    double G[6], gained[3], inside[3], late[3], J[3];
 
     body_turn_gyration(b, i, G);
     vector_between(w, &b->w_old[3 * i], gained);
     body_turn_times(G, gained, inside);
     body_turn_times(G, by_fluid, late);
-    body_turn_times(G, w, whole);
-    vector_cross(w, whole, gyro);
     for (int k = 0; k < 3; k++) {
-        const double of_fluid =
-            b->angular[3 * i + k] + m_f * (inside[k] + dt * gyro[k]);
+        const double of_fluid = b->angular[3 * i + k] + m_f * inside[k];
         b->torque[3 * i + k] = of_fluid / dt;
         b->w_old[3 * i + k] = w[k];
-        J[k] = of_fluid - ps->m[i] * dt * gyro[k] +
-               m_f * (C_v * late[k] + C_c * (inside[k] - late[k]));
+        J[k] = of_fluid + m_f * (C_v * late[k] + C_c * (inside[k] - late[k]));
     }
     spin_of(b, i, ps->m[i] + C_v * m_f, J, by_fluid);
     add_to_spin(b, i, by_fluid);
@@ -318,36 +316,39 @@ void body_motion_add_momentum(const struct solid_bodies *b, double total[3])
 
 /* --- body turn ------------------------------------------------------------ */
 
-/* Q of the quaternion s + v. */
-static void body_turn_set_rotation(const double q[4], double Q[3][3])
-{
-    const double s = q[0], *const v = &q[1];
-    const double cross[3][3] = {
-        {0.0, -v[2], v[1]}, {v[2], 0.0, -v[0]}, {-v[1], v[0], 0.0}};
-
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            Q[i][j] = (i == j ? s * s - vector_dot(v, v) : 0.0) +
-                      2.0 * (v[i] * v[j] + s * cross[i][j]);
-}
-
 /* q becomes the rotation by omega dt after q, of length 1. */
 static void body_turn_step(double q[4], const double w[3], double dt)
 {
     const double rate = vector_length(w), half = 0.5 * rate * dt;
-    const double c = cos(half), per = sin(half) / rate;
-    const double r[3] = {per * w[0], per * w[1], per * w[2]};
-    const double *const v = &q[1];
-    double next[4], turned[3];
+    const double per = sin(half) / rate;
+    const double r[4] = {cos(half), per * w[0], per * w[1], per * w[2]};
+    const double before[4] = {q[0], q[1], q[2], q[3]};
 
-    vector_cross(r, v, turned);
-    next[0] = c * q[0] - vector_dot(r, v);
-    for (int k = 0; k < 3; k++)
-        next[1 + k] = c * v[k] + q[0] * r[k] + turned[k];
-    const double length =
-        sqrt(next[0] * next[0] + vector_dot(&next[1], &next[1]));
-    for (int k = 0; k < 4; k++)
-        q[k] = next[k] / length;
+    rotation_product(r, before, q);
+    rotation_normalize(q);
+}
+
+/* Without a torque, which changes the spin: by as much in the step before, too,
+ * for nothing has acted on the fluid. */
+static void body_turn_freely(struct solid_bodies *b, int i, double dt)
+{
+    const struct body_outline *const o = b->shape[i].outline;
+    const double *const g = o->principal, back[4] = {g[0], -g[1], -g[2], -g[3]};
+    const double per_I[3] = {1.0 / o->moments[0], 1.0 / o->moments[1],
+                             1.0 / o->moments[2]};
+    double *const spin[3] = {&b->ps->wx[i], &b->ps->wy[i], &b->ps->wz[i]};
+    const double w[3] = {*spin[0], *spin[1], *spin[2]};
+    double q[4], L[3], turned[3];
+
+    rotation_product(&b->turn[4 * i], g, q);
+    rotation_spin(q, w, o->moments, L);
+    rotation_advance(q, L, per_I, dt);
+    rotation_spin(q, L, per_I, turned);
+    rotation_product(q, back, &b->turn[4 * i]);
+    for (int k = 0; k < 3; k++) {
+        b->w_old[3 * i + k] += turned[k] - w[k];
+        *spin[k] = turned[k];
+    }
 }
 
 void body_turn_begin(struct solid_bodies *b)
@@ -359,7 +360,7 @@ void body_turn_begin(struct solid_bodies *b)
 void body_turn_load(struct solid_bodies *b)
 {
     for (int i = 0; i < b->ps->n; i++)
-        body_turn_set_rotation(&b->turn[4 * i], b->shape[i].turn);
+        rotation_matrix(&b->turn[4 * i], b->shape[i].turn);
 }
 
 void body_turn_advance(struct solid_bodies *b, double dt)
@@ -370,18 +371,20 @@ void body_turn_advance(struct solid_bodies *b, double dt)
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
         if (b->shape[i].kind != BODY_OUTLINE || !(vector_dot(w, w) > 0.0))
             continue;
-        body_turn_step(&b->turn[4 * i], w, dt);
-        body_turn_set_rotation(&b->turn[4 * i], b->shape[i].turn);
+        if (b->motion[i] == BODY_FREE && b->shape[i].between == 0)
+            body_turn_freely(b, i, dt);
+        else
+            body_turn_step(&b->turn[4 * i], w, dt);
+        rotation_matrix(&b->turn[4 * i], b->shape[i].turn);
     }
 }
-
-static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 void body_turn_times(const double G[6], const double v[3], double product[3])
 {
     for (int k = 0; k < 3; k++)
-        product[k] =
-            G[at[k][0]] * v[0] + G[at[k][1]] * v[1] + G[at[k][2]] * v[2];
+        product[k] = G[vector_place(k, 0)] * v[0] +
+                     G[vector_place(k, 1)] * v[1] +
+                     G[vector_place(k, 2)] * v[2];
 }
 
 void body_turn_gyration(const struct solid_bodies *b, int i, double G[6])
@@ -393,6 +396,6 @@ void body_turn_gyration(const struct solid_bodies *b, int i, double G[6])
         for (int l = k; l < 3; l++) {
             double half[3];
             body_turn_times(shape->outline->gyration, Q[l], half);
-            G[at[k][l]] = vector_dot(Q[k], half);
+            G[vector_place(k, l)] = vector_dot(Q[k], half);
         }
 }

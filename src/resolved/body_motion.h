@@ -12,7 +12,8 @@
  * of which _old is in the step before; a spring adds -k (X - X_0) to the
  * contacts. Likewise with the moments of inertia, with C_v alone or what
  * (24.10) asks for, and a C_c of 0 for spheres. C_v rho V stands on both sides:
- * it does nothing to a steady motion, and keeps light bodies stable.
+ * it does nothing to a steady motion, and keeps light bodies stable. What a
+ * spin changes without a torque counts in none of them (base/rotation.h).
  */
 #ifndef RESOLVED_BODY_MOTION_H
 #define RESOLVED_BODY_MOTION_H

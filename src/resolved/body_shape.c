@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/body_shape.h"
 
+#include "base/rotation.h"
 #include "base/vector.h"
 
 #include <gsl/gsl_math.h>
@@ -199,6 +200,7 @@ void body_outline_set_moments(struct body_outline *o, double V,
     const double trace = C[0] + C[3] + C[5];
     for (int e = 0; e < 6; e++)
         o->gyration[e] = (row[e] == column[e] ? trace : 0.0) - C[e];
+    rotation_principal(o->gyration, o->principal, o->moments);
 }
 
 void body_outline_free(struct body_outline *o)

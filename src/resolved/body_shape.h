@@ -21,13 +21,15 @@ struct body_outline {
     /* Signed distance [m] of y from the surface, negative inside. */
     double (*distance)(const struct body_outline *o, const double y[3]);
     void (*free)(struct body_outline *o);
-    double volume;      /* [m^3] */
-    double gyration[6]; /* [m^2] moments of inertia over the mass, about the
-                           centroid: xx, xy, xz, yy, yz, zz */
-    double half[3];     /* [m] of a box around the centroid that contains it */
-    double centre[3];   /* [m] the centroid, where the shape was given */
-    int n_balls;        /* [-] that touch others: the spheres that it consists
-                           of, or points of its surface; 0: none */
+    double volume;       /* [m^3] */
+    double gyration[6];  /* [m^2] moments of inertia over the mass, about the
+                            centroid: xx, xy, xz, yy, yz, zz */
+    double principal[4]; /* [-] the frame in which they are diagonal, */
+    double moments[3];   /* [m^2] and what they are there (base/rotation.h) */
+    double half[3];      /* [m] of a box around the centroid that contains it */
+    double centre[3];    /* [m] the centroid, where the shape was given */
+    int n_balls;         /* [-] that touch others: the spheres that it consists
+                            of, or points of its surface; 0: none */
     struct body_ball *ball;
     double width;    /* [m] smallest; of a closed surface, as thick as all but a
                         tenth of it (thickness.h); 0: it consists of balls */

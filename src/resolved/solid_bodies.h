@@ -50,7 +50,8 @@ struct solid_bodies {
     double *mass;   /* [kg]; ps->m: infinite to contacts unless it is free */
     double *C_v, *C_spin;    /* [-] of each, of its rotation (body_motion.h) */
     double *spring, *anchor; /* [N/m], 0: held along this axis; [m]; 3 a body */
-    double *u_old, *w_old;   /* [m/s], [rad/s] a step before, 3 a body */
+    double *u_old, *w_old;   /* [m/s], [rad/s] a step before, 3 a body; w_old
+                                has turned with it since */
     double *u_by_fluid, *w_by_fluid; /* their changes, but by contacts */
     double *impulse, *angular; /* [N s], [N m s] of friction in this step, 3 */
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
