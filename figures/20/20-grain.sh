@@ -1,7 +1,8 @@
 #!/bin/sh
 # cases/one-grain.cfg with several treatments, side by side: the velocity of the
 # grain after each step of the fluid. "exact": steps 50 times as short; with the
-# word exact, all of these.
+# word exact, all of these; with the word euler, XS11 Fig. 8a: forward Euler, which the
+# explicit treatment without sub-steps is, with four steps.
 . "$(dirname "$0")/../here.sh"
 run() { # NAME OVERRIDES...
     name=$1
@@ -14,6 +15,16 @@ if [ "${1:-}" = exact ]; then
     run fine -s exchange.slip_integration=exponential -s fluid.step=2.2e-5
     awk '{printf "%.6f %.5f\n", 2.2e-5 * (NR - 1), $1}' out/grain-fine.txt |
         awk 'NR % 5 == 1'
+    exit
+fi
+if [ "${1:-}" = euler ]; then
+    echo "# step [ms], velocity after 0, 1, ... 6 steps [m/s]"
+    for step in 2.5e-4 5e-4 7.5e-4 1.1e-3; do
+        run euler -s exchange.treatment=explicit -s fluid.step=$step -s particles.step=2.5e-5
+        awk -v dt=$step 'BEGIN { printf "%.2f", 1e3 * dt }
+            NR < 8 { printf " %8.5f", $1 }
+            END { print "" }' out/grain-euler.txt
+    done
     exit
 fi
 run 1 -s exchange.substeps=1

@@ -4,8 +4,9 @@
 #   30-ramp.sh series DIR RUN    means over 0.1 s of a run that
 #                                tests/validate/coupling.sh left in DIR
 #   30-ramp.sh numbers FILE...   of such series: the plateau, the mean drop from
-#                                1.0 m/s up to 1.5 m/s (or the end), and U_mf,
-#                                where the rising drop first meets it
+#                                1.0 m/s up to 1.5 m/s (or of the last second
+#                                of a run that ends before), and U_mf, where
+#                                the rising drop first meets it
 . "$(dirname "$0")/../here.sh"
 series() {
     printf '# Made by: sh tests/validate/coupling.sh build/winnow ramp; %s\n' "$2"
@@ -19,12 +20,12 @@ series() {
 numbers() {
     for file in "$@"; do
         echo "## $(basename "$file" .txt)"
-        awk '$1 + 0 > 0 && $1 < 15 { n++; U[n] = $2; d[n] = $3
-                 if ($2 > 1) { m += $3; k++ } }
+        awk '$1 + 0 > 0 && $1 < 15 { n++; U[n] = $2; d[n] = $3 }
             END {
                 printf "highest_U = %.2f [m/s]\n", U[n]
-                if (k < 10) exit
-                for (i = 1; i <= n; i++) if (U[i] > 1) {
+                low = U[n] < 1.1 ? U[n] - 0.1 : 1
+                for (i = 1; i <= n; i++) if (U[i] > low) { m += d[i]; k++ }
+                for (i = 1; i <= n; i++) if (U[i] > low) {
                     j = int(10 * (i - n + k - 1) / k); b[j] += d[i]; c[j]++ }
                 for (j in b) e += (b[j] / c[j] - m / k) ^ 2 / 90
                 for (i = 2; i <= n && d[i] < m / k; i++);
