@@ -1,11 +1,11 @@
 #!/bin/sh
 # The Mueller bed by pcm and by diffusion on the meshes A to E of SX15 fig. 4-7:
-# time averages across the bed, from 1 s to END.
+# time averages across the bed and along its height, from 1 s to END.
 #
 #   sh figures/26/26-mueller.sh run END [MESH...]   runs into out/26-mueller: hours
 #   sh figures/26/26-mueller.sh collect             what is there, in one table
 #
-# A run that is there already, and was to END, is left as it is.
+# A run that is there already, and was to END, is left as it is; one that was stopped goes on.
 . "$(dirname "$0")/../here.sh"
 out=out/26-mueller
 meshes="A,6,16,1 B,9,25,2 B',12,32,3 C,18,50,4 D,36,100,8 E,72,200,16"
@@ -15,14 +15,10 @@ run() { # mesh cells method end
     grep -qs "\"simulated_seconds\": $4,\$" "$dir/summary.json" && return
     cap=
     [ "$3" = pcm ] && cap="-s averaging.cap=0.7"
-    lines=
-    for line in eps_f,0.0164 eps_f,0.0312 us_y,0.015 us_y,0.025; do
-        lines="$lines{field=\"${line%,*}\";height=${line#*,};from=1.0;},"
-    done
-    # shellcheck disable=SC2086 # two words or none
+    [ ! -e "$dir/checkpoint" ] || cap="$cap --resume"
+    # shellcheck disable=SC2086 # words or none
     winnow run cases/mueller-bed-sx15.cfg --quiet -o "$dir" -s mesh.cells="[$2]" \
-        -s averaging.method="$3" $cap -s output.end="$4" -s output.every=0.5 \
-        -s output.profiles="(${lines%,})" >"$dir.log" 2>&1 ||
+        -s averaging.method="$3" $cap -s output.end="$4" -s output.every=0.5 >"$dir.log" 2>&1 ||
         echo "$1, $3: $(grep '^winnow' "$dir.log")" >&2
 }
 
@@ -33,9 +29,12 @@ collect() { # mesh cells method
         "$(summary "$dir" steps_with_capped_cells) $(summary "$dir" eps_f_lowest)" \
         "$(summary "$dir" mean_pressure_drop)"
     for file in "$dir"/profiles/*.csv; do
-        line=$(basename "$file" .csv) # eps_f_y16.4mm
-        height=${line##*_y}
-        awk -F, -v of="at $1 $3 ${line%_y*} ${height%mm}" \
+        line=$(basename "$file" .csv) # eps_f_y16.4mm, eps_f_along_y_x11mm
+        case $line in
+        *_along*) of="up $1 $3 ${line%_along*} ${line##*_x}" ;;
+        *) of="at $1 $3 ${line%_y*} ${line##*_y}" ;;
+        esac
+        awk -F, -v of="${of%mm}" \
             'NR > 1 { printf "%s %.5f %.5f %.5f\n", of, $1, $2, $3 }' "$file"
     done
 }
@@ -48,6 +47,7 @@ shift
 echo '# run: mesh, method, cells, end [s], steps, of them with a capped cell,'
 echo '#      lowest eps_f [-], mean pressure drop of the second half [Pa]'
 echo '# at: mesh, method, field, height [mm], x [m], mean, standard deviation'
+echo '# up: mesh, method, field, x [mm], height [m], mean, standard deviation'
 for mesh in $meshes; do
     name=${mesh%%,*}
     case " ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
