@@ -4,6 +4,7 @@
 #
 #   sh figures/27/27-mueller.sh run NAME U SEED B CELLS END [-s ...]   into out/27-mueller
 #   sh figures/27/27-mueller.sh vary                one choice after the other, on mesh B'
+#   sh figures/27/27-mueller.sh forms               SX15's own equations, whole_drag, on mesh C
 #   sh figures/27/27-mueller.sh collect [FOLDER]                       one table of all
 #
 # B is the bandwidth [m], CELLS are 18,50,4 for mesh C. On one quiet core a second of
@@ -68,6 +69,17 @@ END
     run young-1.2e7 0.9 1 2.4e-3 12,32,3 4.0 -s $grains.young=1.2e7 -s particles.step=4e-6
 }
 
+# SX15's equations as printed, with the whole pressure gradient in that of the fluid and
+# none on the grains, and the shared form with their b, beside C-0.9-1 with the case's b.
+forms() {
+    out=out/27-forms
+    mkdir -p $out
+    whole='effects={gravity=[0.0,-9.81,0.0];whole_drag={};}'
+    run whole-2d 0.9 1 2.4e-3 18,50,4 "${1:-18.0}" -s "$whole"
+    run whole-4d 0.9 1 4.8e-3 18,50,4 "${1:-18.0}" -s "$whole"
+    run shared-4d 0.9 1 4.8e-3 18,50,4 "${1:-18.0}"
+}
+
 # run: name, U [m/s], seed, b [m], cells, what else; end [s]
 # from: name, since [s], field, height [mm], x [m], mean since then
 collect() { # FOLDER
@@ -93,5 +105,6 @@ mkdir -p $out
 case $todo in
 run) run "$@" ;;
 vary) vary ;;
+forms) forms "$@" ;;
 collect) collect "${1:-$out}" ;;
 esac
