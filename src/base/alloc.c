@@ -1,17 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _DEFAULT_SOURCE /* madvise */
 #include "base/alloc.h"
 
 #include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 /* What is large enough to be asked for: the kernel promises more than it has,
  * and ends the program that takes it [byte]. */
 enum { LARGE = 1 << 26 };
+
+/* A long array asks for large pages [byte]: a loop over several such arrays
+ * would wait for the places of small ones. */
+enum { SMALL_PAGE = 1 << 12, LARGE_PAGE = 1 << 21 };
+
+static void ask_for_large_pages(char *p, size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+    const size_t over = (uintptr_t)p % SMALL_PAGE; /* advice is for pages */
+
+    if (bytes >= LARGE_PAGE) madvise(p - over, bytes + over, MADV_HUGEPAGE);
+#else
+    (void)p, (void)bytes;
+#endif
+}
 
 /* The lower of a limit and the number that stands in a file, if it does. */
 static double alloc_lower(double most, const char *file, const char *format,
@@ -60,6 +78,7 @@ void *alloc_zeroed(size_t n, size_t size)
                 size);
         exit(4);
     }
+    ask_for_large_pages(p, bytes);
     return memset(p, 0, bytes);
 }
 
