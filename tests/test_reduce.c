@@ -7,6 +7,14 @@
 #include "linear_case.h"
 
 #include <omp.h>
+#include <stdio.h>
+#include <unistd.h>
+
+static void count_block(int first, int last, char *times)
+{
+    for (int i = first; i < last; i++)
+        times[i]++;
+}
 
 START_TEST(parallel_ranges_cover_every_unknown_once)
 {
@@ -28,6 +36,15 @@ START_TEST(parallel_ranges_cover_every_unknown_once)
             ck_assert_int_eq(s < parallel_ranges_filled(n),
                              parallel_ranges_first(n, s) <
                                  parallel_ranges_first(n, s + 1));
+
+        char *const times = alloc_zeroed((size_t)n, 1);
+        int once = 0;
+
+        PARALLEL_BLOCKS(n, 12, count_block, times);
+        for (int i = 0; i < n; i++)
+            once += times[i] == 1;
+        ck_assert_int_eq(once, n);
+        free(times);
     }
 }
 END_TEST
@@ -126,6 +143,35 @@ START_TEST(a_scaled_vector_in_single_precision_is_summed_as_its_copy)
 }
 END_TEST
 
+/* The flags of the mapping of an address; empty where the system tells none. */
+static void flags_of_mapping(const void *address, char flags[256])
+{
+    FILE *const maps = fopen("/proc/self/smaps", "r");
+    unsigned long at = (unsigned long)address, from = 0, to = 0;
+
+    flags[0] = '\0';
+    while (maps != NULL && fgets(flags, 256, maps) != NULL) {
+        sscanf(flags, "%lx-%lx ", &from, &to);
+        if (from <= at && at < to && strncmp(flags, "VmFlags:", 8) == 0) break;
+        flags[0] = '\0';
+    }
+    if (maps != NULL) fclose(maps);
+}
+
+/* With small pages a sum of two long vectors takes twice the time. */
+START_TEST(a_long_array_asks_for_large_pages)
+{
+    enum { N = 1 << 20 };
+    double *const x = alloc_doubles(N);
+    char flags[256];
+
+    flags_of_mapping(x + N / 2, flags);
+    if (access("/sys/kernel/mm/transparent_hugepage", F_OK) == 0)
+        ck_assert_ptr_nonnull(strstr(flags, " hg"));
+    free(x);
+}
+END_TEST
+
 FACTS("reduce")
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
@@ -136,4 +182,5 @@ FACTS("reduce")
     FACT(fields_side_by_side_have_their_own_dot_products);
     FACT(threads_do_not_change_a_bit);
     FACT(a_scaled_vector_in_single_precision_is_summed_as_its_copy);
+    FACT(a_long_array_asks_for_large_pages);
 }

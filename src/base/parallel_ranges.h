@@ -16,7 +16,8 @@ enum {
         256, /* [-] unknowns in a range, at least: the cost of starting a range
                 should be small beside the work in it */
     PARALLEL_RANGES_MIN_WORK =
-        16384, /* [-] numbers; a loop over fewer is short */
+        16384,                   /* [-] numbers; a loop over fewer is short */
+    PARALLEL_RANGES_BLOCK = 512, /* [-] unknowns in a block */
 };
 
 /* Unknowns in a range: a multiple of 16, so that each range begins at a cache
@@ -55,17 +56,26 @@ static inline int parallel_ranges_of(int n, int first)
 }
 
 /* f(first, last, ...) for all n unknowns of m numbers each. */
-#define PARALLEL_RANGES(n, m, f, ...)                                          \
+#define PARALLEL_RANGES(n, m, f, ...) PARALLEL_PARTS(n, n, m, f, __VA_ARGS__)
+
+/* The same for a function that passes over its unknowns several times: each
+ * range in blocks, whose numbers fit into the first-level cache. */
+#define PARALLEL_BLOCKS(n, m, f, ...)                                          \
+    PARALLEL_PARTS(PARALLEL_RANGES_BLOCK, n, m, f, __VA_ARGS__)
+
+#define PARALLEL_PARTS(length, n, m, f, ...)                                   \
     do {                                                                       \
         if ((n) < PARALLEL_RANGES_MIN_WORK / (m)) {                            \
             f(0, n, __VA_ARGS__);                                              \
             break;                                                             \
         }                                                                      \
-        const int filled_ = parallel_ranges_filled(n);                         \
-        _Pragma("omp parallel for schedule(static)") for (int s_ = 0;          \
-                                                          s_ < filled_; s_++)  \
-            f(parallel_ranges_first(n, s_), parallel_ranges_first(n, s_ + 1),  \
-              __VA_ARGS__);                                                    \
+        const int filled_ = parallel_ranges_filled(n), length_ = (length);     \
+        _Pragma("omp parallel for schedule(static)") for (                     \
+            int s_ = 0; s_ < filled_;                                          \
+            s_++) for (int at_ = parallel_ranges_first(n, s_),                 \
+                       end_ = parallel_ranges_first(n, s_ + 1);                \
+                       at_ < end_; at_ += length_)                             \
+            f(at_, end_ - at_ < length_ ? end_ : at_ + length_, __VA_ARGS__);  \
     } while (0)
 
 /* The same for a function that returns a double; their sum goes to result. */

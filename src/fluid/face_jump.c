@@ -166,7 +166,8 @@ static inline double gamma_jump_factor(const struct fluid *fl, int f, int o,
                                        int n)
 {
     const double w = fl->mesh->w[f];
-    return w * (1.0 - w) * fl->geometry->Sd[f] / fl->geometry->SS[f] *
+    const double Sd = vector_dot(&fl->mesh->S[3 * f], &fl->mesh->d[3 * f]);
+    return w * (1.0 - w) * Sd / fl->geometry->SS[f] *
            (1.0 / piso_gamma(fl, o) - 1.0 / piso_gamma(fl, n));
 }
 

@@ -109,7 +109,7 @@ static void gradient_rows(int first, int last, struct fluid *fl)
 
 void gradient_of_faces(struct fluid *fl)
 {
-    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
+    PARALLEL_BLOCKS(fl->mesh->n_cells, 12, gradient_rows, fl);
 }
 
 /* Computes the pressures of the faces [Pa] and the gradient of each cell

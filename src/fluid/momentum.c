@@ -193,7 +193,7 @@ void momentum_assemble(struct fluid *fl)
 {
     PARALLEL_RANGES(fl->mesh->n_internal, 4, face_coefficients, fl);
     ldu_update(fl->momentum->matrix);
-    PARALLEL_RANGES(fl->mesh->n_cells, 12, cell_coefficients, fl);
+    PARALLEL_BLOCKS(fl->mesh->n_cells, 12, cell_coefficients, fl);
     if (fl->options.coupled) {
         PARALLEL_RANGES(fl->mesh->n_cells, 12, add_drag, fl);
         face_jump_update(fl);

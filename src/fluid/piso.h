@@ -8,7 +8,7 @@
 #include "fluid/fluid.h"
 
 struct face_geometry {
-    double *SS, *Sd;          /* [m^2], [m^3] S.S and S.d of the faces */
+    double *SS;               /* [m^4] S.S of the faces */
     double *face_coefficient; /* [m] S.S / S.d: area over length of the link */
 };
 

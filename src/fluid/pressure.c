@@ -260,7 +260,7 @@ static void pressure_rhs(struct fluid *fl)
         PARALLEL_SUM(squares, m->n_cells, 8, scale_rows, fl);
         pressure->scale = sqrt(squares);
     }
-    PARALLEL_RANGES(m->n_cells, 8, rhs_rows, fl);
+    PARALLEL_BLOCKS(m->n_cells, 8, rhs_rows, fl);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         if (b->kind == BOUNDARY_OUTLET)
             pressure->divergence[m->owner[f]] +=

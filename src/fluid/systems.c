@@ -63,7 +63,7 @@ struct array {
 enum { MOST_ARRAYS = 64 };
 
 /* The table of all arrays; returns their number. It does not read the mesh,
- * which may no longer exist when the arrays are freed. Of 60 lines, because it
+ * which may no longer exist when the arrays are freed. Of 58 lines, because it
  * has a row for each array. */
 static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
 {
@@ -85,7 +85,6 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->momentum->defect, 1, CELL, ALWAYS},
         {&fl->momentum->diag3, 3, CELL, ALWAYS},
         {&fl->momentum->b, 3, CELL, ALWAYS},
-        {&fl->momentum->rhs, 3, CELL, ALWAYS},
         {&fl->momentum->H, 3, CELL, ALWAYS},
         {&fl->momentum->residual, 3, CELL, ALWAYS},
         {&fl->momentum->slip, 3, CELL, SLIP_WALLS},
@@ -114,7 +113,6 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->levels->ddt_older, 1, CELL, TWO_STEPS},
         {&fl->levels->u_known, 3, CELL, TWO_STEPS},
         {&fl->geometry->SS, 1, FACE, ALWAYS},
-        {&fl->geometry->Sd, 1, FACE, ALWAYS},
         {&fl->geometry->face_coefficient, 1, FACE, ALWAYS}};
     const int n = sizeof rows / sizeof *rows;
 
@@ -160,8 +158,7 @@ static void fill_geometry(struct face_geometry *g, const struct mesh *m)
     for (int f = 0; f < m->n_faces; f++) {
         const double *const S = &m->S[3 * f];
         g->SS[f] = vector_dot(S, S);
-        g->Sd[f] = vector_dot(S, &m->d[3 * f]);
-        g->face_coefficient[f] = g->SS[f] / g->Sd[f];
+        g->face_coefficient[f] = g->SS[f] / vector_dot(S, &m->d[3 * f]);
     }
 }
 

@@ -28,8 +28,8 @@ struct momentum_system {
     int oblique_slip; /* 1: a slip wall is not normal to an axis */
     double *b;        /* [N] right-hand side without the pressure and the old
                          velocity */
-    double *rhs;      /* [N] the whole right-hand side of the predictor */
-    double *H;        /* [N] b - sum a_N u_N */
+    double *H;        /* [N] b - sum a_N u_N; the whole right-hand side, while
+                         the velocity is predicted */
     double *residual; /* [N] residual carried into the next step */
     double inertia;   /* [-] the largest of a cell over the largest term, with
                          the last residual; [N] before it is known */

@@ -66,7 +66,7 @@ static void known_rows(int first, int last, const struct fluid *fl)
     for (int end; first < last; first = end) {
         end = velocity_block_end(first, last);
         add_known(first, end, fl, momentum->b + 3L * first,
-                  momentum->rhs + 3L * first);
+                  momentum->H + 3L * first);
     }
 }
 
@@ -75,7 +75,7 @@ struct solve_report velocity_predict(struct fluid *fl)
     struct momentum_system *const momentum = fl->momentum;
 
     PARALLEL_RANGES(fl->mesh->n_cells, 12, known_rows, fl);
-    if (momentum->oblique_slip) add_slip_residual(fl, momentum->rhs);
+    if (momentum->oblique_slip) add_slip_residual(fl, momentum->H);
     const double tolerance = fl->options.u_tolerance > 0.0
                                  ? fl->options.u_tolerance
                                  : fl->options.tolerance;
@@ -83,12 +83,12 @@ struct solve_report velocity_predict(struct fluid *fl)
     if (fl->options.shared != NULL)
         return fl->options.shared->momentum(fl->options.shared->parts, fl,
                                             tolerance);
-    return bicgstab_solve(momentum->matrix, momentum->diag3, momentum->rhs,
-                          fl->u, tolerance, 1e-300, 200, momentum->bicgstab);
+    return bicgstab_solve(momentum->matrix, momentum->diag3, momentum->H, fl->u,
+                          tolerance, 1e-300, 200, momentum->bicgstab);
 }
 
-/* H = b - slip u - sum a_N u_N after the predictor: the sum follows from rhs,
- * the diagonal and the residual of the solver. */
+/* H = b - slip u - sum a_N u_N after the predictor: the sum follows from the
+ * right-hand side, the diagonal and the residual of the solver. */
 static void predicted_rows(int first, int last, const struct fluid *fl,
                            const double *residual)
 {
@@ -96,14 +96,13 @@ static void predicted_rows(int first, int last, const struct fluid *fl,
 
     for (int end; first < last; first = end) {
         const long at = 3L * first;
-        const double *restrict b = momentum->b + at, *restrict rhs =
-                                                         momentum->rhs + at;
+        const double *restrict b = momentum->b + at;
         const double *restrict u = fl->u + at, *restrict r = residual + at;
         double *restrict H = momentum->H + at, diag[3 * VEC3_BLOCK];
         end = velocity_block_end(first, last);
         vec3_spread(end - first, momentum->diag + first, diag);
         for (int i = 0; i < 3 * (end - first); i++)
-            H[i] = b[i] - rhs[i] + r[i] + diag[i] * u[i];
+            H[i] = b[i] - H[i] + r[i] + diag[i] * u[i];
     }
 }
 
@@ -141,7 +140,7 @@ void velocity_neighbour_sum(struct fluid *fl)
 {
     struct momentum_system *const momentum = fl->momentum;
 
-    PARALLEL_RANGES(fl->mesh->n_cells, 12, neighbour_rows, fl);
+    PARALLEL_BLOCKS(fl->mesh->n_cells, 12, neighbour_rows, fl);
     if (momentum->oblique_slip) add_slip_residual(fl, momentum->H);
 }
 

@@ -243,7 +243,12 @@ struct face_pieces *faces_find_pieces(int n_inner, int n, const int *owner,
     for (int f = 0; f < n && fits; f++)
         fits = faces_add_face(r, &n_runs, f, owner[f],
                               kind_of(f, n_inner, owner, neighbour));
-    if (fits && (long)n_runs * MIN_LENGTH <= n) return r;
+    if (fits && (long)n_runs * MIN_LENGTH <= n) {
+        struct contiguous_range *const all = r->range;
+
+        r->range = alloc_grown(all, n_runs, n_runs, sizeof *all);
+        return r;
+    }
     faces_free_pieces(r);
     return NULL;
 }

@@ -195,12 +195,12 @@ static struct solve_report solve_momentum(void *parts, struct fluid *fl,
     const struct momentum_system *const m = fl->momentum;
     struct solve_report worst = {-1, 0.0, 0.0, 1};
 
-    solve_must(KSPSetTolerances(s->ksp[0], 0.0, tolerance * norm_of(s, m->rhs),
+    solve_must(KSPSetTolerances(s->ksp[0], 0.0, tolerance * norm_of(s, m->H),
                                 PETSC_DEFAULT, 200));
     for (int k = 0; k < 3; k++) {
         fill_entries(s, m->diag3 + k, 3, m->matrix->upper, m->matrix->lower,
                      1.0);
-        const struct solve_report r = solve_one(s, 0, m->rhs + k, fl->u + k, 3);
+        const struct solve_report r = solve_one(s, 0, m->H + k, fl->u + k, 3);
         if (r.iterations > worst.iterations || !r.converged) worst = r;
     }
     halo_refresh(s->h, 3, fl->u);

@@ -395,8 +395,7 @@ static double diffusion_number(const struct fluid *fl, int c)
  * two. */
 static const double *extrapolated(const struct fluid *fl)
 {
-    double *const to =
-        fl->momentum->rhs; /* work space that is not in use here */
+    double *const to = fl->momentum->H; /* work space that is not in use here */
     const double *const known = fl->levels->u_known, *const u = fl->u;
 
     if (known == NULL) return u;
