@@ -256,14 +256,13 @@ START_TEST(ew18_4_two_spheres_have_the_distance_of_the_nearer_one)
 }
 END_TEST
 
-/* A clump of so many spheres that each has to be passed over with many others:
- * all at each point, and all in each of its columns, would be some minutes. The
- * distance is that of the nearest one to the last bit. Of a ball of radius R
- * filled with spheres that reach out to its surface the union has the volume of
- * the ball, but for what is between them there: less than 2 %. */
+/* A clump of so many spheres that most have to be passed over with many others.
+ * The distance is that of the nearest one to the last bit. Of a ball of radius
+ * R filled with spheres that reach out to its surface the union has the volume
+ * of the ball, but for what is between them there: less than 2 %. */
 START_TEST(ew18_4_a_clump_of_many_spheres_is_found_in_a_tree)
 {
-    enum { N = 30000 };
+    enum { N = 6000 };
     const double R = 0.4, most = 0.1;
     struct body_ball *const ball = alloc_zeroed(N, sizeof *ball);
     int n = 0;
