@@ -48,7 +48,7 @@ check: ## install what is missing, build, run every test
 check-slow: ## what check has no time for: every test under sanitizers, every command of the book (three quarters of an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: sanitized solutions commands-slow faults-slow kills-slow pairs-slow parcels-slow style-slow \
+slow: sanitized solutions pages commands-slow faults-slow kills-slow pairs-slow parcels-slow style-slow \
       cylinder-slow steps-slow bare-slow view-slow
 	@echo "all slow checks hold"
 cylinder-slow: $B/winnow
@@ -67,7 +67,7 @@ commands-slow: $B/winnow $B/tests/test_impacts $(STEPS)
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
 checks: solutions-today results pairs facts style faults parcels kills steps-check cli free study \
-        vtk tools commands text pages
+        vtk tools commands text
 	@echo "all checks hold"
 # What this shows only sanitizers can see: check-slow runs it.
 NEEDS_SANITIZERS = $B/tests/test_crafted.facts

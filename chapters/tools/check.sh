@@ -1,6 +1,6 @@
 #!/bin/sh
-# Everything about the book that a machine can check. Part of `make check`, which
-# does the four parts side by side.
+# Everything about the book that a machine can check. `make check` does text, results
+# and a tenth of the solutions a day, `make check-slow` all solutions and the pages.
 #
 #   sh chapters/tools/check.sh build/winnow [text|results|solutions|pages]...
 set -u
