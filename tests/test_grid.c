@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dem/fast/neighbours.h"
 #include "facts.h"
 #include "spheres.h"
 
@@ -135,6 +136,52 @@ START_TEST(ls_5_15_list_finds_all_pairs_between_chunks)
 }
 END_TEST
 
+/* Pairs with a gap of at most `skin` where they will be after `ahead`. */
+static int near_pairs(const struct particles *ps, const struct dem_options *o,
+                      double skin, double ahead)
+{
+    const double *const x[] = {ps->x, ps->y, ps->z};
+    const double *const v[] = {ps->vx, ps->vy, ps->vz};
+    int n = 0;
+
+    for (int i = 0; i < ps->n; i++)
+        for (int j = 0; j < i; j++) {
+            double r2 = 0.0;
+            for (int k = 0; k < 3; k++) {
+                const double L = o->hi[k] - o->lo[k];
+                const double dx =
+                    x[k][i] - x[k][j] + ahead * (v[k][i] - v[k][j]);
+                const double near = o->periodic[k] ? dx - L * rint(dx / L) : dx;
+                r2 += near * near;
+            }
+            n += sqrt(r2) - 0.5 * (ps->d[i] + ps->d[j]) <= skin;
+        }
+    return n;
+}
+
+/* The list has the pairs that all comparisons find where the particles will be,
+ * the fastest 0.3 skins from where it is: other pairs than those of now. */
+START_TEST(ls_5_15_the_list_is_for_the_places_a_little_later)
+{
+    const struct dem_options o = box("linear", 8e-3, 20e-3, 8e-3, _i, _i, _i);
+    struct particles *const ps = cloud(&o, 600, 1e-3, 0.0, 1.0, 5);
+    const struct box_domain b = box_domain_of(o.lo, o.hi, o.periodic);
+    struct neighbours *const nb = neighbours_create(ps, &b);
+    int found = 0;
+
+    nb->skin = 0.999e-3; /* cells hardly wider than d + skin */
+    neighbours_begin_run(nb);
+    neighbours_load(nb);
+    ck_assert_double_gt(neighbours_refresh(nb, 1e-6, 0.0), 0.0);
+    for (int s = 0; s < nb->n_chunks; s++)
+        found += nb->chunks[s].pairs.n;
+    ck_assert_int_eq(found, near_pairs(ps, &o, nb->skin, nb->ahead));
+    ck_assert_int_ne(found, near_pairs(ps, &o, nb->skin, 0.0));
+    neighbours_free(nb);
+    particles_free(ps);
+}
+END_TEST
+
 static struct particles *thrown(const struct dem_options *o, int n, int threads)
 {
     struct particles *const ps = cloud(o, n, 1e-3, 0.1, 1.0, 9);
@@ -229,6 +276,7 @@ FACTS("grid")
     FACT(ls_5_15_list_finds_all_pairs_between_walls);
     FACT(ls_5_15_list_finds_all_pairs_across_periodic_ends);
     FACT(ls_5_15_list_finds_all_pairs_between_chunks);
+    FACT_FOR_EACH(ls_5_15_the_list_is_for_the_places_a_little_later, 2);
     FACT(same_bits_for_any_threads_around_a_periodic_end);
     FACT(springs_find_their_pairs_in_any_order);
 }

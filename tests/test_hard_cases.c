@@ -37,7 +37,7 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     nb->skin = skin;
     neighbours_begin_run(nb);
     neighbours_load(nb);
-    ck_assert_double_gt(neighbours_refresh(nb, 1e-6), 0.0);
+    ck_assert_double_gt(neighbours_refresh(nb, 1e-6, 0.0), 0.0);
     for (int i = 0; i < ps->n; i++)
         for (int j = 0; j < i; j++) {
             const double *const x[] = {ps->x, ps->y, ps->z};

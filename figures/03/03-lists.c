@@ -60,7 +60,7 @@ static struct neighbours *lists(struct particles *ps,
     nb->skin = skin;
     neighbours_begin_run(nb);
     neighbours_load(nb);
-    neighbours_refresh(nb, 2e-6);
+    neighbours_refresh(nb, 1e-6, 0.0);
     return nb;
 }
 

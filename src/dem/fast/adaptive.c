@@ -86,7 +86,7 @@ static double wall_closes(const struct rows *b, int i, int wall)
 {
     const double to = wall % 2 ? 1.0 : -1.0;
 
-    return time_to_close(rows_wall_gap(b, i, wall),
+    return time_to_close(rows_wall_gap(&b->box, &b->place[i], wall),
                          to * b->motion[i].v[wall / 2],
                          to * b->acceleration[i][wall / 2]);
 }

@@ -184,26 +184,25 @@ static void return_history(struct chunk *s)
     }
 }
 
-static inline int near_pair(const struct rows *b, int i, int j, double margin)
+static inline int near_pair(const struct rows *b, int i, int j)
 {
-    const double reach = b->place[i].R + b->place[j].R + margin;
+    const struct row_place *const p = &b->place[i], *const q = &b->place[j];
+    const double reach = p->R + q->R + (b->chosen[i].R + b->chosen[j].R);
 
-    return rows_distance2(b, i, j) < reach * reach;
+    return rows_distance2(&b->box, p, q) < reach * reach;
 }
 
-static inline int near_wall(const struct rows *b, int i, int wall,
-                            double margin)
+static inline int near_wall(const struct rows *b, int i, int wall)
 {
-    return rows_wall_gap(b, i, wall) < margin;
+    return rows_wall_gap(&b->box, &b->place[i], wall) < b->chosen[i].R;
 }
 
 /* From slot `first` on; returns the slot after the last. Writes every pair, and
  * advances the slot only for near ones, which avoids a branch. */
-static inline int choose_contacts_of(struct chunk *s, const struct rows *b,
-                                     const struct neighbour_list *v,
-                                     int (*is_near)(const struct rows *, int,
-                                                    int, double),
-                                     double margin, int first)
+static inline int
+choose_contacts_of(struct chunk *s, const struct rows *b,
+                   const struct neighbour_list *v,
+                   int (*is_near)(const struct rows *, int, int), int first)
 {
     struct chunk_contacts *const c = &s->contacts;
     int slot = first;
@@ -211,7 +210,7 @@ static inline int choose_contacts_of(struct chunk *s, const struct rows *b,
     for (int i = s->begin; i < s->end; i++)
         for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
              q++) {
-            const int j = v->partner[q], near = is_near(b, i, j, margin);
+            const int j = v->partner[q], near = is_near(b, i, j);
             c->owner[slot] = i;
             c->partner[slot] = j;
             c->list_index[slot] = q;
@@ -294,12 +293,11 @@ int chunk_blocks_fit(const struct chunk *s, int n)
     return fit;
 }
 
-void chunk_choose_contacts(struct chunk *s, const struct rows *b, double margin)
+void chunk_choose_contacts(struct chunk *s, const struct rows *b)
 {
     return_history(s);
-    const int pairs = choose_contacts_of(s, b, &s->pairs, near_pair, margin, 0);
-    const int all =
-        choose_contacts_of(s, b, &s->walls, near_wall, margin, pairs);
+    const int pairs = choose_contacts_of(s, b, &s->pairs, near_pair, 0);
+    const int all = choose_contacts_of(s, b, &s->walls, near_wall, pairs);
     take_histories(s, &s->pairs, 0, pairs);
     take_histories(s, &s->walls, pairs, all);
     s->contacts.n_pairs = pairs;
@@ -405,8 +403,9 @@ static int chunk_touching(const struct chunk *s, const struct rows *b)
     int n = 0;
 
     for (int q = 0; q < c->n_pairs + c->n_walls; q++)
-        n += (q < c->n_pairs ? rows_pair_gap : rows_wall_gap)(
-                 b, c->owner[q], c->partner[q]) < 0.0;
+        n += (q < c->n_pairs ? rows_pair_gap(b, c->owner[q], c->partner[q])
+                             : rows_wall_gap(&b->box, &b->place[c->owner[q]],
+                                             c->partner[q])) < 0.0;
     return n;
 }
 
@@ -449,10 +448,11 @@ static void note_pair(struct chunk *s, const struct rows *b, int q)
 static void note_wall(struct chunk *s, const struct rows *b, int q)
 {
     const int i = s->contacts.owner[q], wall = s->contacts.partner[q];
+    const struct row_place *const p = &b->place[i];
 
     chunk_record_overlap(&s->deep,
-                         -0.5 * rows_wall_gap(b, i, wall) / b->place[i].R,
-                         b->id[i], -1 - wall, b->place[i].x);
+                         -0.5 * rows_wall_gap(&b->box, p, wall) / p->R,
+                         b->id[i], -1 - wall, p->x);
 }
 
 void chunk_check_overlaps(struct chunk *s, const struct rows *b,

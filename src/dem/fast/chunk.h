@@ -113,6 +113,9 @@ struct chunk {
     double max_speed[4];     /* [m/s] largest |v_x|, |v_y|, |v_z| */
     double max_speed_now[4]; /* [m/s] the same in the step at hand */
     struct rows_survey survey;
+    double margin_left; /* [m] the least of its particles; -1: none */
+    int is_narrow; /* [-] 1: one has no room for a margin before the list ends
+                    */
     struct chunk_measures measures;
     struct chunk_energy energy;
 };
@@ -136,11 +139,11 @@ int *chunk_room_for_pairs(struct chunk *s, int n);
 void chunk_add_wall(struct chunk *s, int wall);
 void chunk_finish_lists(struct chunk *s, int n);
 
-/* Chooses the contacts from the neighbour list: gap < margin [m]. The
- * tangential displacements are copied from the old contacts to the neighbour
- * list and from there to the new contacts. */
-void chunk_choose_contacts(struct chunk *s, const struct rows *b,
-                           double margin);
+/* Chooses the contacts from the neighbour list: the gap is less than the sum of
+ * the margins of both, or than that of the one at a wall. The tangential
+ * displacements are copied from the old contacts to the neighbour list and from
+ * there to the new contacts. */
+void chunk_choose_contacts(struct chunk *s, const struct rows *b);
 
 /* 1 if the blocks are those that its contacts are split into; n particles. */
 int chunk_blocks_fit(const struct chunk *s, int n);

@@ -161,7 +161,7 @@ static void add_attraction_of_walls(struct chunk *s, const struct rows *b,
     for (int q = v->start[own]; q < v->start[own + 1]; q++) {
         const int k = v->partner[q] / 2, upper = v->partner[q] % 2;
         if (k > 2) continue;
-        const double gap = rows_wall_gap(b, i, v->partner[q]);
+        const double gap = rows_wall_gap(&b->box, &b->place[i], v->partner[q]);
         if (gap > a->range) continue;
         const double out = upper ? -1.0 : 1.0;
         if (a->law->wall != NULL)

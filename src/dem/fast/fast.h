@@ -94,7 +94,9 @@ void fast_move_follow_loads(const struct dem *dem, double t);
 void fast_move_surfaces(const struct neighbours *nb, double t);
 void fast_move_prescribed(const struct neighbours *nb, double t, double dt);
 
-/* Chooses the contacts for steps in which gaps close by `closer` [m] each. */
+/* Chooses the contacts for steps in which gaps close by `closer` [m] each,
+ * unless the margins are not used up, or will not be by the next step of an
+ * integrator that predicts. */
 void fast_move_choose(struct dem *dem, struct contact_margin *r, double closer);
 
 /* 1 if two have crossed in the last drift, in which a gap became smaller by

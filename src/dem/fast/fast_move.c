@@ -8,8 +8,10 @@
 #include "base/interrupt.h"
 #include "dem/fast/neighbours.h"
 
-/* Number of steps for which contacts are chosen ahead. */
-static const double steps_ahead = 12.0;
+/* The margin of a particle is what the fastest covers in so many steps, since
+ * it may be hit, and what it covers itself in so many more. Surfaces are not
+ * measured: with them all have the margin of the fastest. */
+static const double steps_of_fastest = 1.5, steps_ahead = 6.0;
 
 double fast_move_time(const struct dem *dem, int k)
 {
@@ -107,8 +109,8 @@ void fast_move_prescribed(const struct neighbours *nb, double t, double dt)
 static int fast_move_start(struct dem *dem, double *margin)
 {
     push_surfaces(dem, -1.0);
-    *margin =
-        neighbours_refresh(fast_of(dem)->neighbours, fast_of(dem)->min_margin);
+    *margin = neighbours_refresh(fast_of(dem)->neighbours,
+                                 0.5 * fast_of(dem)->min_margin, 0.0);
     if (*margin < 0.0) return 1;
     set_skip_release(dem, 1);
     fast_move_loads(dem, 0.0);
@@ -152,10 +154,17 @@ static void begin_budget(struct dem *dem)
 
 void fast_move_choose(struct dem *dem, struct contact_margin *r, double closer)
 {
-    r->margin = neighbours_refresh(
-        fast_of(dem)->neighbours,
-        fmax(fast_of(dem)->min_margin, steps_ahead * closer));
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const double v = neighbours_speed(nb);
+    const int own = nb->surfaces == NULL && v > 0.0;
+    const double steps = own ? steps_of_fastest : steps_ahead;
+
     r->used = 0.0;
+    r->margin = nb->surfaces == NULL ? neighbours_margin_left(nb) : -1.0;
+    if (r->margin >= (dem->options.integrator->predicts ? closer : 0.0)) return;
+    r->margin = neighbours_refresh(
+        nb, 0.5 * fmax(fast_of(dem)->min_margin, steps * closer),
+        own ? 0.5 * steps_ahead * closer / v : 0.0);
 }
 
 int fast_move_crossed(const struct dem *dem, double closer)

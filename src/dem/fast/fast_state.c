@@ -192,8 +192,10 @@ static void neighbours_state(struct neighbours *nb, struct state *s)
     state_long(s, "rebuilds", "-", &nb->rebuilds);
     state_count(s, "listed", &b->n, nb->ps->capacity);
     if (b->n > 0)
-        state_reals(s, "position_at_rebuild", "m", b->place_at_rebuild[0], b->n,
-                    3);
+        state_reals_of(s, "position_at_rebuild", "m", b->listed->x,
+                       sizeof *b->listed, b->n, 3);
+    if (b->n > 0)
+        state_reals(s, "position_and_margin", "m", b->chosen->x, b->n, 4);
     for (int k = 0; k < nb->n_chunks; k++) {
         if (s->loading) chunk_set_range(&nb->chunks[k], k, nb->n_chunks, b->n);
         state_begin_number(s, "chunk", k);

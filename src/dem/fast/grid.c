@@ -57,7 +57,8 @@ void grid_free(struct grid *g)
     free(g);
 }
 
-/* Cells over the box where it is periodic, else over the particles. */
+/* Cells over the box where it is periodic, else over the particles as they are
+ * now: a little later some may be outside. */
 static void span(struct grid *g, const struct particles *ps, int k,
                  double *length)
 {
@@ -110,8 +111,16 @@ static int grid_cell_number(const struct grid *g, const int c[3])
     return (c[a[2]] * g->cells[a[1]] + c[a[1]]) * g->cells[a[0]] + c[a[0]];
 }
 
+/* The index of the cell along axis k in which a particle will be. */
+static int grid_ahead(const struct grid *g, int k, double x, double v,
+                      double ahead)
+{
+    return grid_coordinate(g, k, box_domain_inside(&g->box, k, x + ahead * v));
+}
+
 /* Counting sort; particles of one cell stay in their order. */
-const int *grid_order(struct grid *g, const struct particles *ps, double reach)
+const int *grid_order(struct grid *g, const struct particles *ps, double reach,
+                      double ahead)
 {
     grid_divide(g, ps, reach);
 
@@ -119,9 +128,9 @@ const int *grid_order(struct grid *g, const struct particles *ps, double reach)
     for (int c = 0; c <= n; c++)
         g->start[c] = 0;
     for (int i = 0; i < ps->n; i++) {
-        const int c[3] = {grid_coordinate(g, 0, ps->x[i]),
-                          grid_coordinate(g, 1, ps->y[i]),
-                          grid_coordinate(g, 2, ps->z[i])};
+        const int c[3] = {grid_ahead(g, 0, ps->x[i], ps->vx[i], ahead),
+                          grid_ahead(g, 1, ps->y[i], ps->vy[i], ahead),
+                          grid_ahead(g, 2, ps->z[i], ps->vz[i], ahead)};
         g->cell[i] = grid_cell_number(g, c);
         g->start[g->cell[i]]++;
     }
@@ -160,20 +169,21 @@ static int grid_beside(const struct grid *g, int k, int c, int found[3])
 /* 1 if the gap of i and j, nearest image, is less than the skin [LS 5.15]. */
 static inline int close_by(const struct rows *b, int i, int j, double skin)
 {
-    const double reach = b->place[i].R + b->place[j].R + skin;
+    const struct row_place *const p = &b->listed[i], *const q = &b->listed[j];
+    const double reach = p->R + q->R + skin;
 
-    return rows_distance2(b, i, j) <= reach * reach;
+    return rows_distance2(&b->box, p, q) <= reach * reach;
 }
 
 /* The same where there are no images. */
 static inline int close_inside(const struct rows *b, int i, int j, double skin)
 {
-    const double *const x = b->place[i].x, *const y = b->place[j].x;
-    const double reach = b->place[i].R + b->place[j].R + skin;
+    const struct row_place *const p = &b->listed[i], *const q = &b->listed[j];
+    const double reach = p->R + q->R + skin;
     double r2 = 0.0;
 
     for (int k = 0; k < 3; k++)
-        r2 += (x[k] - y[k]) * (x[k] - y[k]);
+        r2 += (p->x[k] - q->x[k]) * (p->x[k] - q->x[k]);
     return r2 <= reach * reach;
 }
 
@@ -221,9 +231,10 @@ static void find_pairs(const struct grid *g, struct chunk *s,
     const int *const a = g->axis;
     int at[3][3], count[3], c[3];
 
-    for (int k = 0; k < 3; k++)
-        count[k] =
-            grid_beside(g, k, grid_coordinate(g, k, b->place[i].x[k]), at[k]);
+    for (int k = 0; k < 3; k++) {
+        const double x = box_domain_inside(&b->box, k, b->listed[i].x[k]);
+        count[k] = grid_beside(g, k, grid_coordinate(g, k, x), at[k]);
+    }
     for (int p = 0; p < count[a[2]]; p++)
         for (int q = 0; q < count[a[1]]; q++)
             for (int r = 0, next; r < count[a[0]]; r = next) {
@@ -243,7 +254,8 @@ static void grid_find_walls(struct chunk *s, const struct rows *b, int i,
                             double skin)
 {
     for (int w = 0; w < 6; w++)
-        if (!b->box.periodic[w / 2] && rows_wall_gap(b, i, w) <= skin)
+        if (!b->box.periodic[w / 2] &&
+            rows_wall_gap(&b->box, &b->listed[i], w) <= skin)
             chunk_add_wall(s, w);
 }
 

@@ -205,30 +205,77 @@ void neighbours_check_lost(struct neighbours *nb)
     }
 }
 
-/* Largest displacement of a particle since the last rebuild [m], or -1. */
-static double max_displacement(const struct neighbours *nb)
+double neighbours_margin_left(const struct neighbours *nb)
 {
-    double moved2 = 0.0, walls = 0.0;
+    const struct chunk_range mine = neighbours_static_range(nb);
+    double left = HUGE_VAL;
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        own->margin_left = rows_margin_left(nb->rows, own->begin, own->end);
+    }
+    neighbours_barrier(nb);
+    for (int s = 0; s < nb->n_chunks; s++)
+        left = fmin(left, nb->chunks[s].margin_left);
+    return left < 0.0 ? -1.0 : 2.0 * left;
+}
+
+static void set_margins(const struct neighbours *nb, double least, double time)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        own->is_narrow = rows_set_margins(nb->rows, own->begin, own->end, least,
+                                          time, 0.5 * nb->skin);
+    }
+    neighbours_barrier(nb);
+}
+
+static int is_any_lost(const struct neighbours *nb)
+{
+    int lost = 0;
+
+    for (int s = 0; s < nb->n_chunks; s++)
+        lost |= nb->chunks[s].survey.lost > 0;
+    return lost;
+}
+
+/* 1 if the list may end before the margins do; surfaces have the margin
+ * `least` [m]. */
+static int list_is_narrow(const struct neighbours *nb, double least)
+{
+    int narrow = nb->stale;
 
     for (int s = 0; s < nb->n_chunks; s++) {
-        if (nb->chunks[s].survey.lost > 0) return -1.0;
-        moved2 = fmax(moved2, nb->chunks[s].survey.moved2);
+        narrow |= nb->chunks[s].is_narrow;
         if (nb->surfaces != NULL)
-            walls = fmax(walls, surfaces_moved(nb->surfaces, s));
+            narrow |= 0.5 * nb->skin - surfaces_moved(nb->surfaces, s) < least;
     }
-    return fmax(sqrt(moved2), walls);
+    return narrow;
 }
+
+/* The list is made for the time when the fastest particle has moved by this
+ * part of half of the skin: until then all come nearer to where they were
+ * listed. */
+static const double part_ahead = 0.6;
 
 /* Called by one thread: sorts the particles and sets the new index of each. */
 static void neighbours_sort(struct neighbours *nb)
 {
     const struct particles *const ps = nb->ps;
-    double widest = 0.0;
+    double widest = 0.0, v2 = 0.0;
 
-    for (int i = 0; i < ps->n; i++)
+    for (int i = 0; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         widest = fmax(widest, ps->d[i]);
+        v2 = fmax(v2, vector_dot(v, v));
+    }
+    nb->ahead = v2 > 0.0 && nb->surfaces == NULL
+                    ? part_ahead * 0.5 * nb->skin / sqrt(v2)
+                    : 0.0;
     const int *const order =
-        grid_order(nb->grid, ps, widest + nb->skin + nb->range);
+        grid_order(nb->grid, ps, widest + nb->skin + nb->range, nb->ahead);
     particles_permute(nb->ps, order);
     for (int i = 0; i < ps->n; i++)
         nb->rank[order[i]] = i;
@@ -288,7 +335,7 @@ static void rebuild(struct neighbours *nb)
         if (nb->prescribed != NULL)
             prescribed_particles_fix_mass(nb->prescribed, b, nb->ps, own->begin,
                                           own->end);
-        rows_record_positions(b, own->begin, own->end);
+        rows_record_positions(b, own->begin, own->end, nb->ahead);
     }
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++) {
@@ -304,24 +351,28 @@ static void rebuild(struct neighbours *nb)
     if (mine.first == 0) nb->stale = 0;
 }
 
-double neighbours_refresh(struct neighbours *nb, double wanted)
+double neighbours_refresh(struct neighbours *nb, double least, double time)
 {
     const struct chunk_range mine = neighbours_static_range(nb);
-    const double margin = fmin(wanted, 0.25 * nb->skin);
+    const double most = 0.125 * nb->skin;
 
     neighbours_check_lost(nb);
+    set_margins(nb, least, time);
+    const int lost = is_any_lost(nb),
+              narrow = list_is_narrow(nb, fmin(least, most));
     neighbours_barrier(nb);
-    const double moved = max_displacement(nb);
-    neighbours_barrier(nb);
-    if (moved < 0.0) return -1.0;
-    if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
-    for (int s = mine.first; s < mine.last; s++) {
-        chunk_choose_contacts(&nb->chunks[s], nb->rows, margin);
-        if (nb->surfaces != NULL)
-            surfaces_choose_contacts(nb->surfaces, s, nb->rows, margin);
+    if (lost) return -1.0;
+    if (narrow) {
+        rebuild(nb);
+        set_margins(nb, least, time);
     }
-    neighbours_barrier(nb);
-    return margin;
+    for (int s = mine.first; s < mine.last; s++) {
+        chunk_choose_contacts(&nb->chunks[s], nb->rows);
+        if (nb->surfaces != NULL)
+            surfaces_choose_contacts(nb->surfaces, s, nb->rows,
+                                     2.0 * fmin(least, most));
+    }
+    return neighbours_margin_left(nb);
 }
 
 /* Two spheres may cross between two steps (dem.h), of which the lists do

@@ -2,12 +2,14 @@
  * Chapter "Neighbours".
  *
  * The gap of two particles with speeds of at most v decreases by at most 2 v dt
- * in a step [LS 5.16]. The contacts are chosen with a margin; while the sum of
- * 2 v dt is below the margin, no other pair can touch. Then the contacts are
- * chosen again from the neighbour list, which is complete for gaps up to the
- * skin minus twice the largest displacement since it was built (measured, not
- * estimated). When that is too small, the particles are sorted and the
- * neighbour list is rebuilt; contact histories stay with their pairs.
+ * in a step [LS 5.16]. The contacts are chosen with a margin of each particle,
+ * by which it may move until they are chosen again; while the sum of v dt is
+ * below the least margin, no other pair can touch. Then it is measured whether
+ * a particle has used up its own. If so the contacts are chosen again from the
+ * neighbour list, which is complete while no particle is farther than half of
+ * the skin from where it was listed. When that leaves no room for a margin, the
+ * particles are sorted and the neighbour list is rebuilt; contact histories
+ * stay with their pairs.
  *
  * All threads of a team call these functions together; each thread works on its
  * range of chunks.
@@ -53,12 +55,14 @@ struct grid;
 struct grid *grid_create(int capacity, const struct box_domain *box);
 void grid_free(struct grid *g);
 
-/* Finds the order of the particles with cells of at least `reach` [m]: the
- * particle at order[i] belongs to place i. Borrowed; until the next call. */
-const int *grid_order(struct grid *g, const struct particles *ps, double reach);
+/* Finds the order of the particles with cells of at least `reach` [m], at the
+ * places where they will be after `ahead` [s]: the particle at order[i] belongs
+ * to place i. Borrowed; until the next call. */
+const int *grid_order(struct grid *g, const struct particles *ps, double reach,
+                      double ahead);
 
 /* Fills the neighbour list of a chunk with pairs and walls closer than skin
- * [m]. The rows are in the order of grid_order. */
+ * [m] there. The rows are in the order of grid_order. */
 void grid_find(const struct grid *g, struct chunk *s, const struct rows *b,
                double skin);
 
@@ -84,8 +88,9 @@ struct neighbours {
     double smallest; /* [m] diameter; 0: not known yet */
     double range;    /* [m] gap up to which the neighbour list must be complete,
                         for forces at a distance; 0 without any */
-    double margin;   /* [m] of the contacts */
-    double margin_used; /* [m] of it since they were chosen */
+    double margin;   /* [m] by which every gap may decrease */
+    double margin_used; /* [m] of it since it was measured */
+    double ahead;       /* [s] of the places of the list */
     int stale;          /* [-] 1: the particles were changed from outside */
     int history_given;  /* [-] 1: the histories were set by
                            neighbours_restore_history, not by the last run */
@@ -134,10 +139,15 @@ void neighbours_store(struct neighbours *nb);
 /* Largest speed that the last rows_advance of any chunk bounds [m/s]. */
 double neighbours_speed(const struct neighbours *nb);
 
-/* Chooses the contacts, with a margin of `wanted` [m] or what the skin allows,
- * and rebuilds the neighbour list if necessary. Ends with a barrier. Returns
- * the margin, or -1 if a particle is lost. */
-double neighbours_refresh(struct neighbours *nb, double wanted);
+/* By how much every gap may still decrease [m]: twice what is left of the least
+ * margin; or -1 if one is used up. */
+double neighbours_margin_left(const struct neighbours *nb);
+
+/* Chooses the contacts, with a margin of `least` [m] and `time` |v| for each
+ * particle, or what the skin allows, and rebuilds the neighbour list if
+ * necessary. Ends with a barrier. Returns by how much every gap may decrease,
+ * or -1 if a particle is lost. */
+double neighbours_refresh(struct neighbours *nb, double least, double time);
 
 /* Searches the chunks of this thread for lost particles. */
 void neighbours_check_lost(struct neighbours *nb);

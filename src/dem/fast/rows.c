@@ -17,7 +17,8 @@ struct rows *rows_create(int capacity, const struct box_domain *box)
     b->place = alloc_zeroed(n, sizeof *b->place);
     b->motion = alloc_zeroed(n, sizeof *b->motion);
     b->acceleration = alloc_zeroed(n, sizeof *b->acceleration);
-    b->place_at_rebuild = alloc_zeroed(n, sizeof *b->place_at_rebuild);
+    b->listed = alloc_zeroed(n, sizeof *b->listed);
+    b->chosen = alloc_zeroed(n, sizeof *b->chosen);
     return b;
 }
 
@@ -28,7 +29,8 @@ void rows_free(struct rows *b)
     free(b->motion);
     free(b->before);
     free(b->acceleration);
-    free(b->place_at_rebuild);
+    free(b->listed);
+    free(b->chosen);
     free(b->drag);
     free(b->own_inverse_mass);
     free(b);
@@ -206,27 +208,57 @@ static int finite(const struct row_motion *m)
 
 struct rows_survey rows_check_lost(const struct rows *b, int begin, int end)
 {
-    struct rows_survey found = {0.0, 0, -1, -1};
+    struct rows_survey found = {0, -1, -1};
 
     for (int i = begin; i < end; i++) {
-        double moved2 = 0.0;
-
-        for (int k = 0; k < 3; k++) {
-            const double dx = b->place[i].x[k] - b->place_at_rebuild[i][k];
-            const double L = b->box.length[k];
-            const double nearest = dx - L * rint(dx * b->box.inverse[k]);
-            moved2 += nearest * nearest;
-        }
-        if (moved2 > found.moved2) found.moved2 = moved2;
         if (inside(&b->box, &b->place[i]) && finite(&b->motion[i])) continue;
         if (found.lost++ == 0) found.first_lost = i;
     }
     return found;
 }
 
-void rows_record_positions(struct rows *b, int begin, int end)
+void rows_record_positions(struct rows *b, int begin, int end, double ahead)
 {
-    for (int i = begin; i < end; i++)
+    for (int i = begin; i < end; i++) {
+        b->listed[i] = b->place[i];
         for (int k = 0; k < 3; k++)
-            b->place_at_rebuild[i][k] = b->place[i].x[k];
+            b->listed[i].x[k] += ahead * b->motion[i].v[k];
+    }
+}
+
+/* Too little is less than two thirds of what is wanted. */
+int rows_set_margins(struct rows *b, int begin, int end, double least,
+                     double time, double room)
+{
+    int narrow = 0;
+
+    for (int i = begin; i < end; i++) {
+        const double *const v = b->motion[i].v;
+        const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const double wanted = fmin(least + time * speed, 0.25 * room);
+        const double moved =
+            sqrt(rows_distance2(&b->box, &b->place[i], &b->listed[i]));
+
+        b->chosen[i] = b->place[i];
+        b->chosen[i].R = fmin(wanted, room - moved);
+        narrow |= 1.5 * (room - moved) < wanted;
+    }
+    return narrow;
+}
+
+double rows_margin_left(const struct rows *b, int begin, int end)
+{
+    const struct box_domain box = b->box;
+    const struct row_place *const x = b->place, *const at = b->chosen;
+    double left = HUGE_VAL;
+    int bad = 0;
+
+#pragma omp simd reduction(min : left) reduction(| : bad)
+    for (int i = begin; i < end; i++) {
+        const double own = at[i].R - sqrt(rows_distance2(&box, &x[i], &at[i]));
+
+        left = own < left ? own : left;
+        bad |= !(own >= 0.0); /* or not a number */
+    }
+    return bad ? -1.0 : left;
 }

@@ -47,13 +47,16 @@ struct rows {
     struct row_motion *before; /* `motion` before the last kick; NULL without a
                                    budget of energy */
     double (*acceleration)[4]; /* [m/s^2] of the external force; 0 */
-    double (*place_at_rebuild)[3]; /* [m] when the list was last made */
-    struct row_drag *drag;         /* NULL without an implicit drag */
-    double *drag_impulse;          /* [N s] the particles' own */
-    double *own_inverse_mass; /* [1/kg] 1/m of those that move as prescribed,
-                                 else 0; NULL if none ever does */
-    double step;              /* [s] that the rows are for */
-    const int *id;            /* [-] the particles' own */
+    struct row_place *listed;  /* where each was when the list was last made, or
+                                  was to be a little later */
+    struct row_place *chosen;  /* where it was when the contacts were chosen; R:
+                                  its margin, how far it may move until then */
+    struct row_drag *drag;     /* NULL without an implicit drag */
+    double *drag_impulse;      /* [N s] the particles' own */
+    double *own_inverse_mass;  /* [1/kg] 1/m of those that move as prescribed,
+                                  else 0; NULL if none ever does */
+    double step;               /* [s] that the rows are for */
+    const int *id;             /* [-] the particles' own */
     const int *material; /* [-] of each, in the particles' own array; NULL if
                             all are of material 0 */
     int n_materials;     /* [-] */
@@ -89,8 +92,6 @@ struct row_motion rows_kicked(const struct rows *b, int i,
 
 /* The result of a check of the particles begin .. end - 1. */
 struct rows_survey {
-    double moved2;    /* [m^2] largest squared displacement since the
-                         last rebuild */
     int lost;         /* [-] particles outside of the box or not finite */
     int first_lost;   /* [-] the first of them, or -1 */
     int lost_through; /* [-] the surface that it passed through, or -1 */
@@ -98,18 +99,29 @@ struct rows_survey {
 
 struct rows_survey rows_check_lost(const struct rows *b, int begin, int end);
 
-/* Records the present positions, as those of the last rebuild. */
-void rows_record_positions(struct rows *b, int begin, int end);
+/* Records where the particles will be after `ahead` [s] with their present
+ * velocities, as the positions of the list. */
+void rows_record_positions(struct rows *b, int begin, int end, double ahead);
 
-/* Squared distance of particles i and j, nearest image [m^2]; their gap, and
- * that of particle i and a side of the box [m]. */
-static inline double rows_distance2(const struct rows *b, int i, int j)
+/* Gives each particle the margin `least` + time |v| at its present place, or
+ * what is left of `room` beyond its way from where it was listed [m]. 1 if
+ * that is too little for one of them. */
+int rows_set_margins(struct rows *b, int begin, int end, double least,
+                     double time, double room);
+
+/* The least that is left of a margin, -1 if one is used up [m]. */
+double rows_margin_left(const struct rows *b, int begin, int end);
+
+/* Squared distance of two places, nearest image [m^2]; the gap of particles i
+ * and j, and that of a place and a side of the box [m]. */
+static inline double rows_distance2(const struct box_domain *box,
+                                    const struct row_place *p,
+                                    const struct row_place *q)
 {
-    const double *const x = b->place[i].x, *const y = b->place[j].x;
     double r2 = 0.0;
 
     for (int k = 0; k < 3; k++) {
-        const double dx = box_domain_nearest(&b->box, k, x[k] - y[k]);
+        const double dx = box_domain_nearest(box, k, p->x[k] - q->x[k]);
         r2 += dx * dx;
     }
     return r2;
@@ -117,15 +129,14 @@ static inline double rows_distance2(const struct rows *b, int i, int j)
 
 static inline double rows_pair_gap(const struct rows *b, int i, int j)
 {
-    return sqrt(rows_distance2(b, i, j)) - b->place[i].R - b->place[j].R;
+    const struct row_place *const p = &b->place[i], *const q = &b->place[j];
+    return sqrt(rows_distance2(&b->box, p, q)) - p->R - q->R;
 }
 
-static inline double rows_wall_gap(const struct rows *b, int i, int wall)
+static inline double rows_wall_gap(const struct box_domain *box,
+                                   const struct row_place *p, int wall)
 {
-    const struct row_place *const p = &b->place[i];
-    const int k = wall / 2;
-
-    return (wall % 2 ? b->box.hi[k] - p->x[k] : p->x[k] - b->box.lo[k]) - p->R;
+    return box_domain_gap(box, wall, p->x) - p->R;
 }
 
 #endif
