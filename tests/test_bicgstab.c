@@ -242,6 +242,30 @@ START_TEST(a_breakdown_is_reported)
 }
 END_TEST
 
+/* By pieces, and by lists in a box of rows that are too short. */
+START_TEST(one_diagonal_for_all_components_gives_the_bits_of_three_equal_ones)
+{
+    for (int width = 2; width <= 20; width += 18) {
+        struct setting s = convection(width, 9, 7, 0.7);
+        const int n = 3 * s.b.n;
+        double *const three = alloc_doubles(n);
+
+        for (int i = 0; i < n; i++)
+            s.diag[i] = s.A->diag[i / 3] + 0.3 + i / 3 % 5;
+        ck_assert(solve(&s, 1e-10, 0.0, 50).iterations > 2);
+        memcpy(three, s.x, (size_t)n * sizeof *three);
+        memset(s.x, 0, (size_t)n * sizeof *three);
+        for (int i = 0; i < s.b.n; i++)
+            s.diag[i] = s.diag[3 * i];
+        s.M->diagonals = 1;
+        solve(&s, 1e-10, 0.0, 50);
+        ck_assert_mem_eq(s.x, three, (size_t)n * sizeof *three);
+        free(three);
+        release(&s);
+    }
+}
+END_TEST
+
 START_TEST(limits_and_numbers_that_are_none_are_reported)
 {
     struct setting s = convection(12, 12, 12, 2.0);
@@ -290,6 +314,7 @@ FACTS("bicgstab")
     FACT(without_a_right_hand_side_the_solution_is_zero);
     FACT(a_residual_whose_square_underflows_counts_as_solved);
     FACT(a_breakdown_is_reported);
+    FACT(one_diagonal_for_all_components_gives_the_bits_of_three_equal_ones);
     FACT(limits_and_numbers_that_are_none_are_reported);
     FACT(threads_do_not_change_a_bit);
 }

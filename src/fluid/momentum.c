@@ -148,8 +148,7 @@ static void add_slip_face(struct fluid *fl, int f)
         fl->momentum->diag3[3 * c + k] += D * S[k] * S[k] / SS;
 }
 
-/* Sets the diagonals of the three components, which are equal without slip
- * walls. */
+/* Sets the diagonals of the three components to what they have in common. */
 static void spread_diagonal(int first, int last, struct momentum_system *eqn)
 {
     vec3_spread(last - first, eqn->diag + first, eqn->diag3 + 3L * first);
@@ -174,6 +173,7 @@ static void slip_diagonal(int first, int last, struct fluid *fl)
 
 static void add_slip_faces(struct fluid *fl)
 {
+    PARALLEL_RANGES(fl->mesh->n_cells, 4, spread_diagonal, fl->momentum);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         if (b->kind == BOUNDARY_SLIP) add_slip_face(fl, f);
     PARALLEL_RANGES(fl->mesh->n_cells, 12, slip_diagonal, fl);
@@ -184,7 +184,6 @@ static void momentum_add_boundaries(struct fluid *fl)
     fl->report.backflow_faces = 0;
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         add_boundary_face(fl, b, j, f);
-    PARALLEL_RANGES(fl->mesh->n_cells, 4, spread_diagonal, fl->momentum);
     if (fl->momentum->slip != NULL) add_slip_faces(fl);
 }
 

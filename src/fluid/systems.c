@@ -83,7 +83,7 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->phi_older, 1, FACE, TWO_STEPS},
         {&fl->momentum->diag, 1, CELL, ALWAYS},
         {&fl->momentum->defect, 1, CELL, ALWAYS},
-        {&fl->momentum->diag3, 3, CELL, ALWAYS},
+        {&fl->momentum->diag3, 3, CELL, SLIP_WALLS},
         {&fl->momentum->b, 3, CELL, ALWAYS},
         {&fl->momentum->H, 3, CELL, ALWAYS},
         {&fl->momentum->residual, 3, CELL, ALWAYS},
@@ -193,6 +193,7 @@ void systems_create(struct fluid *fl)
     fl->deferred = deferred_create(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
+    fl->momentum->matrix->diagonals = fl->momentum->diag3 != NULL ? 3 : 1;
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = systems_has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     if (fl->options.shared == NULL)

@@ -20,7 +20,8 @@
 struct momentum_system {
     struct ldu *matrix; /* [kg/s] the a_N */
     double *diag;       /* [kg/s] a_P */
-    double *diag3;      /* [kg/s] a_P and, on slip walls, their stress */
+    double *diag3;      /* [kg/s] a_P and, on slip walls, their stress; NULL
+                           without slip walls */
     /* That stress over the velocity, 3 a cell, and the part of it that is
      * implicit in the corrector because it is stiff [kg/s]; NULL without slip
      * walls. */
@@ -38,6 +39,12 @@ struct momentum_system {
     double *owner_weight; /* [-] weight of the owner in the face velocity */
     struct bicgstab_work *bicgstab;
 };
+
+/* The diagonal, as the matrix expects it. */
+static inline const double *momentum_diagonal(const struct momentum_system *m)
+{
+    return m->diag3 != NULL ? m->diag3 : m->diag;
+}
 
 /* momentum.c: fills the matrix, diag3 and b from the state. */
 void momentum_assemble(struct fluid *fl);

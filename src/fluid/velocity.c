@@ -83,8 +83,9 @@ struct solve_report velocity_predict(struct fluid *fl)
     if (fl->options.shared != NULL)
         return fl->options.shared->momentum(fl->options.shared->parts, fl,
                                             tolerance);
-    return bicgstab_solve(momentum->matrix, momentum->diag3, momentum->H, fl->u,
-                          tolerance, 1e-300, 200, momentum->bicgstab);
+    return bicgstab_solve(momentum->matrix, momentum_diagonal(momentum),
+                          momentum->H, fl->u, tolerance, 1e-300, 200,
+                          momentum->bicgstab);
 }
 
 /* H = b - slip u - sum a_N u_N after the predictor: the sum follows from the

@@ -17,7 +17,8 @@
 struct bicgstab_work {
     int n;
     double *r, *shadow, *p, *ph, *v, *sh, *t;
-    double *inverse; /* one over diag3 */
+    const double *diag; /* borrowed, with this many numbers a row */
+    int diagonals;
 };
 
 /* A number for each component. */
@@ -46,7 +47,7 @@ struct bicgstab_work *bicgstab_work_create(int n)
 {
     struct bicgstab_work *const w = alloc_zeroed(1, sizeof *w);
     double **const all[] = {&w->r, &w->shadow, &w->p, &w->ph,
-                            &w->v, &w->sh,     &w->t, &w->inverse};
+                            &w->v, &w->sh,     &w->t};
 
     w->n = n;
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
@@ -57,8 +58,7 @@ struct bicgstab_work *bicgstab_work_create(int n)
 void bicgstab_work_free(struct bicgstab_work *w)
 {
     if (w == NULL) return;
-    double *const all[] = {w->r, w->shadow, w->p, w->ph,
-                           w->v, w->sh,     w->t, w->inverse};
+    double *const all[] = {w->r, w->shadow, w->p, w->ph, w->v, w->sh, w->t};
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
@@ -100,6 +100,22 @@ static int bicgstab_block_end(int first, int last)
     return first + BLOCK < last ? first + BLOCK : last;
 }
 
+/* One over the diagonal of `width` numbers from the i-th on. */
+static inline void bicgstab_invert(int width, long i,
+                                   const struct bicgstab_work *w,
+                                   double *restrict inverse)
+{
+    const double *restrict diag = w->diag + (w->diagonals == 3 ? i : i / 3);
+    double one[LANES / 3];
+
+    for (int q = 0; q < width && w->diagonals == 3; q++)
+        inverse[q] = 1.0 / diag[q];
+    if (w->diagonals == 3) return;
+    for (int q = 0; q < width / 3; q++)
+        one[q] = 1.0 / diag[q];
+    vec3_spread(width / 3, one, inverse);
+}
+
 /* p = r + beta (p - omega v), ph = p / diag; `old` is the previous p, and the
  * shadow residual in the first iteration. */
 static void bicgstab_update_direction_rows(int width, long i,
@@ -109,10 +125,10 @@ static void bicgstab_update_direction_rows(int width, long i,
                                            const double *omega)
 {
     const double *restrict r = w->r + i, *restrict v = w->v + i;
-    const double *restrict inverse = w->inverse + i;
-    double *restrict p = w->p + i, *restrict ph = w->ph + i;
+    double *restrict p = w->p + i, *restrict ph = w->ph + i, inverse[LANES];
 
     old += i;
+    bicgstab_invert(width, i, w, inverse);
     for (int q = 0; q < width; q++) {
         p[q] = r[q] + beta[q] * (old[q] - omega[q] * v[q]);
         ph[q] = p[q] * inverse[q];
@@ -138,9 +154,10 @@ static void bicgstab_update_direction(int first, int last,
 static inline void half_rows(int width, long i, const struct bicgstab_work *w,
                              const double *alpha)
 {
-    const double *restrict v = w->v + i, *restrict inverse = w->inverse + i;
-    double *restrict r = w->r + i, *restrict sh = w->sh + i;
+    const double *restrict v = w->v + i;
+    double *restrict r = w->r + i, *restrict sh = w->sh + i, inverse[LANES];
 
+    bicgstab_invert(width, i, w, inverse);
     for (int q = 0; q < width; q++) {
         r[q] -= alpha[q] * v[q];
         sh[q] = r[q] * inverse[q];
@@ -199,6 +216,21 @@ static void bicgstab_move(int first, int last, const struct bicgstab_work *w,
     }
 }
 
+/* r = b - r; sets the first shadow residual and direction of `width` numbers.
+ */
+static inline void start_rows(int width, long i, const double *b,
+                              const struct bicgstab_work *w)
+{
+    double *restrict r = w->r + i, *restrict shadow = w->shadow + i;
+    double *restrict ph = w->ph + i, inverse[LANES];
+
+    bicgstab_invert(width, i, w, inverse);
+    for (int q = 0; q < width; q++) {
+        r[q] = shadow[q] = b[i + q] - r[q];
+        ph[q] = r[q] * inverse[q];
+    }
+}
+
 /* r = b - A x; sets the first shadow residual and direction, and r.r. */
 static void bicgstab_begin_rows(int first, int last, const struct ldu *A,
                                 const double *diag, const double *b,
@@ -206,15 +238,14 @@ static void bicgstab_begin_rows(int first, int last, const struct ldu *A,
                                 struct products *found)
 {
     for (int end; first < last; first = end) {
+        long i = 3L * first;
+
         end = bicgstab_block_end(first, last);
         ldu_rows(first, end, A, diag, x, w->r);
-        for (long i = 3L * first; i < 3L * end; i++) {
-            const double r = b[i] - w->r[i];
-
-            w->inverse[i] = 1.0 / diag[i];
-            w->r[i] = w->shadow[i] = r;
-            w->ph[i] = r * w->inverse[i];
-        }
+        for (; i + LANES <= 3L * end; i += LANES)
+            start_rows(LANES, i, b, w);
+        for (; i < 3L * end; i += 3)
+            start_rows(3, i, b, w);
         add_products(first, end, w->n, w->r, w->r, found->a);
     }
 }
@@ -262,13 +293,15 @@ static double bicgstab_worst(const struct component_sums *rr)
     return sqrt(most);
 }
 
-static void bicgstab_begin(const struct ldu *A, const double *diag3,
+static void bicgstab_begin(const struct ldu *A, const double *diag,
                            const double *b3, const double *x3,
                            struct bicgstab_work *w, struct state *s)
 {
     struct products found = {0};
 
-    PARALLEL_RANGES(w->n, 12, bicgstab_begin_rows, A, diag3, b3, x3, w, &found);
+    w->diag = diag;
+    w->diagonals = A->diagonals;
+    PARALLEL_RANGES(w->n, 12, bicgstab_begin_rows, A, diag, b3, x3, w, &found);
     s->rr = s->rho = total(found.a);
     s->start = bicgstab_worst(&s->rr);
     s->old = w->shadow;
@@ -293,13 +326,13 @@ static struct component_sums ratio(const struct component_sums *top,
 }
 
 /* Computes the next x and residual; the direction stays. */
-static void bicgstab_step(const struct ldu *A, const double *diag3, double *x3,
+static void bicgstab_step(const struct ldu *A, const double *diag, double *x3,
                           double target, struct bicgstab_work *w,
                           struct state *s)
 {
     struct products v = {0}, half_way = {0}, t = {0}, end = {0};
 
-    PARALLEL_RANGES(w->n, 12, first_product, A, diag3, w, &v);
+    PARALLEL_RANGES(w->n, 12, first_product, A, diag, w, &v);
 
     const struct component_sums sv = total(v.a);
 
@@ -308,7 +341,7 @@ static void bicgstab_step(const struct ldu *A, const double *diag3, double *x3,
     PARALLEL_RANGES(w->n, 3, half, w, &s->alpha, &half_way);
     s->rr = total(half_way.a);
     if (bicgstab_worst(&s->rr) > target) {
-        PARALLEL_RANGES(w->n, 12, second_product, A, diag3, w, &t);
+        PARALLEL_RANGES(w->n, 12, second_product, A, diag, w, &t);
 
         const struct component_sums ts = total(t.a), tt = total(t.b);
 
@@ -345,7 +378,7 @@ static int choose_direction(double target, struct bicgstab_work *w,
     return 1;
 }
 
-struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
+struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
                                    const double *b3, double *x3,
                                    double tolerance, double absolute,
                                    int max_iterations, struct bicgstab_work *w)
@@ -361,19 +394,19 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
         memset(w->r, 0, 3 * (size_t)w->n * sizeof *w->r);
         return report;
     }
-    bicgstab_begin(A, diag3, b3, x3, w, &s);
+    bicgstab_begin(A, diag, b3, x3, w, &s);
     report.before = s.start / scale;
     while (bicgstab_worst(&s.rr) > target &&
            report.iterations < max_iterations) {
         const double before = bicgstab_worst(&s.rr);
 
-        bicgstab_step(A, diag3, x3, target, w, &s);
+        bicgstab_step(A, diag, x3, target, w, &s);
         report.iterations++;
         if (!(bicgstab_worst(&s.rr) > target)) break;
         if (choose_direction(target, w, &s)) continue;
         if (bicgstab_worst(&s.rr) == before)
             break; /* a restart would repeat this step */
-        bicgstab_begin(A, diag3, b3, x3, w, &s);
+        bicgstab_begin(A, diag, b3, x3, w, &s);
     }
     report.after = bicgstab_worst(&s.rr) / scale;
     report.converged = bicgstab_worst(&s.rr) <= target;

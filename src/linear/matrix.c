@@ -181,6 +181,7 @@ struct ldu *ldu_create(int n, int n_links, const int *owner,
 
     A->n = n;
     A->n_links = n_links;
+    A->diagonals = 3;
     A->upper = alloc_doubles(n_links);
     A->lower = alloc_doubles(n_links);
     A->pieces = pieces;
@@ -245,20 +246,39 @@ void ldu_row_sums(int first, int last, const struct ldu *A, double *sum)
     }
 }
 
-void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
+/* y = diag x. */
+static void ldu_diagonal_rows(int first, int last, const struct ldu *A,
+                              const double *diag, const double *x, double *y)
+{
+    double diag3[3 * VEC3_BLOCK];
+
+    for (int n; first < last; first += n) {
+        const double *d = diag + (long)A->diagonals * first;
+
+        n = last - first < VEC3_BLOCK ? last - first : VEC3_BLOCK;
+        if (A->diagonals == 1) {
+            vec3_spread(n, d, diag3);
+            d = diag3;
+        }
+        for (int i = 0; i < 3 * n; i++)
+            y[3L * first + i] = d[i] * x[3L * first + i];
+    }
+}
+
+void ldu_rows(int first, int last, const struct ldu *A, const double *diag,
               const double *x, double *y)
 {
     struct face_piece p = {0};
 
     if (A->pieces == NULL) {
-        csr_rows_each(first, last, A->rows, 3, diag3, x, y);
+        FOR_FIELD_GROUPS(3, rows_of, first, last, A->rows, 3, diag,
+                         A->diagonals == 3, x, y);
         return;
     }
-    if (diag3 == NULL)
+    if (diag == NULL)
         memset(y + 3L * first, 0, 3 * (size_t)(last - first) * sizeof *y);
     else
-        for (long i = 3L * first; i < 3L * last; i++)
-            y[i] = diag3[i] * x[i];
+        ldu_diagonal_rows(first, last, A, diag, x, y);
     while (faces_next_of_cells(A->pieces, first, last, &p) && is_inner(A, &p))
         vec3_add(p.n, 1.0, entries(A, &p), x + 3L * p.other, y + 3L * p.cell);
 }

@@ -69,11 +69,13 @@ void csr_rows_each(int first, int last, const struct csr *A, int m,
  *
  *     (A x)_i,k = d_i,k x_i,k + sum of upper or lower times x_j,k
  *
- * Each component k has its own diagonal. The order of the terms in a row is
- * fixed, so the result has the same bits for any number of threads. */
+ * Each component k has its own diagonal, or all have the same. The order of the
+ * terms in a row is fixed, so the result has the same bits for any number of
+ * threads. */
 
 struct ldu {
     int n, n_links;
+    int diagonals; /* [-] numbers of the diagonal a row: 3, or 1 for all */
     double *upper, *lower;            /* n_links */
     const struct face_pieces *pieces; /* borrowed; NULL: products by rows */
     struct csr *rows;                 /* if so; else NULL */
@@ -91,9 +93,9 @@ void ldu_update(struct ldu *A);
 void ldu_row_sums(int first, int last, const struct ldu *A, double *sum);
 
 /* Rows first .. last - 1 of y = A x, where x and y do not overlap, for a caller
- * that uses them while they are still in the cache. Without diag3 (NULL) the
+ * that uses them while they are still in the cache. Without diag (NULL) the
  * product has no diagonal part. */
-void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
+void ldu_rows(int first, int last, const struct ldu *A, const double *diag,
               const double *x, double *y);
 
 #endif

@@ -129,9 +129,9 @@ struct solve_report cg_many_solve(const struct csr *A, const double *weight,
 /* BiCGStab for the three components of a momentum equation.
  *
  * The components are interleaved, x[3 * i + k]. They have the same
- * off-diagonal entries; each has its own diagonal, diag3[3 * i + k], which is
- * also the preconditioner (Jacobi). Each component has its own step lengths
- * and its own stopping test. */
+ * off-diagonal entries; each has its own diagonal, diag[3 * i + k], or all have
+ * diag[i], as A says; it is also the preconditioner (Jacobi). Each component
+ * has its own step lengths and its own stopping test. */
 
 struct bicgstab_work;
 
@@ -143,8 +143,8 @@ void bicgstab_work_free(struct bicgstab_work *w);
  * three components, so that a component that is almost zero is not solved more
  * accurately than the vector needs. The report is that of the worst component;
  * a guess within the tolerance costs 0 iterations. After a breakdown the method
- * restarts from the current x, if x has changed at all. diag3 has no zeros. */
-struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
+ * restarts from the current x, if x has changed at all. diag has no zeros. */
+struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
                                    const double *b3, double *x3,
                                    double tolerance /* [-] */,
                                    double absolute /* unit of b */,

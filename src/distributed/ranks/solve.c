@@ -198,7 +198,8 @@ static struct solve_report solve_momentum(void *parts, struct fluid *fl,
     solve_must(KSPSetTolerances(s->ksp[0], 0.0, tolerance * norm_of(s, m->H),
                                 PETSC_DEFAULT, 200));
     for (int k = 0; k < 3; k++) {
-        fill_entries(s, m->diag3 + k, 3, m->matrix->upper, m->matrix->lower,
+        fill_entries(s, momentum_diagonal(m) + (m->diag3 != NULL ? k : 0),
+                     m->matrix->diagonals, m->matrix->upper, m->matrix->lower,
                      1.0);
         const struct solve_report r = solve_one(s, 0, m->H + k, fl->u + k, 3);
         if (r.iterations > worst.iterations || !r.converged) worst = r;
