@@ -128,6 +128,18 @@ variables() {
         }' | wrong 'variable at file scope that may change'
 }
 
+# A model that its kind's array does not name is never chosen.
+models() {
+    kinds=$(grep -l MODEL_MEMBERS $headers | xargs awk '
+        /^struct [a-z_]+ {/ { kind = $2 } /^    MODEL_MEMBERS/ { print kind }' | paste -sd '|')
+    # shellcheck disable=SC2086
+    grep -hoE "^(static )?const struct ($kinds) [a-z_0-9]+ = \{" $units |
+        sed 's/ = {//; s/.* //' | while read -r model; do
+        # shellcheck disable=SC2086
+        grep -qE "&$model\b" $units || echo "$model"
+    done | wrong 'model that no array names'
+}
+
 lengths() {
     # shellcheck disable=SC2086 # one word a file
     wc -l $headers | awk '$1 > 250 && $2 != "total" { print $2 ": " $1 " lines" }' |
@@ -216,7 +228,7 @@ guards() {
 
 facts=0
 failed=0
-for rule in layout alone guards modules names unique variables lengths casts text \
+for rule in layout alone guards modules names unique variables models lengths casts text \
     $(long "clang_too tidy unused"); do
     : >"$found"
     $rule

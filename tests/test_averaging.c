@@ -69,6 +69,17 @@ static const struct {
 };
 enum { WAYS = sizeof ways / sizeof *ways, ALL = WAYS * CLOUD_SHAPES };
 
+START_TEST(every_method_is_in_the_table)
+{
+    for (int i = 0; averaging_methods[i] != NULL; i++) {
+        int found = 0;
+        for (int k = 0; k < WAYS; k++)
+            found += strcmp(ways[k].method, averaging_methods[i]->name) == 0;
+        ck_assert_msg(found > 0, "%s", averaging_methods[i]->name);
+    }
+}
+END_TEST
+
 /* A mesh, a cloud in it, an averaging method, and M fields. */
 struct scene {
     struct mesh *mesh;
@@ -527,6 +538,7 @@ FACTS("averaging")
 {
     setenv("CK_FORK", "no", 1); /* hundreds of small tests */
     omp_set_num_threads(1);     /* on meshes this small threads only wait */
+    FACT(every_method_is_in_the_table);
     FACT_FOR_EACH(sx15_a_1a_volume_is_conserved, ALL);
     FACT_FOR_EACH(sx15_a_1b_momentum_is_conserved, ALL);
     FACT_FOR_EACH(sx15_a_1c_the_fluid_gets_what_the_particles_get, ALL);

@@ -11,8 +11,10 @@
 /* In units of d, rho_f and mu: u_r is then Re over eps_f. */
 static double factor(const char *name, double eps_f, double Re)
 {
-    return drag_law_named(name)->resistance(eps_f, 1.0, 1.0, 1.0, Re / eps_f) /
-           (18.0 * eps_f);
+    const struct drag_law *const law = drag_law_named(name);
+
+    ck_assert(law->resistance != NULL);
+    return law->resistance(eps_f, 1.0, 1.0, 1.0, Re / eps_f) / (18.0 * eps_f);
 }
 
 /* The drag over Stokes' law, computed apart from this program from the formulas
@@ -54,6 +56,25 @@ START_TEST(drag_laws_are_the_formulas_of_their_papers)
 {
     const double F = factor(table[_i].law, table[_i].eps_f, table[_i].Re);
     ck_assert_double_eq_tol(F / table[_i].F, 1.0, 1e-12);
+}
+END_TEST
+
+/* Laws whose numbers stand in another test. */
+static const char *const elsewhere[] = {"syamlal-obrien", "gidaspow",
+                                        "schiller-naumann", "dallavalle",
+                                        "haider-levenspiel"};
+
+START_TEST(every_law_has_numbers_of_its_paper)
+{
+    for (int i = 0; drag_laws[i] != NULL; i++) {
+        int found = 0;
+        for (int k = 0; k < ROWS; k++)
+            found += strcmp(table[k].law, drag_laws[i]->name) == 0;
+        for (size_t k = 0; k < sizeof elsewhere / sizeof *elsewhere; k++)
+            found += strcmp(elsewhere[k], drag_laws[i]->name) == 0;
+        ck_assert_msg(found > 0, "%s: give it rows in the table above",
+                      drag_laws[i]->name);
+    }
 }
 END_TEST
 
@@ -410,6 +431,7 @@ END_TEST
 FACTS("drag_laws")
 {
     FACT_FOR_EACH(drag_laws_are_the_formulas_of_their_papers, ROWS);
+    FACT(every_law_has_numbers_of_its_paper);
     FACT(hill_koch_ladds_few_spheres_are_kim_and_russels);
     FACT(laws_from_resolved_flow_have_stokes_and_carmans_limits);
     FACT(ls_5_2_fits_for_one_sphere_have_their_known_values);

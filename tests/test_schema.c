@@ -122,6 +122,35 @@ START_TEST(every_row_of_the_tables_is_complete)
 }
 END_TEST
 
+/* What fills a member is of its type, and no key is read into nothing: but for
+ * those of effects, which become numbers in the order of their rows, and for a
+ * side, which is a condition. */
+START_TEST(every_key_has_a_member_of_its_type)
+{
+    static const char *const fits[] = {
+        [KEY_REAL] = "d",   [KEY_INT] = "i",   [KEY_BOOL] = "i",
+        [KEY_TEXT] = "t",   [KEY_FILE] = "t",  [KEY_VECTOR] = "v",
+        [KEY_COUNTS] = "n", [KEY_FLAGS] = "n", [KEY_SERIES] = "s",
+        [KEY_CURVE] = "s"};
+    const struct key *all[CASE_FILE_TABLES];
+
+    case_file_tables(all);
+    SCHEMA_EACH (k, all) {
+        const int simple =
+            k->type != KEY_GROUP && k->type != KEY_LIST && k->type != KEY_PATCH;
+        const char *const own = strstr(k->path, "effects.");
+        const char *const fit = k->type != KEY_NAME  ? fits[k->type]
+                                : k->models != NULL  ? "o"
+                                : k->choices != NULL ? "i"
+                                                     : "t";
+        if (simple && k->at > 0)
+            ck_assert_msg(k->member == fit[0], "%s: member of kind %c", k->path,
+                          k->member);
+        ck_assert_msg(!simple || k->at > 0 || own != NULL, "%s", k->path);
+    }
+}
+END_TEST
+
 START_TEST(numbers_too_large_for_an_int_are_found_outside_strings_only)
 {
     const char *const text = "# 99999999999\n/* 99999999999\n */ a = "
@@ -149,5 +178,6 @@ FACTS("rows")
     FACT(expectation_names_kind_condition_and_unit);
     FACT(every_key_that_is_proposed_for_an_unknown_one_exists);
     FACT(every_row_of_the_tables_is_complete);
+    FACT(every_key_has_a_member_of_its_type);
     FACT(numbers_too_large_for_an_int_are_found_outside_strings_only);
 }

@@ -137,6 +137,16 @@ match(line, /\\tag[{][^}]*[}]/) {
     }
 }
 
+# Files and folders of src, or of the top, in the last column of the list of pages.
+FILENAME ~ /chapters\/README/ && /^\| \[/ && (n = split($0, column, " [|] ")) == 5 {
+    while (match(column[n], /`[^`]*`/)) {
+        place = substr(column[n], RSTART + 1, RLENGTH - 2)
+        column[n] = substr(column[n], RSTART + RLENGTH)
+        if (system("for of in " place " src/" place " src/" place ".c src/" place ".h; do [ -e $of ] && exit; done; exit 1"))
+            wrong("there is no " place)
+    }
+}
+
 FILENAME ~ /notation/ && /^\|/ && split($0, column, / [|] /) > 2 {
     while (match(column[2], /`[^`]*`/)) {
         names[substr(column[2], RSTART + 1, RLENGTH - 2)] = FILENAME ":" FNR

@@ -242,7 +242,8 @@ for file in "$@"; do
         :
     elif [ $mode = check ]; then
         echo "$file is not what its commands print:"
-        diff -u "$file" "$new"
+        diff -u "$file" "$new" | head -12
+        echo "sh chapters/tools/transcript.sh $file makes it again"
         failed=1
     else
         cat "$new" >"$file"

@@ -24,7 +24,7 @@ struct averaging {
     struct averaging_report report;
 };
 
-#define AT(member) .at = KEY_AT(averaging_options, member)
+#define AT(member) KEY_AT(averaging_options, member)
 
 const struct key averaging_keys[] = {
     {"averaging", KEY_GROUP, "", "", "",

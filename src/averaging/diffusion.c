@@ -292,8 +292,8 @@ void diffusion_matrix_fill(struct csr *A, const struct mesh *m,
 /* The keys and the descriptors of diffusion.c.
  * Chapter "Averaging". */
 
-#define AT(member) .at = KEY_AT(averaging_options, member)
-#define REGION(member) .at = KEY_AT(averaging_region, member)
+#define AT(member) KEY_AT(averaging_options, member)
+#define REGION(member) KEY_AT(averaging_region, member)
 
 const struct key diffusion_keys[] = {
     {"averaging.scheme", KEY_NAME, "", "", "exponential",

@@ -208,7 +208,7 @@ static const struct diffusion_stepping crank_nicolson_stepping = {
 static const struct key steps_keys[] = {
     {"averaging.steps", KEY_INT, "-", ">= 1, <= 1000", "3",
      "steps of the diffusion in pseudo-time", "SX15 5", "",
-     .at = KEY_AT(averaging_options, steps)},
+     KEY_AT(averaging_options, steps)},
     KEY_END};
 
 const struct diffusion_scheme diffusion_crank_nicolson = {

@@ -106,7 +106,7 @@ static const struct key cap_keys[] = {
     {"averaging.cap", KEY_REAL, "-", "> 0, <= 1", KEY_OPTIONAL,
      "largest solid fraction of a cell with "
      "pcm; the volume above it is counted",
-     "SX15 4", "", .at = KEY_AT(averaging_options, cap)},
+     "SX15 4", "", KEY_AT(averaging_options, cap)},
     KEY_END};
 
 const struct averaging_method pcm_method = {

@@ -74,6 +74,8 @@ struct key {
     /* Where its value goes (KEY_AT), and an int that is 1 where the case itself
      * names it; 0: nowhere. */
     size_t at, given;
+    char member; /* what is there: d, i a number, v, n several (or an array), t
+                    a text, s a series, o another thing */
     /* Of KEY_NAME: the member is a pointer to one of these descriptors (the
      * first member of each is its name), or the value of one of these choices.
      * Both end with NULL. */
@@ -87,8 +89,21 @@ struct key {
                             can KEY_DIVIDED_ALL with all keys in its group; else
                             why they cannot; NULL: as its group */
 };
-/* The place of a member, for a row. */
-#define KEY_AT(type, member) (offsetof(struct type, member) + 1)
+
+/* In a row: the member that has its value, and the int of `given`. An enum is
+ * an unsigned int. */
+#define KEY_AT(type, name)                                                     \
+    .at = offsetof(struct type, name) + 1,                                     \
+    .member = _Generic(((struct type *)0)->name,                               \
+                  double: 'd',                                                 \
+                  double *: 'v',                                               \
+                  int: 'i',                                                    \
+                  unsigned: 'i',                                               \
+                  int *: 'n',                                                  \
+                  const char *: 't',                                           \
+                  struct key_series: 's',                                      \
+                  default: 'o')
+#define KEY_GIVEN(type, name) .given = offsetof(struct type, name) + 1
 
 /* The groups of a list: `item` is an array of n structs. */
 struct key_list {

@@ -15,10 +15,10 @@
  * the default means that the key must be given. */
 const struct key case_file_keys[] = {
     {"title", KEY_TEXT, "", "", "", "what the case shows, in one line", "", "",
-     .at = KEY_AT(settings, title), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED,
+     KEY_AT(settings, title), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED,
      .divided = KEY_DIVIDED},
     {"cites", KEY_TEXT, "", "", "", "the paper, table or figure it follows", "",
-     "", .at = KEY_AT(settings, cites), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED,
+     "", KEY_AT(settings, cites), .mark = KEY_MAY_CHANGE | KEY_AFTER_BED,
      .divided = KEY_DIVIDED},
     KEY_END};
 

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#define AT(member) .at = KEY_AT(coupling_options, member)
+#define AT(member) KEY_AT(coupling_options, member)
 
 const struct key coupling_keys[] = {
     {"exchange", KEY_GROUP, "", "", "", "forces between the phases",

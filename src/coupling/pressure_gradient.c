@@ -49,9 +49,9 @@ static struct effect_estimate gravity_estimate(const struct effect_scales *k)
 static const struct key gravity_keys[] = {
     {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
      "acceleration by gravity: the weight of the particles", "XS11 2.1",
-     "particles|bodies", .at = KEY_AT(effects_options, gravity),
-     .given = KEY_AT(effects_options, has_gravity), .divided = KEY_DIVIDED},
-    {0}};
+     "particles|bodies", KEY_AT(effects_options, gravity),
+     KEY_GIVEN(effects_options, has_gravity), .divided = KEY_DIVIDED},
+    KEY_END};
 
 const struct effect gravity_effect = {
     .name = "gravity",
@@ -180,9 +180,8 @@ static const struct key pressure_gradient_keys[] = {
     {"effects.pressure_gradient", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the pressure gradient, with buoyancy, on the particles",
      "LS 5.1, XS11 2.6", "fluid particles averaging exchange",
-     .given = KEY_AT(effects_options, pressure_gradient),
-     .divided = KEY_DIVIDED},
-    {0}};
+     KEY_GIVEN(effects_options, pressure_gradient), .divided = KEY_DIVIDED},
+    KEY_END};
 
 const struct effect pressure_gradient_effect = {
     .name = "pressure_gradient",

@@ -79,7 +79,9 @@ struct contact_law {
      * and else that of the grains. */
     const struct key *own_keys;
     struct contact_constants (*constants)(const struct material_pair *p);
-    /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
+    /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. With a
+     * restitution of 1 that without any damping, also of a law that damps by
+     * keys of its own: the step is chosen by it. */
     double (*duration)(const struct material *m, double R_star, double m_star,
                        double v);
     /* Rayleigh's time [s] of a sphere of radius r [m] and density rho [kg/m^3],

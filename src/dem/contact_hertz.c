@@ -75,15 +75,15 @@ static double contact_hertz_wave_time(const struct material *m, double r,
 const struct key contact_hertz_keys[] = {
     {"particles.grains.young", KEY_REAL, "Pa", "> 0", KEY_MODEL_REQUIRED,
      "Young's modulus E", "LS 4.9", "",
-     .at = KEY_AT(particles_setup, grains.of.young)},
+     KEY_AT(particles_setup, grains.of.young)},
     {"particles.grains.poisson", KEY_REAL, "-", ">= 0, <= 0.5",
      KEY_MODEL_REQUIRED, "Poisson's ratio nu", "LS 4.9", "",
-     .at = KEY_AT(particles_setup, grains.of.poisson)},
+     KEY_AT(particles_setup, grains.of.poisson)},
     {"particles.materials.young", KEY_REAL, "Pa", "> 0", KEY_MODEL_REQUIRED,
-     "Young's modulus E", "LS 4.9", "", .at = KEY_AT(material_setup, of.young)},
+     "Young's modulus E", "LS 4.9", "", KEY_AT(material_setup, of.young)},
     {"particles.materials.poisson", KEY_REAL, "-", ">= 0, <= 0.5",
      KEY_MODEL_REQUIRED, "Poisson's ratio nu", "LS 4.9", "",
-     .at = KEY_AT(material_setup, of.poisson)},
+     KEY_AT(material_setup, of.poisson)},
     KEY_END};
 
 const struct contact_law contact_hertz = {

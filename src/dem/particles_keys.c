@@ -3,10 +3,10 @@
  * struct particles_setup that they fill. */
 #include "dem/particles_setup.h"
 
-#define AT(member) .at = KEY_AT(particles_setup, member)
-#define GIVEN(member) .given = KEY_AT(particles_setup, member)
+#define AT(member) KEY_AT(particles_setup, member)
+#define GIVEN(member) KEY_GIVEN(particles_setup, member)
 #define LIST(member, type) AT(member), .size = sizeof(struct type)
-#define OF(type, member) .at = KEY_AT(type, member)
+#define OF(type, member) KEY_AT(type, member)
 
 const struct key particles_keys[] = {
     {"particles", KEY_GROUP, "", "", "", "spheres and the box they are in",
@@ -80,15 +80,13 @@ const struct key particles_keys[] = {
      OF(pair_setup, and)},
     {"particles.pairs.restitution", KEY_REAL, "-", ">= 0, <= 1", "",
      "restitution coefficient e; left out: the smaller one", "LS 4.4", "",
-     OF(pair_setup, of.restitution),
-     .given = KEY_AT(pair_setup, has_restitution)},
+     OF(pair_setup, of.restitution), KEY_GIVEN(pair_setup, has_restitution)},
     {"particles.pairs.friction", KEY_REAL, "-", ">= 0", "",
      "Coulomb's coefficient of friction; left out: the smaller one", "LS 4.8",
-     "", OF(pair_setup, of.friction),
-     .given = KEY_AT(pair_setup, has_friction)},
+     "", OF(pair_setup, of.friction), KEY_GIVEN(pair_setup, has_friction)},
     {"particles.pairs.rolling_friction", KEY_REAL, "-", ">= 0", "",
      "coefficient of rolling friction; left out: the smaller one", "Ai11", "",
-     OF(pair_setup, of.rolling), .given = KEY_AT(pair_setup, has_rolling)},
+     OF(pair_setup, of.rolling), KEY_GIVEN(pair_setup, has_rolling)},
     {"particles.materials.parcel", KEY_REAL, "-", ">= 1", "",
      "number of grains that a parcel of it stands for; left out: that of "
      "particles.parcel",
@@ -172,10 +170,10 @@ const struct key particles_keys[] = {
      "time of the first", "", "", OF(insert_setup, of.start)},
     {"particles.insert.from", KEY_VECTOR, "m", "", "",
      "lower corner of their region; left out: the box", "", "",
-     OF(insert_setup, of.lo), .given = KEY_AT(insert_setup, has_from)},
+     OF(insert_setup, of.lo), KEY_GIVEN(insert_setup, has_from)},
     {"particles.insert.to", KEY_VECTOR, "m", "", "",
      "upper corner of their region; left out: the box", "", "",
-     OF(insert_setup, of.hi), .given = KEY_AT(insert_setup, has_to)},
+     OF(insert_setup, of.hi), KEY_GIVEN(insert_setup, has_to)},
     {"particles.insert.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
      "their velocity at insertion", "", "", OF(insert_setup, of.velocity)},
     {"particles.insert.diameter", KEY_REAL, "m", "> 0", "",
@@ -206,10 +204,10 @@ const struct key particles_keys[] = {
      OF(sink_setup, side)},
     {"particles.sinks.from", KEY_VECTOR, "m", "", "",
      "lower corner of the region", "", "", OF(sink_setup, of.lo),
-     .given = KEY_AT(sink_setup, has_from)},
+     KEY_GIVEN(sink_setup, has_from)},
     {"particles.sinks.to", KEY_VECTOR, "m", "", "",
      "upper corner of the region", "", "", OF(sink_setup, of.hi),
-     .given = KEY_AT(sink_setup, has_to)},
+     KEY_GIVEN(sink_setup, has_to)},
     {"particles.overlaps", KEY_NAME, "", "refuse | relax | allow", "refuse",
      "what is done about placed spheres that overlap by more than 1 %", "", "",
      AT(overlaps), .divided = KEY_DIVIDED},
@@ -249,7 +247,7 @@ const struct key particles_keys[] = {
      "a point of the axis of rotation, at time 0; torques are about it; left "
      "out: point",
      "", "", OF(surface_setup, of.motion.centre),
-     .given = KEY_AT(surface_setup, has_centre)},
+     KEY_GIVEN(surface_setup, has_centre)},
     {"particles.surfaces.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
      "angular velocity about that axis", "", "",
      OF(surface_setup, of.motion.spin)},
@@ -265,7 +263,7 @@ const struct key particles_keys[] = {
      "or a force that it is to exert on the particles: it moves along it until "
      "it does; needs load_speed",
      "", "", OF(surface_setup, of.load.force),
-     .given = KEY_AT(surface_setup, has_load)},
+     KEY_GIVEN(surface_setup, has_load)},
     {"particles.surfaces.load_speed", KEY_REAL, "m/s", "> 0", "",
      "the highest speed of a surface with a load, and its speed while it "
      "touches nothing",
@@ -287,7 +285,7 @@ const struct key particles_keys[] = {
      "number of the last of several, from id on, that move as one body, as the "
      "spheres of a file that are a rough floor; left out: id alone",
      "", "", OF(prescribed_setup, of.last),
-     .given = KEY_AT(prescribed_setup, has_last)},
+     KEY_GIVEN(prescribed_setup, has_last)},
     {"particles.prescribed.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
      "constant velocity", "", "", OF(prescribed_setup, of.motion.velocity)},
     {"particles.prescribed.amplitude", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
@@ -299,7 +297,7 @@ const struct key particles_keys[] = {
     {"particles.prescribed.centre", KEY_VECTOR, "m", "", "",
      "a point of the axis of rotation; needed by spin", "", "",
      OF(prescribed_setup, of.motion.centre),
-     .given = KEY_AT(prescribed_setup, has_centre)},
+     KEY_GIVEN(prescribed_setup, has_centre)},
     {"particles.prescribed.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
      "angular velocity about that axis, and its own", "", "",
      OF(prescribed_setup, of.motion.spin)},

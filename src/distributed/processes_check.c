@@ -17,16 +17,16 @@
 const struct key processes_check_keys[] = {
     {"engine", KEY_NAME, "", "one | distributed", "one",
      "one: this machine; distributed: several processes, by build/winnow-mpi",
-     "", "", .at = KEY_AT(settings, engine), .divided = KEY_DIVIDED},
+     "", "", KEY_AT(settings, engine), .divided = KEY_DIVIDED},
     {"ranks", KEY_COUNTS, "-", ">= 1", "",
      "processes in x, y, z; left out: as many as there are, side by side "
      "across gravity",
-     "", "", .at = KEY_AT(settings, ranks), .mark = KEY_MAY_CHANGE,
+     "", "", KEY_AT(settings, ranks), .mark = KEY_MAY_CHANGE,
      .divided = KEY_DIVIDED},
     {"layers", KEY_INT, "-", ">= 1, <= 16", "",
      "layers of neighbours' cells around those of a rank; left out: as many as "
      "the schemes read",
-     "", "", .at = KEY_AT(settings, layers), .mark = KEY_MAY_CHANGE,
+     "", "", KEY_AT(settings, layers), .mark = KEY_MAY_CHANGE,
      .divided = KEY_DIVIDED},
     KEY_END};
 

@@ -16,7 +16,7 @@
 #include "fluid/systems.h"
 #include "mesh/measures.h"
 
-#define AT(member) .at = KEY_AT(boundary_options, member)
+#define AT(member) KEY_AT(boundary_options, member)
 
 /* --- inlets --------------------------------------------------------------- */
 
@@ -26,7 +26,7 @@ static const struct key inlet_keys[] = {
      "SX15 Table 1", "", AT(inlet)},
     {"fluid.<patch>.profile", KEY_NAME, "", "", "uniform",
      "how the velocity varies over an inlet", "", "", AT(profile),
-     .models = inlet_profiles, .given = KEY_AT(boundary_options, has_profile)},
+     .models = inlet_profiles, KEY_GIVEN(boundary_options, has_profile)},
     KEY_END};
 
 /* The first value of a profile that is negative or not finite, over its faces
@@ -310,10 +310,10 @@ static const char *rotating_wall_whole(const struct boundary_options *o)
 static const struct key rotation_keys[] = {
     {"fluid.<patch>.rotation", KEY_VECTOR, "rad/s", "", KEY_OPTIONAL,
      "angular velocity of a no-slip wall that rotates within its own surface",
-     "", "", .at = KEY_AT(boundary_options, rotation)},
+     "", "", KEY_AT(boundary_options, rotation)},
     {"fluid.<patch>.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
      "a point on the axis of the rotation", "", "",
-     .at = KEY_AT(boundary_options, centre)},
+     KEY_AT(boundary_options, centre)},
     KEY_END};
 
 static const struct boundary_condition rotating_wall = {

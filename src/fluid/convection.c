@@ -57,7 +57,7 @@ static void weights_blended(const struct convection_faces *faces,
 static const struct key blend_keys[] = {
     {"fluid.blend", KEY_REAL, "-", ">= 0, <= 1", "0.5",
      "share of linear in the scheme blended", "XS11", "",
-     .at = KEY_AT(fluid_options, blend)},
+     KEY_AT(fluid_options, blend)},
     KEY_END};
 
 const struct convection_scheme convection_blended = {

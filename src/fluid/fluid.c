@@ -175,7 +175,7 @@ void fluid_state(struct fluid *fl, struct state *s)
 /* The keys of the group `fluid`, and the members of struct
  * fluid_options that they fill. */
 
-#define AT(member) .at = KEY_AT(fluid_options, member)
+#define AT(member) KEY_AT(fluid_options, member)
 
 const struct key fluid_keys[] = {
     {"fluid", KEY_GROUP, "", "", "", "the fluid; left out: particles alone",
@@ -216,10 +216,10 @@ const struct key fluid_keys[] = {
      "LS 5.9, 5.10", "", AT(cfl)},
     {"fluid.mean_gradient", KEY_VECTOR, "Pa/m", "", "",
      "mean gradient of the pressure in periodic directions", "", "",
-     AT(mean_gradient), .given = KEY_AT(fluid_options, has_mean_gradient)},
+     AT(mean_gradient), KEY_GIVEN(fluid_options, has_mean_gradient)},
     {"fluid.mean_flow", KEY_VECTOR, "m/s", "", "",
      "mean superficial velocity that is kept in periodic directions", "", "",
-     AT(mean_flow), .given = KEY_AT(fluid_options, has_mean_flow)},
+     AT(mean_flow), KEY_GIVEN(fluid_options, has_mean_flow)},
     {"fluid.tolerance", KEY_REAL, "-", ">= 1e-15, < 1", "1e-8",
      "relative residual of the linear solvers", "", "", AT(tolerance)},
     {"fluid.<patch>", KEY_PATCH, "", "", "",

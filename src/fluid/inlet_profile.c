@@ -186,11 +186,11 @@ static const struct key table_keys[] = {
     {"fluid.<patch>.table", KEY_CURVE, "m, -", ">= 0", KEY_OPTIONAL,
      "of the profile `table`: rows of a coordinate and the velocity over that "
      "of the inlet",
-     "", "", .at = KEY_AT(boundary_options, table),
-     .given = KEY_AT(boundary_options, has_table)},
+     "", "", KEY_AT(boundary_options, table),
+     KEY_GIVEN(boundary_options, has_table)},
     {"fluid.<patch>.along", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
      "direction of that coordinate; its length is 1", "", "",
-     .at = KEY_AT(boundary_options, along)},
+     KEY_AT(boundary_options, along)},
     KEY_END};
 
 static const struct inlet_profile table_profile = {
@@ -267,8 +267,8 @@ static const struct key formula_keys[] = {
     {"fluid.<patch>.formula", KEY_TEXT, "", "", KEY_OPTIONAL,
      "of the profile `formula`: velocity over that of the inlet, of x, y, z "
      "[m] and t [s], as in \"6*y*(0.41-y)/0.41^2\"",
-     "", "", .at = KEY_AT(boundary_options, formula),
-     .given = KEY_AT(boundary_options, has_formula)},
+     "", "", KEY_AT(boundary_options, formula),
+     KEY_GIVEN(boundary_options, has_formula)},
     KEY_END};
 
 static const struct inlet_profile formula_profile = {

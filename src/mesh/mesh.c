@@ -209,7 +209,7 @@ int mesh_misses_middle(const struct mesh *m, int f, double off[3])
 /* The keys of the group `mesh`, and the members of struct
  * mesh_options that they fill. */
 
-#define AT(member) .at = KEY_AT(mesh_options, member)
+#define AT(member) KEY_AT(mesh_options, member)
 
 const struct key mesh_keys[] = {
     {"mesh", KEY_GROUP, "", "", NULL,
@@ -224,10 +224,10 @@ const struct key mesh_keys[] = {
      .divided = KEY_DIVIDED},
     {"mesh.grading", KEY_VECTOR, "-", "> 0", "[1.0, 1.0, 1.0]",
      "width of the last cell over that of the first", "", "", AT(box.grading),
-     .given = KEY_AT(mesh_options, has_grading), .divided = KEY_DIVIDED},
+     KEY_GIVEN(mesh_options, has_grading), .divided = KEY_DIVIDED},
     {"mesh.periodic", KEY_FLAGS, "", "", "[false, false, false]",
      "periodic directions", "", "", AT(box.periodic),
-     .given = KEY_AT(mesh_options, has_periodic), .divided = KEY_DIVIDED},
+     KEY_GIVEN(mesh_options, has_periodic), .divided = KEY_DIVIDED},
     {"mesh.polymesh", KEY_FILE, "", "", "",
      "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
      "it begins with /; its patches take the place of the sides under fluid",
@@ -236,6 +236,6 @@ const struct key mesh_keys[] = {
     {"mesh.shear", KEY_VECTOR, "-", "", "",
      "shift of the box along x over height y, along x over depth z, along y "
      "over depth z; left out: none",
-     "", "", AT(shear), .given = KEY_AT(mesh_options, has_shear),
+     "", "", AT(shear), KEY_GIVEN(mesh_options, has_shear),
      .divided = "only boxes are divided so far"},
     KEY_END};

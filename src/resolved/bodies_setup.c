@@ -14,8 +14,8 @@ static const struct model is_free = {.name = "free", .value = BODY_FREE},
 static const struct model *const motions[] = {
     &is_free, &is_fixed, &is_prescribed, &is_on_spring, NULL};
 
-#define AT(member) .at = KEY_AT(bodies_setup, member)
-#define OF(member) .at = KEY_AT(body_setup, member)
+#define AT(member) KEY_AT(bodies_setup, member)
+#define OF(member) KEY_AT(body_setup, member)
 #define LIST_OF(number) AT(list[number]), .size = sizeof(struct body_setup)
 
 /* What rows of several lists have in common, after their paths. */

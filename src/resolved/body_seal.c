@@ -172,8 +172,7 @@ void closed_gap_velocity(const struct fluid *fl, int c, double s, double u[3])
         const struct patch *const p = closed_gap_patch(m, f);
         const struct boundary *const at =
             &fl->options.boundaries[p - m->patches];
-        const double *const wall =
-            at->walls != NULL ? &at->walls[3 * (f - p->first)] : at->wall;
+        const double *const wall = boundary_wall_velocity(at, f - p->first);
         const double half = vector_length(&m->d[3 * f]);
         for (int k = 0; k < 3 && at->kind == BOUNDARY_NO_SLIP; k++)
             u[k] = (s * wall[k] + half * u[k]) / (s + half);

@@ -11,11 +11,10 @@
  *   cells    b(x)^2 = b^2 - dx^2 / 3, at least 0, with the distance dx of the
  *            two centres at a face: the pcm field of a particle is already
  *            even over its cell, which has a variance of dx^2 / 6 besides the
- *            b^2 / 2 of the Gaussian. Where cells are
- *            larger than 1.7 b it leaves the pcm field [SX15 section 2.2.3]
- *   grains   b(x) = b d(x) / d_mean, with the mean diameters by volume of the
- *            cell and of all; d_mean where a cell has no particles [SX15
- * section 4.1]
+ *            b^2 / 2 of the Gaussian. Where cells are larger than 1.7 b it
+ *            leaves the pcm field [SX15 section 2.2.3]
+ *   grains   b(x) = b d(x) / d_mean [SX15 section 4.1], with the mean diameters
+ *            by volume of the cell and of all; d_mean where a cell has none
  *
  * D at a face is the harmonic mean of its two cells, so the sum of V phi is
  * conserved, and a constant field stays constant.

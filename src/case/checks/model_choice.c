@@ -20,17 +20,22 @@ static const char *model_choice_split(const char *path, char group[SCHEMA_TEXT])
     return dot == NULL ? path : dot + 1;
 }
 
-/* 1 if it is the condition of some side, or the profile that one gives. */
-static int is_some_side(const struct settings *s, const struct kind *kind,
-                        const struct model *m)
+/* 1 if the side chooses the model as its condition, or as its profile. */
+static int is_chosen_by_side(const struct boundary_options *side,
+                             const struct kind *kind, const struct model *m)
 {
-    for (int i = 0; i < s->sides.n; i++) {
-        const struct boundary_options *const o = &s->sides.item[i];
-        const char *const name = kind == &models_patch ? o->condition->name
-                                 : o->has_profile      ? o->profile->name
-                                                       : "";
-        if (strcmp(name, m->name) == 0) return 1;
-    }
+    const char *const name = kind == &models_patch ? side->condition->name
+                             : side->has_profile   ? side->profile->name
+                                                   : "";
+    return strcmp(name, m->name) == 0;
+}
+
+static int is_chosen_by_some_side(const struct settings *s,
+                                  const struct kind *kind,
+                                  const struct model *m)
+{
+    for (int i = 0; i < s->sides.n; i++)
+        if (is_chosen_by_side(&s->sides.item[i], kind, m)) return 1;
     return 0;
 }
 
@@ -73,7 +78,7 @@ int model_choice_is_on(const struct settings *s, const struct kind *kind,
 
     if (!is_at_work(s, kind)) return 0;
     if (strstr(kind->key, KEY_ANY_PATCH) != NULL)
-        return is_some_side(s, kind, m);
+        return is_chosen_by_some_side(s, kind, m);
     if (settings_is_list(s, group)) return is_in_list(s, group, key, m->name);
     if (group[0] != '\0')
         return strcmp(settings_text(s, kind->key), m->name) == 0;
@@ -111,6 +116,22 @@ static int chooses(const struct settings *s, const struct kind *kind,
            strcmp(settings_item_text(s, list, i, key), m->name) == 0;
 }
 
+/* The key that a condition or a profile asks for, on each side that chooses it.
+ */
+static int missing_at_sides(const struct settings *s, const struct kind *kind,
+                            const struct model *m, const char *path)
+{
+    char key[SCHEMA_TEXT];
+
+    for (int i = 0; i < s->sides.n; i++) {
+        const struct boundary_options *const o = &s->sides.item[i];
+        snprintf(key, sizeof key, "%s%s", o->key, strrchr(path, '.'));
+        if (is_chosen_by_side(o, kind, m) && !settings_has(s, key))
+            return settings_wrong(s, o->key, "%s needs %s", m->name, key);
+    }
+    return 0;
+}
+
 /* The key that a model asks for, in a group or in each group of a list. */
 static int missing(const struct settings *s, const struct kind *kind,
                    const struct model *m, const char *path)
@@ -118,6 +139,8 @@ static int missing(const struct settings *s, const struct kind *kind,
     char list[SCHEMA_TEXT];
     const char *const key = model_choice_split(path, list);
 
+    if (strstr(path, KEY_ANY_PATCH) != NULL)
+        return missing_at_sides(s, kind, m, path);
     if (!settings_is_list(s, list))
         return settings_has(s, path)
                    ? 0

@@ -190,8 +190,8 @@ const struct drag_law drag_tenneti = {
 /* A fit to simulations of several authors over all fluid fractions
  * [Cello10], here for spheres of one size,
  *
- *   F = K_1 + K_2 eps_f^4 + K_3 (1 - eps_f^4),   K_0 = (1 - eps_f)/(1 + 3
- * eps_f).
+ *   F = K_1 + K_2 eps_f^4 + K_3 (1 - eps_f^4),
+ *   K_0 = (1 - eps_f)/(1 + 3 eps_f).
  *
  * Its last term has a pole, at Re = 1250 in a bed and above that elsewhere.
  * From Re = 1000 on, outside of its range, the drag coefficient is therefore

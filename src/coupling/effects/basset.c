@@ -255,7 +255,7 @@ static const struct key keys[] = {
      "fluid particles averaging exchange"},
     {"effects.basset.tolerance", KEY_REAL, "-", ">= 2e-5, <= 0.1", "2e-3",
      "relative error of the kernel from one step to a million", "LS 5.4", ""},
-    {0}};
+    KEY_END};
 
 const struct effect basset_effect = {
     .name = "basset",

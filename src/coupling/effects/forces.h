@@ -62,10 +62,10 @@ double spin_torque_factor(double Re_r);
 double spin_decay_rate(double rho, double mu, double d, double rho_s,
                        double Omega);
 
-/* Basset's history force.
+/* Basset's history force [LS 5.4].
  *
- *   F = (3/2) d^2 sqrt(pi rho mu) [ int_0^t w'(s)/sqrt(t - s) ds + w(0)/sqrt(t)
- * ] [LS 5.4]
+ *   F = (3/2) d^2 sqrt(pi rho mu) H,
+ *   H = int_0^t w'(s)/sqrt(t - s) ds + w(0)/sqrt(t)
  *
  * with w = u - v at the particle and w' along its path. The kernel is a sum of
  * exponentials,

@@ -195,7 +195,7 @@ static const struct key saffman_keys[] = {
     {"effects.saffman", KEY_GROUP, "", "", KEY_OPTIONAL,
      "lift on a particle that slips in a shear flow, with Mei's factor",
      "LS 5.5, 5.6", "fluid particles averaging exchange"},
-    {0}};
+    KEY_END};
 
 const struct effect saffman_effect = {
     .name = "saffman",
@@ -313,7 +313,7 @@ static const struct key magnus_keys[] = {
     {"effects.magnus", KEY_GROUP, "", "", KEY_OPTIONAL,
      "lift on a particle that rotates", "LS 5.7",
      "fluid particles averaging exchange"},
-    {0}};
+    KEY_END};
 
 const struct effect magnus_effect = {
     .name = "magnus",
@@ -390,7 +390,7 @@ static const struct key fluid_torque_keys[] = {
     {"effects.fluid_torque", KEY_GROUP, "", "", KEY_OPTIONAL,
      "torque of the fluid, which slows the rotation of a particle", "LS 5.7",
      "fluid particles averaging exchange"},
-    {0}};
+    KEY_END};
 
 const struct effect fluid_torque_effect = {
     .name = "fluid_torque",

@@ -254,7 +254,7 @@ static const struct key lubrication_keys[] = {
      "gap z_min below which the force grows no further", "", ""},
     {"effects.lubrication.range", KEY_REAL, "m", "> 0", NULL,
      "gap z_out below which it acts", "", ""},
-    {0}};
+    KEY_END};
 
 static const char *lubrication_wrong(const double *p,
                                      const struct attraction_scene *scene)
@@ -393,7 +393,7 @@ static const struct key electrostatic_keys[] = {
      "relative permittivity of the medium, eps_r", "LS 4.13", ""},
     {"effects.electrostatic.range", KEY_REAL, "m", "> 0", NULL,
      "longest gap between two surfaces at which it acts", "", ""},
-    {0}};
+    KEY_END};
 
 const struct effect cohesion_electrostatic = {
     .name = "electrostatic",
@@ -432,7 +432,7 @@ static const char *van_der_waals_wrong(const double *p,
 static const struct key van_der_waals_keys[] = {
     {"effects.van_der_waals", KEY_GROUP, "", "", KEY_OPTIONAL,
      "attraction between close particles and to walls", "LS 4.14", "particles",
-     .given = KEY_AT(effects_options, van_der_waals),
+     KEY_GIVEN(effects_options, van_der_waals),
      .divided = "cohesion is not told to LAMMPS"},
     {"effects.van_der_waals.hamaker", KEY_REAL, "J", "> 0", NULL,
      "Hamaker's constant A", "LS 4.14", ""},
@@ -440,7 +440,7 @@ static const struct key van_der_waals_keys[] = {
      "gap below which the force is constant", "", ""},
     {"effects.van_der_waals.range", KEY_REAL, "m", "> 0", NULL,
      "longest gap between two surfaces at which it acts", "", ""},
-    {0}};
+    KEY_END};
 
 const struct effect cohesion_van_der_waals = {
     .name = "van_der_waals",
@@ -470,7 +470,7 @@ static struct attraction capillary_of(const double *p,
 static const struct key capillary_keys[] = {
     {"effects.capillary", KEY_GROUP, "", "", KEY_OPTIONAL,
      "liquid bridges between particles and to walls", "LS 4.15", "particles",
-     .given = KEY_AT(effects_options, capillary),
+     KEY_GIVEN(effects_options, capillary),
      .divided = "cohesion is not told to LAMMPS"},
     {"effects.capillary.tension", KEY_REAL, "N/m", "> 0", NULL,
      "surface tension of the liquid, gamma", "LS 4.15", ""},
@@ -481,7 +481,7 @@ static const struct key capillary_keys[] = {
     {"effects.capillary.harmonic", KEY_BOOL, "", "", "false",
      "R* of unequal spheres: the harmonic mean instead of the mean", "LS 4.15",
      ""},
-    {0}};
+    KEY_END};
 
 const struct effect cohesion_capillary = {
     .name = "capillary",

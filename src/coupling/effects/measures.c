@@ -185,7 +185,7 @@ static const struct key bubbles_keys[] = {
      "y at which passing bubbles are counted", "", ""},
     {"effects.bubbles.smallest", KEY_REAL, "m", ">= 0", "0.0",
      "smallest diameter of a bubble that is counted", "", ""},
-    {0}};
+    KEY_END};
 
 const struct effect bubbles_effect = {
     .name = "bubbles",
@@ -357,10 +357,10 @@ static const struct key mixing_keys[] = {
      "Lacey54", "particles"},
     {"effects.mixing.sample", KEY_REAL, "m", "> 0", NULL,
      "width of the samples, about; they divide the box evenly", "Lacey54", "",
-     .at = KEY_AT(effects_options, mixing_sample)},
+     KEY_AT(effects_options, mixing_sample)},
     {"effects.mixing.direction", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
      "the half that is farther along it at the beginning is marked", "", ""},
-    {0}};
+    KEY_END};
 
 const struct effect mixing_effect = {
     .name = "mixing",
@@ -395,7 +395,7 @@ static const struct key energy_budget_keys[] = {
      "energy of the particles, and its loss by each mechanism, in history.csv",
      "LS 4.16", "particles",
      .divided = "it is kept in the contact loop, which is LAMMPS'"},
-    {0}};
+    KEY_END};
 
 const struct effect energy_budget_effect = {
     .name = "energy_budget",

@@ -471,7 +471,7 @@ static const struct key particle_stress_keys[] = {
     {"effects.particle_stress", KEY_GROUP, "", "", KEY_OPTIONAL,
      "a stress on the mesh in the place of contacts, with particles.list = "
      "\"none\"",
-     "Snider01", "particles", .given = KEY_AT(effects_options, particle_stress),
+     "Snider01", "particles", KEY_GIVEN(effects_options, particle_stress),
      .divided = "the stress is one system of all cells"},
     {"effects.particle_stress.law", KEY_NAME, "", "harris-crighton | lun",
      "harris-crighton",
@@ -484,7 +484,7 @@ static const struct key particle_stress_keys[] = {
      "beta of harris-crighton", "Snider01", ""},
     {"effects.particle_stress.packing", KEY_REAL, "-", "> 0, < 1", "0.6",
      "solids fraction eps_cp of the densest packing", "Snider01", ""},
-    {0}};
+    KEY_END};
 
 const struct effect particle_stress_effect = {
     .name = "particle_stress",

@@ -271,7 +271,7 @@ static const struct key keys[] = {
     {"effects.stochastic_drag.seed", KEY_INT, "-", ">= 0", "1",
      "seed of the random numbers; the same seed gives the same run", "EW18 34",
      ""},
-    {0}};
+    KEY_END};
 
 const struct effect stochastic_drag_effect = {
     .name = "stochastic_drag",

@@ -77,10 +77,10 @@ static const struct key time_average_keys[] = {
      "exponential moving averages of eps_f and eps_s u_s, written with the "
      "fluid",
      "SX15 11-14", "fluid particles averaging exchange",
-     .given = KEY_AT(effects_options, time_average)},
+     KEY_GIVEN(effects_options, time_average)},
     {"effects.time_average.time", KEY_REAL, "s", "> 0", NULL,
      "bandwidth b_t of the average in time", "SX15 11", ""},
-    {0}};
+    KEY_END};
 
 const struct effect time_average_effect = {
     .name = "time_average",

@@ -181,7 +181,7 @@ static const struct key keys[] = {
      .divided = "it acts within the integrator, which is LAMMPS'"},
     {"effects.virtual_mass.coefficient", KEY_REAL, "-", ">= 0", "0.5",
      "C; 1/2 for a sphere", "LS 5.3", ""},
-    {0}};
+    KEY_END};
 
 const struct effect virtual_mass_effect = {
     .name = "virtual_mass",

@@ -159,7 +159,7 @@ static const struct key viscous_stress_keys[] = {
     {"effects.viscous_stress", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the viscous stress of the undisturbed flow on the particles",
      "LS 5.1, XS11 2.6", "fluid particles averaging exchange"},
-    {0}};
+    KEY_END};
 
 const struct effect viscous_stress_effect = {
     .name = "viscous_stress",
@@ -249,7 +249,7 @@ static const struct key whole_drag_keys[] = {
      "gradient",
      "EW18 11-13, A.5",
      "fluid particles averaging exchange !effects.pressure_gradient"},
-    {0}};
+    KEY_END};
 
 const struct effect whole_drag_effect = {
     .name = "whole_drag",

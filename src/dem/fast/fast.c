@@ -226,7 +226,7 @@ static void fast_run(struct dem *dem, int steps, struct dem_report *r)
 static const struct key skin_keys[] = {
     {"particles.skin", KEY_REAL, "m", "auto | > 0", "auto",
      "margin of the neighbour list beyond touching; auto: d/3", "LS 5.15", "",
-     .at = KEY_AT(particles_setup, skin), .divided = KEY_DIVIDED},
+     KEY_AT(particles_setup, skin), .divided = KEY_DIVIDED},
     KEY_END};
 
 const struct dem_method fast_verlet = {

@@ -21,11 +21,11 @@ const struct integrator integrators_heun = {
 static const struct key adaptive_keys[] = {
     {"particles.shortest_step", KEY_REAL, "s", "> 0", KEY_MODEL_REQUIRED,
      "shortest part that a step is split in: it is to resolve an impact",
-     "LS section 4.2", "", .at = KEY_AT(particles_setup, shortest_step),
+     "LS section 4.2", "", KEY_AT(particles_setup, shortest_step),
      .mark = KEY_AFTER_BED},
     {"particles.step_error", KEY_REAL, "-", "> 0", "1e-4",
      "largest error of a velocity in such a part, over the highest speed",
-     "LS section 4.2", "", .at = KEY_AT(particles_setup, step_error),
+     "LS section 4.2", "", KEY_AT(particles_setup, step_error),
      .mark = KEY_AFTER_BED},
     KEY_END};
 

@@ -85,16 +85,16 @@ double sizes_max(const struct sizes *s)
 static const struct key sizes_range_keys[] = {
     {"particles.sizes.min", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "smallest diameter; needed by uniform and normal", "XS11 section 4.4", "",
-     .at = KEY_AT(sizes_setup, of.min)},
+     KEY_AT(sizes_setup, of.min)},
     {"particles.sizes.max", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "largest diameter; needed by uniform and normal", "XS11 section 4.4", "",
-     .at = KEY_AT(sizes_setup, of.max)},
+     KEY_AT(sizes_setup, of.max)},
     KEY_END};
 
 static const struct key sizes_by_keys[] = {
     {"particles.sizes.by", KEY_NAME, "", "number | mass", "number",
      "whether shares are of the number or of the mass of the particles", "", "",
-     .at = KEY_AT(sizes_setup, by)},
+     KEY_AT(sizes_setup, by)},
     KEY_END};
 
 /* --- Gauss's bell, of the diameter or of its logarithm -------------------- */
@@ -207,19 +207,19 @@ static const char *lognormal_wrong(const struct sizes_options *o)
 static const struct key normal_keys[] = {
     {"particles.sizes.mean", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "mean of normal, before the cut-offs", "XS11 section 4.4", "",
-     .at = KEY_AT(sizes_setup, of.mean)},
+     KEY_AT(sizes_setup, of.mean)},
     {"particles.sizes.deviation", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "standard deviation of normal, before the cut-offs", "XS11 section 4.4",
-     "", .at = KEY_AT(sizes_setup, of.deviation)},
+     "", KEY_AT(sizes_setup, of.deviation)},
     KEY_END};
 
 static const struct key lognormal_keys[] = {
     {"particles.sizes.median", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
      "median of lognormal, before the cut-offs", "", "",
-     .at = KEY_AT(sizes_setup, of.median)},
+     KEY_AT(sizes_setup, of.median)},
     {"particles.sizes.ratio", KEY_REAL, "-", "> 1", KEY_OPTIONAL,
      "of the 84 % quantile of lognormal to its median", "", "",
-     .at = KEY_AT(sizes_setup, of.ratio)},
+     KEY_AT(sizes_setup, of.ratio)},
     KEY_END};
 
 static const struct sizes_law sizes_normal = {
@@ -383,7 +383,7 @@ static const char *table_wrong(const struct sizes_options *o)
 static const struct key points_keys[] = {
     {"particles.sizes.points", KEY_CURVE, "m, -", ">= 0", KEY_OPTIONAL,
      "((diameter, share), ...); of table the share below the diameter", "", "",
-     .at = KEY_AT(sizes_setup, points)},
+     KEY_AT(sizes_setup, points)},
     KEY_END};
 
 static const struct sizes_law sizes_uniform = {

@@ -101,31 +101,30 @@ int surface_wrong(const struct surface *s)
 const struct key surface_point_keys[] = {
     {"particles.surfaces.point", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
      "a point of the plane or of the axis; where the origin of a file is", "",
-     "", .at = KEY_AT(surface_setup, of.point)},
+     "", KEY_AT(surface_setup, of.point)},
     KEY_END};
 
-const struct key surface_axis_keys[] = {
-    {"particles.surfaces.axis", KEY_VECTOR, "-", "", "[0.0, 0.0, 1.0]",
-     "direction of the axis, of any length", "", "",
-     .at = KEY_AT(surface_setup, axis)},
-    KEY_END};
+const struct key surface_axis_keys[] = {{"particles.surfaces.axis", KEY_VECTOR,
+                                         "-", "", "[0.0, 0.0, 1.0]",
+                                         "direction of the axis, of any length",
+                                         "", "", KEY_AT(surface_setup, axis)},
+                                        KEY_END};
 
 const struct key surface_radius_keys[] = {
     {"particles.surfaces.radius", KEY_REAL, "m", "> 0", KEY_MODEL_REQUIRED,
      "distance of the surface from its axis", "", "",
-     .at = KEY_AT(surface_setup, of.radius)},
+     KEY_AT(surface_setup, of.radius)},
     {"particles.surfaces.particles", KEY_NAME, "", "inside | outside", "inside",
-     "on which side of it they are", "", "",
-     .at = KEY_AT(surface_setup, particles)},
+     "on which side of it they are", "", "", KEY_AT(surface_setup, particles)},
     KEY_END};
 
 static const struct key file_keys[] = {
     {"particles.surfaces.file", KEY_FILE, "", "", KEY_MODEL_REQUIRED,
      "STL file, text or binary; beside the case unless it begins with /", "",
-     "", .at = KEY_AT(surface_setup, file)},
+     "", KEY_AT(surface_setup, file)},
     {"particles.surfaces.scale", KEY_REAL, "m", "> 0", "1.0",
      "length of the file's unit: 1e-3 for millimetres", "", "",
-     .at = KEY_AT(surface_setup, scale)},
+     KEY_AT(surface_setup, scale)},
     KEY_END};
 
 const struct surface_shape surface_stl = {
@@ -158,7 +157,7 @@ static struct surface_hit nearest_on_plane(const struct surface *s,
 static const struct key plane_keys[] = {
     {"particles.surfaces.normal", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
      "from the plane to the particles, of any length", "", "",
-     .at = KEY_AT(surface_setup, of.normal)},
+     KEY_AT(surface_setup, of.normal)},
     KEY_END};
 
 const struct surface_shape surface_plane = {

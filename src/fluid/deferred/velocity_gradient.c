@@ -137,7 +137,7 @@ static void by_mesh(const struct mesh *m, const double *reach, const double *u,
 const struct key velocity_gradient_keys[] = {
     {"fluid.gradient", KEY_NAME, "", "", "by-mesh",
      "slope of the velocity, where a scheme asks for it", "", "",
-     .at = KEY_AT(fluid_options, velocity_gradient),
+     KEY_AT(fluid_options, velocity_gradient),
      .models = velocity_gradient_schemes},
     KEY_END};
 

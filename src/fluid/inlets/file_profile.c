@@ -291,8 +291,8 @@ static const struct key keys[] = {
     {"fluid.<patch>.file", KEY_FILE, "", "", KEY_OPTIONAL,
      "of the profile `file`: a table with columns u, some of x, y, z [m], and "
      "perhaps t [s]; beside the case unless it begins with /",
-     "", "", .at = KEY_AT(boundary_options, file),
-     .given = KEY_AT(boundary_options, has_file)},
+     "", "", KEY_AT(boundary_options, file),
+     KEY_GIVEN(boundary_options, has_file)},
     KEY_END};
 
 const struct inlet_profile file_profile = {
