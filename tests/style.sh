@@ -182,7 +182,7 @@ casts() {
 
 text() {
     grep -rn --include='*.[ch]' '^ *# *if' src |
-        grep -v -E '#ifndef [A-Z0-9_]+_H$|_OPENMP' | wrong 'code behind #if'
+        grep -v -E '#ifndef [A-Z0-9_]+_H$|_OPENMP|MADV_HUGEPAGE' | wrong 'code behind #if'
     for unit in $units $(find tests -name '*.c'); do
         head -1 "$unit" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' ||
             echo "$unit" | wrong 'no licence in the first line'
