@@ -9,7 +9,7 @@ shape, what is chance; and whether what was measured can be true.
     27-compare.py profile TABLE            the even part of the profiles, to compare with
     27-compare.py sides TABLE              which way round the bed goes, every 2 s
     27-compare.py vary TABLE               what one choice after the other moves
-    27-compare.py forms END TABLE...       offsets on mesh C from 2 s to END, with errors
+    27-compare.py forms END TABLE...       offsets on mesh C up to END, with errors
 
 Means are from FROM [s], 1 if not given. In the columns: the root mean square of the
 difference at the measured places; offset, its mean; shape, what is left of it; even, the
@@ -269,23 +269,24 @@ def vary(table):
 
 
 def forms(end, *tables):
-    """The errors are those of the mean of blocks of 2 s, taken to be independent."""
-    seen = references()
-    print(f"# means from 2 to {end} s: offset of eps_f at 16.4 and 31.2 mm, each +- its standard error by")
-    print("# blocks of 2 s; rms there; mirror error of eps_f at 31.2 mm and of us_y at 25 mm [m/s]")
+    """The errors are those of the mean of blocks, taken to be independent."""
+    seen, last = references(), float(end)
+    first = width = 1 if last <= 6 else 2
+    print(f"# mesh C, means from {first} to {end} s: offset of eps_f at 16.4 and 31.2 mm, each +- its standard error")
+    print(f"# by blocks of {width} s; rms there; mirror error of eps_f at 31.2 mm and of us_y at 25 mm [m/s]")
     for r in (r for table in tables for r in runs(table)):
-        if r.end < float(end) or r.cells != "18,50,4":
+        if r.end < last or r.cells != "18,50,4":
             continue
         row = []
         for height in (16.4, 31.2):
             of = seen["measured", "eps_f", height]
-            blocks = [parts(r.mean("eps_f", height, t, t + 2.0), of)[1]
-                      for t in map(float, range(2, int(end), 2))]
+            blocks = [parts(r.mean("eps_f", height, t, t + width), of)[1]
+                      for t in map(float, range(first, int(last), width))]
             mean, n = sum(blocks) / len(blocks), len(blocks)
             row += [mean, math.sqrt(sum((x - mean)**2 for x in blocks) / n / (n - 1))]
-        lines = [r.mean("eps_f", h, 2.0, float(end)) for h in (16.4, 31.2)]
+        lines = [r.mean("eps_f", h, first, last) for h in (16.4, 31.2)]
         row += [parts(line, seen["measured", "eps_f", h])[0] for line, h in zip(lines, (16.4, 31.2))]
-        row += [mirror(lines[1]), mirror(r.mean("us_y", 25.0, 2.0, float(end)))]
+        row += [mirror(lines[1]), mirror(r.mean("us_y", 25.0, first, last))]
         print(f"{r.name:10s}  {row[0]:+.3f} +- {row[1]:.3f}  {row[2]:+.3f} +- {row[3]:.3f}  "
               + " ".join(f"{x:.3f}" for x in row[4:]))
 
