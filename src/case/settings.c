@@ -2,6 +2,7 @@
 #include "case/settings.h"
 
 #include "base/alloc.h"
+#include "case/particles/case_clumps.h"
 #include "case/particles/case_population.h"
 #include "case/case_mesh.h"
 #include "case/schema.h"
@@ -72,7 +73,8 @@ struct settings *settings_create(const char *file, int n_overrides,
         schema_check_fill(&s->text->tree, s->text->tables);
         s->title = s->cites = "";
         fill_settings(s, s->text->tables);
-        *code = case_parcels_make(s);
+        *code = case_clumps_make(s);
+        if (*code == 0) *code = case_parcels_make(s);
         if (*code == 0) return s;
     }
     settings_free(s);
@@ -83,6 +85,7 @@ void settings_free(struct settings *s)
 {
     if (s == NULL) return;
     case_population_release(s);
+    case_clumps_release(s);
     case_surfaces_release(s);
     case_bodies_release(s);
     fill_release(s, s->text->tables);

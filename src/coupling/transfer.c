@@ -7,6 +7,7 @@
 
 #include "base/vector.h"
 #include "coupling/coupling.h"
+#include "dem/clumps.h"
 
 /* Speed of the fluid relative to particle i [m/s]. */
 static double slip_speed(const struct simulation *sim, int i)
@@ -17,14 +18,15 @@ static double slip_speed(const struct simulation *sim, int i)
     return vector_length(w);
 }
 
-/* k_i = eps_f B_i = V_p beta / eps_s [XS11 2.9-2.11], [kg/s]. */
+/* k_i = eps_f B_i = V_p beta / eps_s [XS11 2.9-2.11], [kg/s]. A ball of a clump
+ * has its share of the drag on a body with the clump's volume and surface. */
 static double drag_rate(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
     const struct particles *const ps = sim->particles;
     return particles_volume(ps, i) *
            drag_resistance(sim->coupling->options.law, sim->coupling->eps[i],
-                           o->rho, o->mu, particles_grain(ps, i),
+                           o->rho, o->mu, clumps_grain(ps, i),
                            slip_speed(sim, i));
 }
 

@@ -13,6 +13,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/vector.h"
+#include "dem/clumps.h"
 #include "dem/population/sizes.h"
 
 static const double lattice_spacing = 1.02; /* [-] over d */
@@ -83,9 +84,9 @@ static struct lattice lattice_of(const struct bed_options *bed,
  * one does not depend on the other. */
 static double next_size(const struct bed_options *bed, gsl_rng *random)
 {
-    return bed->sizes == NULL
-               ? bed->diameter
-               : bed->quantile(bed->sizes, gsl_rng_uniform(random));
+    if (bed->sizes == NULL) return bed->diameter;
+    const double d = bed->quantile(bed->sizes, gsl_rng_uniform(random));
+    return bed->clump == NULL ? d : d * clumps_shape_around(bed->clump);
 }
 
 struct bed_range bed_range(const struct bed_options *bed)
@@ -101,6 +102,8 @@ struct bed_range bed_range(const struct bed_options *bed)
         r.volume += M_PI / 6.0 * gsl_pow_3(d);
     }
     gsl_rng_free(random);
+    if (bed->clump != NULL)
+        r.volume /= gsl_pow_3(clumps_shape_around(bed->clump));
     return r;
 }
 
@@ -177,21 +180,29 @@ int bed_each(const struct bed_options *bed, const struct dem_options *dem,
 /* The particles that a bed is added to. */
 struct filling {
     struct particles *ps;
-    double density; /* [kg/m^3] */
+    const struct bed_options *bed;
 };
 
 static void put_one(void *to, int i, const double x[3], double d)
 {
+    static const double rest[3] = {0.0, 0.0, 0.0};
     const struct filling *const f = to;
+    const struct clump_shape *const clump = f->bed->clump;
+    double q[4];
 
-    (void)i; /* particles_add counts them itself */
-    particles_add(f->ps, x, d, f->density);
+    if (clump == NULL) {
+        particles_add(f->ps, x, d, f->bed->density);
+        return;
+    }
+    clumps_turn_at_random((unsigned long)f->bed->seed, i, q);
+    clumps_add(f->ps, (int)(clump - f->ps->clumps->shape),
+               0.5 * d / clump->reach, f->bed->density, x, rest, q, rest);
 }
 
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem)
 {
-    struct filling f = {ps, bed->density};
+    struct filling f = {ps, bed};
     const int wrong = bed_each(bed, dem, put_one, &f);
 
     if (wrong || bed->region.start_wrong == NULL) return wrong;

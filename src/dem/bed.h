@@ -38,8 +38,11 @@ struct bed_options {
     double gravity[3]; /* [m/s^2] points to the bottom; the walls of the box
                           are those of the dem_options */
     double settle;     /* [s] longest time; 0 leaves the lattice */
-    struct placement_region region; /* sites without space stay empty */
-    struct sizes *sizes;            /* borrowed; NULL: all have that diameter */
+    struct placement_region region;  /* sites without space stay empty */
+    const struct clump_shape *clump; /* borrowed: of that shape, turned at
+                                        random, and diameters are of spheres
+                                        around them; NULL: spheres */
+    struct sizes *sizes; /* borrowed; NULL: all have that diameter */
     /* The diameter [m] below which the fraction p of the spheres is. */
     double (*quantile)(const struct sizes *s, double p);
     void (*free_sizes)(struct sizes *s); /* for the owner of the sizes */

@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/thread_tuner.h"
 #include "base/vector.h"
+#include "dem/clumps.h"
 #include "dem/contact.h"
 
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
@@ -44,7 +45,7 @@ static double *raise_small_masses(struct particles *ps,
 {
     const double mean = bed->density * M_PI / 6.0 * gsl_pow_3(bed->diameter);
 
-    if (bed->sizes == NULL) return NULL;
+    if (bed->sizes == NULL || ps->clumps != NULL) return NULL;
     double *const own = alloc_doubles(ps->capacity);
     memcpy(own, ps->m, (size_t)ps->n * sizeof *own);
     particles_attach(ps, "own_mass", "kg", own, 1);
@@ -77,6 +78,7 @@ static void bed_settling_slow_down(struct particles *ps, double factor)
     for (int k = 0; k < 6; k++)
         for (int i = 0; i < ps->n; i++)
             all[k][i] *= factor;
+    if (ps->clumps != NULL) clumps_slow_down(ps, factor);
 }
 
 static void begin_part(struct bed_settling *b, int part)
@@ -173,10 +175,14 @@ int bed_settling_run(struct particles *ps, const struct bed_options *bed,
     struct dem_options settling = *o;
     struct bed_settling b = {
         .ps = ps, .bed = bed, .material = &o->material, .r = r};
+    double d = bed->diameter, filled = 1.0;
 
     settling.material.restitution = fmin(settling_e, o->material.restitution);
-    settling.step = b.step = limits_step(o->law, &o->material, bed->diameter,
-                                         bed->density, settling_speed);
+    if (bed->clump != NULL)
+        d = bed_range(bed).min * clumps_shape_least(bed->clump, &filled) /
+            (2.0 * bed->clump->reach);
+    settling.step = b.step = limits_step(o->law, &o->material, d,
+                                         filled * bed->density, settling_speed);
     b.run = dem_create(ps, &settling);
     if (b.run == NULL) return -1;
     b.own_mass = raise_small_masses(ps, bed);

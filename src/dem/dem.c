@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/model.h"
+#include "dem/clumps.h"
 #include "dem/energy.h"
 #include "dem/integrator.h"
 
@@ -278,6 +279,7 @@ const struct integrator integrators_velocity_verlet = {
     .what = "second order without damping; forces computed once a step",
     .equations = "LS section 4.2",
     .function = "rows_advance",
+    .keys = {clumps_keys},
     .first = 0.5,
     .last = 0.5,
 };

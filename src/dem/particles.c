@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "dem/clumps.h"
 
 enum { MAX_ATTACHED = 128, MAX_WIDTH = 8, OWN = 17 };
 
@@ -59,6 +60,7 @@ void particles_free(struct particles *ps)
     free(ps->id);
     free(ps->material);
     free(ps->across);
+    clumps_free(ps->clumps);
     free(ps->attached->copy);
     free(ps->attached->int_copy);
     free(ps->attached);
@@ -88,8 +90,8 @@ int particles_add(struct particles *ps, const double x[3], double d,
     ps->y[i] = x[1];
     ps->z[i] = x[2];
     ps->d[i] = d;
-    ps->m[i] = density * particles_volume(ps, i);
     ps->id[i] = ps->next_id++;
+    ps->m[i] = density * particles_volume(ps, i);
     if (ps->material != NULL) ps->material[i] = 0;
     return i;
 }
@@ -159,6 +161,7 @@ void particles_remove(struct particles *ps, const int *removed)
     int *const order = alloc_ints(ps->n);
     int n_kept = 0, end = ps->n;
 
+    if (ps->clumps != NULL) clumps_remove(ps, removed);
     for (int i = 0; i < ps->n; i++)
         order[removed[i] ? --end : n_kept++] = i;
     particles_permute(ps, order);
@@ -191,10 +194,13 @@ void particles_state(struct particles *ps, struct state *s)
         state_reals(s, name, a->row[k].unit, a->row[k].array, ps->n,
                     a->row[k].width);
     }
+    if (ps->clumps != NULL) clumps_state(ps, s);
     state_end(s);
 }
 
 double particles_volume(const struct particles *ps, int i)
 {
-    return M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+    const double V = M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+
+    return ps->clumps == NULL ? V : V * clumps_filled(ps, i);
 }

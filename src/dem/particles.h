@@ -34,6 +34,8 @@ struct particles {
     double *drag_impulse;     /* [N s] impulse of -k v, summed; 3 a particle */
     double *across; /* [-] diameter of a parcel over that of its grains, by
                        material; NULL: each particle is one grain */
+    struct clumps
+        *clumps; /* rigid bodies of some of them (clumps.h); or NULL */
     struct attachments *attached;
 };
 

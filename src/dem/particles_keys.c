@@ -133,7 +133,7 @@ const struct key particles_keys[] = {
      "velocity at time 0", "", "", OF(place_setup, velocity)},
     {"particles.place.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
      "angular velocity at time 0", "", "", OF(place_setup, spin)},
-    {"particles.place.diameter", KEY_REAL, "m", "> 0", NULL, "diameter", "", "",
+    {"particles.place.diameter", KEY_REAL, "m", "> 0", "", "diameter", "", "",
      OF(place_setup, diameter)},
     {"particles.place.material", KEY_TEXT, "", "", "",
      "material; left out: grains", "", "", OF(place_setup, material)},

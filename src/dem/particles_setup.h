@@ -31,12 +31,20 @@ struct pair_setup {
     int has_restitution, has_friction, has_rolling;
 };
 
+struct clump_setup {
+    const char *name, *file;
+    double scale;   /* [-] of the file */
+    double half[3]; /* [m] of an ellipsoid of revolution */
+    int has_half, balls;
+};
+
 struct place_setup {
     double position[3]; /* [m] */
     double velocity[3]; /* [m/s] */
     double spin[3];     /* [rad/s] */
-    double diameter;    /* [m] */
-    const char *material;
+    double diameter;    /* [m] of a clump, that of the sphere around it */
+    double rotation[3]; /* [rad] of a clump */
+    const char *material, *clump;
 };
 
 /* A source. The case completes its options and keeps what they borrow. */
@@ -44,7 +52,7 @@ struct insert_setup {
     struct insertion_options of;
     int count;            /* [-] */
     int has_from, has_to; /* [-] 1: of.lo, of.hi are given */
-    const char *sizes, *material, *file;
+    const char *sizes, *material, *file, *clump;
     double offset[3]; /* [m] of the file */
     struct sizes *distribution;
     struct insertion_sphere *list; /* of the file */
@@ -69,7 +77,9 @@ struct particles_setup {
     } parcel;
     int has_bed, has_place, has_insert, has_sinks;
     struct bed_options bed; /* without its sizes and surroundings */
-    const char *bed_sizes, *bed_file;
+    const char *bed_sizes, *bed_file, *bed_clump;
+    PARTICLES_LIST(clump_setup) clumps;
+    struct clump_shape *shapes; /* of these; made by the case */
     PARTICLES_LIST(material_setup) materials;
     PARTICLES_LIST(pair_setup) pairs;
     PARTICLES_LIST(place_setup) place;

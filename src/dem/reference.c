@@ -193,6 +193,20 @@ static void note_overlap(struct reference *r, const struct contact *c, int i,
         deepest->at[k] = box_domain_inside(&r->box, k, c->a->x[k]);
 }
 
+/* By how much 1/m_eff of a ball, which moves as its clump does, is above its
+ * own 1/m (clumps.h). */
+static double clump_difference(const struct reference *r,
+                               const struct sphere *s, const double n[3])
+{
+    double arm[3];
+
+    if (s == NULL || s->clump < 0) return 0.0;
+    const struct clump *const c = &r->clumps->item[s->clump];
+    const struct clump_pose at = clumps_pose(c);
+    reference_arm(r, c, s, arm);
+    return 1.0 / c->m - 1.0 / s->m + clumps_turning(at.per_I, arm, n);
+}
+
 /* The contact of sphere i with a partner, which it touches. */
 static void add_contact(struct reference *r, int i, int partner,
                         const double x[3], double dt)
@@ -206,6 +220,9 @@ static void add_contact(struct reference *r, int i, int partner,
                                          : 0;
     double M[3] = {0.0, 0.0, 0.0};
 
+    if (r->clumps != NULL)
+        c.m_star = 1.0 / (1.0 / c.m_star + clump_difference(r, a, c.n) +
+                          clump_difference(r, b, c.n));
     c.k = &r->constants[a->material * materials_count(all) + material_b];
     const struct contact_response law =
         r->options->law->respond(c.k, c.delta, c.R_star, c.m_star);
@@ -272,6 +289,7 @@ static void reference_add_pair(struct reference *r, int i, int j, double dt)
     struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
     double x[3];
 
+    if (a->clump >= 0 && a->clump == b->clump) return;
     for (int k = 0; k < 3; k++)
         x[k] = box_domain_nearest(&r->box, k, a->x[k] - b->x[k]);
     const double gap = vector_length(x) - a->R - b->R;
@@ -371,4 +389,72 @@ struct dem_crossing reference_crossing(const struct reference *r, double dt)
                 return (struct dem_crossing){1, {r->id[i], r->id[j]}};
     }
     return (struct dem_crossing){0};
+}
+
+/* --- clumps --------------------------------------------------------------- */
+
+void reference_put_balls(struct reference *r)
+{
+    const struct clumps *const l = r->clumps;
+
+    for (int c = 0; l != NULL && c < l->n; c++) {
+        const struct clump *const one = &l->item[c];
+        const struct clump_pose at = clumps_pose(one);
+        for (int k = 0; k < l->shape[one->shape].n; k++) {
+            struct sphere *const s = &r->sphere[l->index[one->first + k]];
+            double arm[3];
+            clumps_ball(l, one, &at, k, arm, s->v);
+            vector_along(one->x, 1.0, arm, s->x);
+            memcpy(s->w, at.w, sizeof s->w);
+        }
+    }
+}
+
+void reference_kick_clumps(struct reference *r, double dt)
+{
+    for (int c = 0; r->clumps != NULL && c < r->clumps->n; c++) {
+        struct clump *const one = &r->clumps->item[c];
+        double F[3] = {0.0}, T[3] = {0.0};
+
+        for (int k = 0; k < r->clumps->shape[one->shape].n; k++) {
+            const struct sphere *const s =
+                &r->sphere[r->clumps->index[one->first + k]];
+            double all[3], arm[3], turn[3];
+            vector_along(s->all.F, 1.0, s->external, all);
+            reference_arm(r, one, s, arm);
+            vector_cross(arm, all, turn);
+            vector_along(F, 1.0, all, F);
+            vector_along(T, 1.0, turn, T);
+            vector_along(T, 1.0, s->all.T, T);
+        }
+        clumps_kick(one, F, T, dt);
+    }
+}
+
+/* --- lost ----------------------------------------------------------------- */
+
+/* A particle is lost when it is wholly outside or not finite; a comparison with
+ * NaN is false. */
+static int reference_is_lost(const struct reference *r, const struct sphere *s)
+{
+    for (int w = 0; w < 6; w++) {
+        const double gap = box_domain_gap(&r->box, w, s->x);
+        const int periodic = r->box.periodic[w / 2];
+        if (!(periodic ? fabs(gap) < HUGE_VAL : gap >= -s->R)) return 1;
+    }
+    return !(vector_length(s->v) + vector_length(s->w) < HUGE_VAL);
+}
+
+/* Returns the number of lost particles, and reports the first. */
+int reference_check_lost(const struct reference *r, struct dem_report *report)
+{
+    report->lost = 0;
+    report->lost_id = report->lost_through = -1;
+    for (int i = 0; i < r->n; i++) {
+        if (!reference_is_lost(r, &r->sphere[i]) || report->lost++ > 0)
+            continue;
+        report->lost_id = r->id[i];
+        memcpy(report->lost_at, r->sphere[i].x, sizeof report->lost_at);
+    }
+    return report->lost;
 }

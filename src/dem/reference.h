@@ -10,6 +10,7 @@
 #ifndef DEM_REFERENCE_H
 #define DEM_REFERENCE_H
 
+#include "dem/clumps.h"
 #include "dem/dem_method.h"
 #include "dem/energy.h"
 #include "dem/box_domain.h"
@@ -25,6 +26,7 @@ struct sphere {
     double x[3], v[3], w[3]; /* [m], [m/s], [rad/s] */
     double R, m;             /* [m], [kg] */
     int material;            /* [-] number of it */
+    int clump;               /* [-] number of its clump; -1: none */
     double external[3];      /* [N] gravity, the fluid: constant in a run */
     struct loads all;        /* of the contacts and the attractions */
     struct loads part[ENERGY_PARTS]; /* those that the budget counts */
@@ -52,6 +54,7 @@ struct reference {
     struct box_domain box;
     int n, capacity; /* [-] spheres */
     struct sphere *sphere;
+    struct clumps *clumps;        /* rigid bodies of some of them; or NULL */
     struct link_cells *cells;     /* NULL: all pairs */
     struct histories now, before; /* of this step, and of the one before */
     struct energy *energy;        /* the budget (energy.h) */
@@ -63,8 +66,27 @@ struct reference {
     long sorts;                   /* [-] into cells, in this run */
 };
 
+/* From the centre of clump c to its ball s [m]. */
+static inline void reference_arm(const struct reference *r,
+                                 const struct clump *c, const struct sphere *s,
+                                 double arm[3])
+{
+    for (int k = 0; k < 3; k++)
+        arm[k] = box_domain_nearest(&r->box, k, s->x[k] - c->x[k]);
+}
+
 /* Computes F and T of all spheres; the contact histories advance by dt [s]. */
 void reference_forces(struct reference *r, double dt);
+
+/* The places of the balls of clumps, and their velocities. */
+void reference_put_balls(struct reference *r);
+
+/* What the sum of all loads about their centres changes of clumps in dt [s];
+ * the balls follow later. */
+void reference_kick_clumps(struct reference *r, double dt);
+
+/* Returns the number of lost particles, and reports the first. */
+int reference_check_lost(const struct reference *r, struct dem_report *report);
 
 /* The first pair that crossed in the last drift of dt [s]: each that moved by
  * more than the smallest radius is compared with all. */

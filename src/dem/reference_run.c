@@ -77,6 +77,8 @@ static void reference_run_load(struct reference *r, const struct particles *ps)
 {
     r->n = ps->n;
     r->id = ps->id;
+    r->clumps = ps->clumps;
+    if (ps->clumps != NULL) clumps_locate(ps);
     for (int i = 0; i < ps->n; i++) {
         struct sphere *const s = &r->sphere[i];
         const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
@@ -90,7 +92,9 @@ static void reference_run_load(struct reference *r, const struct particles *ps)
         s->R = 0.5 * ps->d[i];
         s->m = ps->m[i];
         s->material = ps->material != NULL ? ps->material[i] : 0;
+        s->clump = ps->clumps != NULL ? ps->clumps->of[ps->id[i]] : -1;
     }
+    reference_put_balls(r);
 }
 
 static void reference_run_store(const struct reference *r, struct particles *ps)
@@ -142,6 +146,23 @@ static struct change change_of(const struct sphere *s,
     return d;
 }
 
+/* The same of a ball whose clump has had the kick. */
+static struct change change_of_ball(const struct reference *r,
+                                    const struct sphere *s)
+{
+    const struct clump *const c = &r->clumps->item[s->clump];
+    const struct clump_pose at = clumps_pose(c);
+    struct change d = {.drag = {0.0}};
+    double arm[3], around[3];
+
+    reference_arm(r, c, s, arm);
+    vector_cross(at.w, arm, around);
+    vector_between(c->v, s->v, d.v);
+    vector_along(d.v, 1.0, around, d.v);
+    vector_between(at.w, s->w, d.w);
+    return d;
+}
+
 static double load_work(const struct loads *load, const double v[3],
                         const double w[3])
 {
@@ -173,9 +194,11 @@ static void reference_run_count(struct energy *e, const struct sphere *s,
 static void reference_run_kick(struct reference *r, const struct particles *ps,
                                double dt, double from)
 {
+    reference_kick_clumps(r, dt);
     for (int i = 0; i < r->n; i++) {
         struct sphere *const s = &r->sphere[i];
-        const struct change d = change_of(s, ps, i, dt);
+        const struct change d =
+            s->clump < 0 ? change_of(s, ps, i, dt) : change_of_ball(r, s);
 
         if (r->budget) reference_run_count(r->energy, s, &d, dt, from, 1.0);
         for (int k = 0; k < 3; k++) {
@@ -191,6 +214,9 @@ static void reference_run_drift(struct reference *r, double dt)
 {
     for (int i = 0; i < r->n; i++)
         vector_along(r->sphere[i].x, dt, r->sphere[i].v, r->sphere[i].x);
+    for (int c = 0; r->clumps != NULL && c < r->clumps->n; c++)
+        clumps_drift(&r->clumps->item[c], &r->box, dt);
+    reference_put_balls(r);
 }
 
 /* e of the sphere's material against that of the walls. */
@@ -223,33 +249,6 @@ static void rebound(struct reference *r, const struct particles *ps, int i)
     }
 }
 
-/* A particle is lost when it is wholly outside or not finite; a comparison with
- * NaN is false. */
-static int reference_run_is_lost(const struct reference *r,
-                                 const struct sphere *s)
-{
-    for (int w = 0; w < 6; w++) {
-        const double gap = box_domain_gap(&r->box, w, s->x);
-        const int periodic = r->box.periodic[w / 2];
-        if (!(periodic ? fabs(gap) < HUGE_VAL : gap >= -s->R)) return 1;
-    }
-    return !(vector_length(s->v) + vector_length(s->w) < HUGE_VAL);
-}
-
-/* Returns the number of lost particles, and reports the first. */
-static int check_lost(const struct reference *r, struct dem_report *report)
-{
-    report->lost = 0;
-    report->lost_id = report->lost_through = -1;
-    for (int i = 0; i < r->n; i++) {
-        if (!reference_run_is_lost(r, &r->sphere[i]) || report->lost++ > 0)
-            continue;
-        report->lost_id = r->id[i];
-        memcpy(report->lost_at, r->sphere[i].x, sizeof report->lost_at);
-    }
-    return report->lost;
-}
-
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
  * positions are at the same time; where the velocity lags behind (Euler) the
@@ -267,7 +266,7 @@ static void take_steps(const struct dem *dem, struct reference *r, int steps,
         reference_run_drift(r, dt);
         for (int i = 0; i < r->n && r->no_contacts; i++)
             rebound(r, ps, i);
-        if (check_lost(r, report) > 0) return;
+        if (reference_check_lost(r, report) > 0) return;
         report->crossing = reference_crossing(r, dt);
         if (report->crossing.found) return;
         /* reference_forces subtracts the energy that is left in the springs */
@@ -302,14 +301,16 @@ static double kinetic_energy(const struct reference *r,
 {
     const double dt = r->options->step;
     const double lag = integrator_lag(r->options->integrator);
-    double sum = 0.0;
+    double sum, turning;
 
+    clumps_energy(r->clumps, &sum, &turning);
+    sum += turning;
     for (int i = 0; i < r->n; i++) {
         const struct sphere *const s = &r->sphere[i];
         const struct change d = change_of(s, ps, i, dt);
         const double m = effective_mass(s, ps, i);
         double v[3], w[3];
-
+        if (s->clump >= 0) continue;
         vector_along(s->v, lag, d.v, v);
         vector_along(s->w, lag, d.w, w);
         sum += 0.5 * m * vector_dot(v, v) +
@@ -324,9 +325,11 @@ static void reference_run_measure(const struct reference *r,
     report->contacts = r->now.n;
     report->max_overlap = r->max_overlap;
     report->rebuilds = r->sorts;
+    clumps_energy(r->clumps, &report->translation, &report->rotation);
     for (int i = 0; i < r->n; i++) {
         const struct sphere *const s = &r->sphere[i];
         report->max_speed = fmax(report->max_speed, vector_length(s->v));
+        if (s->clump >= 0) continue;
         report->translation += 0.5 * s->m * vector_dot(s->v, s->v);
         report->rotation += 0.2 * s->m * s->R * s->R * vector_dot(s->w, s->w);
     }
@@ -346,7 +349,7 @@ static void reference_run_steps(struct dem *dem, int steps,
     r->max_overlap = 0.0;
     r->sorts = 0;
     reference_run_load(r, dem->ps);
-    if (check_lost(r, report) == 0) {
+    if (reference_check_lost(r, report) == 0) {
         if (run->stale) reference_run_start(r);
         run->stale = 0;
         e->kinetic = kinetic_energy(r, dem->ps);

@@ -7,6 +7,7 @@
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
 #include "coupling/processes.h"
+#include "dem/clumps.h"
 #include "dem/energy.h"
 #include "dem/population/population.h"
 
@@ -112,11 +113,14 @@ double history_buoyant_weight(const struct simulation *sim)
 static double particle_energy(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
-    double sum = 0.0;
+    double sum, turning;
 
+    clumps_energy(ps->clumps, &sum, &turning);
+    sum *= 2.0;
     for (int i = 0; i < ps->n; i++)
-        sum += ps->m[i] * (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
-                           ps->vz[i] * ps->vz[i]);
+        if (!clumps_own(ps, i))
+            sum += ps->m[i] * (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
+                               ps->vz[i] * ps->vz[i]);
     return 0.5 * processes_total(sim, sum);
 }
 
@@ -124,12 +128,15 @@ static double particle_energy(const struct simulation *sim)
 static double spin_energy(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
-    double sum = 0.0;
+    double sum, moving;
 
+    clumps_energy(ps->clumps, &moving, &sum);
+    sum *= 2.0;
     for (int i = 0; i < ps->n; i++)
-        sum += 0.1 * ps->m[i] * ps->d[i] * ps->d[i] *
-               (ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
-                ps->wz[i] * ps->wz[i]);
+        if (!clumps_own(ps, i))
+            sum += 0.1 * ps->m[i] * ps->d[i] * ps->d[i] *
+                   (ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
+                    ps->wz[i] * ps->wz[i]);
     return 0.5 * processes_total(sim, sum);
 }
 

@@ -47,23 +47,13 @@ struct recorder {
 
 /* --- the parts ------------------------------------------------------------ */
 
-const struct recorder_part *const recorder_parts[] = {&recorder_second_half,
-                                                      &recorder_profiles,
-                                                      &recorder_probes,
-                                                      &recorder_effect_shares,
-                                                      &recorder_contacts,
-                                                      &recorder_forces,
-                                                      &recorder_walls,
-                                                      &recorder_particle_fields,
-                                                      &recorder_bodies,
-                                                      &recorder_bodies_among,
-                                                      &recorder_outlines,
-                                                      &recorder_bodies_left,
-                                                      &recorder_statistics,
-                                                      &recorder_surface_table,
-                                                      &recorder_surfaces,
-                                                      &recorder_pictures,
-                                                      NULL};
+const struct recorder_part *const recorder_parts[] = {
+    &recorder_second_half,   &recorder_profiles,        &recorder_probes,
+    &recorder_effect_shares, &recorder_contacts,        &recorder_forces,
+    &recorder_walls,         &recorder_particle_fields, &recorder_clumps,
+    &recorder_bodies,        &recorder_bodies_among,    &recorder_outlines,
+    &recorder_bodies_left,   &recorder_statistics,      &recorder_surface_table,
+    &recorder_surfaces,      &recorder_pictures,        NULL};
 
 /* 1: all files are unstructured grids. */
 static int all_grids(const struct recording *of)

@@ -59,7 +59,7 @@ struct recorder_part {
 /* All of them, ended by NULL (recorder.c). */
 extern const struct recorder_part recorder_second_half, recorder_profiles,
     recorder_probes, recorder_effect_shares, recorder_contacts, recorder_forces,
-    recorder_walls, recorder_particle_fields, recorder_bodies,
+    recorder_walls, recorder_particle_fields, recorder_clumps, recorder_bodies,
     recorder_bodies_among, recorder_outlines, recorder_bodies_left,
     recorder_statistics, recorder_surface_table, recorder_surfaces,
     recorder_pictures;

@@ -8,6 +8,7 @@
 #include "dem/contact.h"
 #include "case/build.h"
 #include "case/checks/checks.h"
+#include "case/particles/case_clumps.h"
 #include "case/particles/case_population.h"
 #include "coupling/processes.h"
 #include "case/resolved/case_bodies.h"
@@ -277,6 +278,7 @@ int check_case(const struct settings *s)
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0) check_cohesion(s, &k);
     if (k.particles > 0) case_parcels_print(s, &k, check_scales(s, &k).eps_s);
+    case_clumps_print(s);
     case_surfaces_print(s, &k);
     processes_check_print(s, &k);
     case_bodies_report(s);

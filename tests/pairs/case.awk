@@ -143,12 +143,14 @@ function put_sizes(    s, d) {
 }
 
 function sized() {
-    return is("sizes", "equal") ? "diameter = " grain ";" : "sizes = \"some\";"
+    return (on("clumps") ? "clump = \"egg\"; " : "") \
+        (is("sizes", "equal") ? "diameter = " grain ";" : "sizes = \"some\";")
 }
 
 function sphere(where, velocity, i) {
-    return "{ position = " where "; velocity = " velocity "; diameter = " \
-        (is("sizes", "equal") ? grain : grain * (0.7 + 0.1 * i)) ";" \
+    return "{ position = " where "; velocity = " velocity "; " \
+        (on("clumps") && i % 2 ? "clump = \"egg\"; rotation = [0.0, 0.0, " i / 2 "]; " : "") \
+        "diameter = " (is("sizes", "equal") ? grain : grain * (0.7 + 0.1 * i)) ";" \
         (is("materials", "several pairs") && i % 2 ? " material = \"felt\";" : "") \
         (i == 2 ? " spin = [10.0, -20.0, 300.0];" : "") " }"
 }
@@ -253,10 +255,12 @@ function put_particles() {
     l = on("parcel") ? 2 : 1
     grain = d / l
     put("particles = {")
-    put("  step = " (is("count", "crowd") ? 2.5e-6 : 1e-5) ";")
-    if (is("particles.integrator", "adaptive-heun")) put("  shortest_step = 2e-6;")
+    put("  step = " (is("count", "crowd") ? 2.5e-6 : 1e-5) / (on("clumps") ? 2 : 1) ";")
+    if (is("particles.integrator", "adaptive-heun")) put("  shortest_step = 1e-6;")
     if (on("parcel"))
         put("  parcel = { grains = 8; restitution = \"" v["parcel"] "\"; };")
+    if (on("clumps"))
+        put("  clumps = ( { name = \"egg\"; half_axes = " vec(0.54 * d, 0.4 * d, 0.4 * d) "; balls = 3; } );")
     put_materials()
     put_sizes()
     put_particles_there()

@@ -25,6 +25,7 @@ BEGIN {
     choice("m", "bodies", "none free")
     choice("cpm", "count", "none one few sixty settled crowd")
     choice("cpm", "parcel", "none " values_of("particles.parcel.restitution"))
+    choice("p", "clumps", "none egg")
     choice("cpm", "sizes", "equal uniform normal lognormal discrete table")
     choice("cpm", "materials", "one wall several pairs")
     choice("cpm", "rolling", "off on")
@@ -112,6 +113,14 @@ BEGIN {
           "parcels of 2 diameters cannot lose as much as grains of e = 0.5")
     apart("parcel", "kept dissipation", "bodies",
           "fixed free moving cylinder surface solid", "there are grains, not parcels")
+    # A clump moves as its balls do together.
+    apart("clumps", "egg", "particles.integrator", "symplectic-euler heun adaptive-heun",
+          "moved by velocity-verlet alone")
+    apart("clumps", "egg", "particles.list", "none", "they would pass through each other")
+    apart("clumps", "egg", "particles.overlaps", "relax", "their balls would be moved apart")
+    apart("clumps", "egg", "parcel", "kept dissipation", "a ball is no parcel")
+    apart("clumps", "egg", "driven", "line swing circle", "the numbers of their balls")
+    apart("clumps", "egg", "surface", "cylinder stl turning loaded", "the wear by a clump")
     # Without contacts nothing comes to rest, and no pair is close.
     apart("particles.list", "none", "count", "settled",
           "no bed comes to rest without contacts|does not support")

@@ -8,6 +8,7 @@
 
 #include "base/alloc.h"
 #include "case/case_mesh.h"
+#include "case/particles/case_clumps.h"
 #include "coupling/processes.h"
 
 static const char insert[] = "particles.insert";
@@ -29,15 +30,17 @@ static double inserted(const struct settings *s)
     double sum = 0.0;
 
     for (int i = 0; i < s->particles.insert.n; i++)
-        sum += s->particles.insert.item[i].count;
+        sum += case_clumps_balls(s, s->particles.insert.item[i].clump,
+                                 s->particles.insert.item[i].count);
     return sum;
 }
 
 static double of_particles(const struct settings *s)
 {
     if (!s->has.particles) return 0.0;
-    return per_particle *
-           (s->particles.bed.count + inserted(s) + s->particles.place.n);
+    return per_particle * (case_clumps_balls(s, s->particles.bed_clump,
+                                             s->particles.bed.count) +
+                           inserted(s) + s->particles.place.n);
 }
 
 static double of_cells(const struct settings *s)

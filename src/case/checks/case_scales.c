@@ -3,13 +3,16 @@
 
 #include <gsl/gsl_math.h>
 #include <libconfig.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "averaging/averaging.h"
 #include "averaging/kernel/weights.h"
+#include "base/number.h"
 #include "base/vector.h"
 #include "case/build.h"
+#include "case/particles/case_clumps.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_file.h"
@@ -35,19 +38,21 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
     if (s->particles.has_bed) {
         struct bed_options b = build_particles_bed(s);
         const struct bed_range range = bed_range(&b);
-        k->particles = b.count;
-        k->d = range.min;
+        k->particles = number_clamped(
+            case_clumps_balls(s, s->particles.bed_clump, b.count), 0, INT_MAX);
+        k->d = case_clumps_ball(s, s->particles.bed_clump, range.min);
         k->d_most = range.max;
         k->volume = range.volume;
         build_particles_free_bed(&b);
         return;
     }
-    k->particles = s->particles.place.n;
-    for (int i = 0; i < k->particles; i++) {
-        const double d = s->particles.place.item[i].diameter;
+    for (int i = 0; i < s->particles.place.n; i++) {
+        const struct place_setup *const p = &s->particles.place.item[i];
+        const double d = case_clumps_ball(s, p->clump, p->diameter);
 
+        k->particles += (int)case_clumps_balls(s, p->clump, 1.0);
         k->d = i == 0 ? d : fmin(k->d, d);
-        k->d_most = fmax(k->d_most, d);
+        k->d_most = fmax(k->d_most, p->diameter);
     }
 }
 
@@ -348,7 +353,7 @@ static double smallest_placed(const struct settings *s, int m)
     for (int i = 0; i < s->particles.place.n; i++) {
         const struct place_setup *const p = &s->particles.place.item[i];
         if (case_materials_number(s, p->material) == m)
-            least = smaller(least, p->diameter);
+            least = smaller(least, case_clumps_ball(s, p->clump, p->diameter));
     }
     return least;
 }
@@ -360,7 +365,8 @@ static double smallest_of_bed(const struct settings *s, int m)
     struct bed_options b = build_particles_bed(s);
     const struct bed_range range = bed_range(&b);
     build_particles_free_bed(&b);
-    return b.count > 0 ? range.min : 0.0;
+    return b.count > 0 ? case_clumps_ball(s, s->particles.bed_clump, range.min)
+                       : 0.0;
 }
 
 struct case_limits case_scales_limits(const struct settings *s, int m, double v)
@@ -369,7 +375,7 @@ struct case_limits case_scales_limits(const struct settings *s, int m, double v)
     const struct material of = case_materials_one(s, m);
     struct case_limits k = {.material = m};
 
-    k.density = case_materials_setup(s, m)->density;
+    k.density = case_clumps_filled(s) * case_materials_setup(s, m)->density;
     k.d = smaller(smallest_of_bed(s, m), smallest_placed(s, m));
     k.d = smaller(k.d, case_population_diameters(s, m).min);
     if (k.d <= 0.0) return k;

@@ -9,6 +9,7 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/case_file.h"
+#include "case/particles/case_clumps.h"
 #include "case/particles/case_materials.h"
 #include "coupling/processes.h"
 #include "case/particles/case_population.h"
@@ -183,6 +184,7 @@ static int validate_check_place(const struct settings *s)
         for (int k = 0; k < 3; k++) {
             /* the period of a box that is oblique leads back into it */
             if (periodic[k] && s->poly != NULL) continue;
+            if (s->particles.place.item[i].clump != NULL) continue;
             const double margin =
                 periodic[k] ? 0.0 : (0.5 - build_particles_wall_overlap(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
@@ -263,6 +265,7 @@ static int validate_check_particles(struct settings *s)
     const int bed = s->particles.has_bed, place = s->particles.has_place;
     int code = check_integrator(s);
 
+    if (code == 0) code = case_clumps_check(s);
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_surfaces_check(s);
     if (code == 0) code = case_materials_check_attractions(s);

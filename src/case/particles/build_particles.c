@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/alloc.h"
+#include "case/particles/case_clumps.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_file.h"
@@ -28,11 +29,18 @@ static int bed_lost(const struct bed_report *r)
     return 3;
 }
 
+/* None yet, with room for the bed and for those that come later. */
+static struct particles *bed_particles(const struct settings *s)
+{
+    return case_clumps_particles(s, case_clumps_balls(s, s->particles.bed_clump,
+                                                      s->particles.bed.count) +
+                                        case_population_count(s));
+}
+
 static int allocate_bed(const struct settings *s, struct simulation *sim,
                         const struct dem_options *o)
 {
-    sim->particles =
-        particles_create(s->particles.bed.count + case_population_count(s));
+    sim->particles = bed_particles(s);
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
 }
@@ -71,7 +79,7 @@ static int make_bed(const struct settings *s, struct simulation *sim,
 
     b.region = sim->region;
     b.saver = saver;
-    sim->particles = particles_create(b.count + case_population_count(s));
+    sim->particles = bed_particles(s);
     sim->dem = dem_create(sim->particles, o);
     const int found =
         sim->dem == NULL
@@ -133,7 +141,11 @@ static int build_particles_put_spheres(const struct settings *s,
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const int n = s->particles.place.n;
 
-    sim->particles = particles_create(n + case_population_count(s));
+    double balls = case_population_count(s);
+
+    for (int k = 0; k < n; k++)
+        balls += case_clumps_balls(s, s->particles.place.item[k].clump, 1.0);
+    sim->particles = case_clumps_particles(s, balls);
     if (sim->materials != NULL) particles_add_material(sim->particles);
     for (int k = 0; k < n; k++) {
         const struct place_setup *const p = &s->particles.place.item[k];
@@ -143,9 +155,16 @@ static int build_particles_put_spheres(const struct settings *s,
         for (int a = 0; a < 3; a++)
             if (x[a] < o->lo[a] || x[a] > o->hi[a])
                 x[a] = box_domain_inside(&box, a, x[a]);
-        const int i = particles_add(sim->particles, x, p->diameter,
-                                    case_materials_setup(s, material)->density);
-        if (material > 0) sim->particles->material[i] = material;
+        const double density = case_materials_setup(s, material)->density;
+        int i;
+        if (p->clump == NULL)
+            i = particles_add(sim->particles, x, p->diameter, density);
+        else if (case_clumps_place(s, sim->particles, o, p, x, density, &i) !=
+                 0)
+            return 2;
+        for (int q = i; q < sim->particles->n && material > 0; q++)
+            sim->particles->material[q] = material;
+        if (p->clump != NULL) continue;
         sim->particles->vx[i] = p->velocity[0];
         sim->particles->vy[i] = p->velocity[1];
         sim->particles->vz[i] = p->velocity[2];
@@ -172,7 +191,7 @@ static int place_bed(const struct settings *s, struct simulation *sim,
     struct bed_options b = build_particles_bed(s);
 
     b.region = sim->region;
-    sim->particles = particles_create(b.count + case_population_count(s));
+    sim->particles = bed_particles(s);
     const int wrong = bed_fill(sim->particles, &b, o) != 0;
     build_particles_free_bed(&b);
     if (wrong) return 2;
@@ -264,6 +283,7 @@ struct bed_options build_particles_bed(const struct settings *s)
     struct bed_options b = s->particles.bed;
 
     b.density = s->particles.grains.density;
+    b.clump = case_clumps_shape(s, s->particles.bed_clump);
     settings_where(s, KEY_OF(s, particles.bed.count), b.where, sizeof b.where);
 
     case_population_bed_sizes(s, &b);

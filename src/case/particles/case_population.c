@@ -15,6 +15,7 @@
 #include "coupling/transfer.h"
 #include "dem/population/insertion.h"
 #include "dem/population/population.h"
+#include "case/particles/case_clumps.h"
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
@@ -311,8 +312,10 @@ int case_population_count(const struct settings *s)
 {
     double sum = 0.0;
 
-    for (int i = 0; i < s->particles.insert.n; i++)
-        sum += (double)s->particles.insert.item[i].of.count;
+    for (int i = 0; i < s->particles.insert.n; i++) {
+        const struct insert_setup *const in = &s->particles.insert.item[i];
+        sum += case_clumps_balls(s, in->clump, (double)in->of.count);
+    }
     return number_clamped(sum, 0, INT_MAX);
 }
 
@@ -322,11 +325,12 @@ struct case_diameters case_population_diameters(const struct settings *s,
     struct case_diameters all = {0.0, 0.0};
 
     for (int i = 0; i < s->particles.insert.n; i++) {
-        const struct insertion_options *const o =
-            &s->particles.insert.item[i].of;
-        if (material >= 0 && o->material != material) continue;
-        const struct source_sizes c = sizes_of_source(o);
-        all.min = all.min > 0.0 ? fmin(all.min, c.min) : c.min;
+        const struct insert_setup *const in = &s->particles.insert.item[i];
+        if (material >= 0 && in->of.material != material) continue;
+        const struct source_sizes c = sizes_of_source(&in->of);
+        const double d =
+            case_clumps_ball(s, s->particles.insert.item[i].clump, c.min);
+        all.min = all.min > 0.0 ? fmin(all.min, d) : d;
         all.max = fmax(all.max, c.max);
     }
     return all;
@@ -381,7 +385,6 @@ int case_population_check(struct settings *s)
     int code = check_sizes(s);
 
     if (code == 0) code = check_bed_file(s);
-
     for (int i = 0; i < s->particles.insert.n && code == 0; i++)
         code = check_source(s, i, &s->particles.insert.item[i]);
     for (int i = 0; i < s->particles.sinks.n && code == 0; i++)
@@ -395,7 +398,8 @@ void case_population_bed_sizes(const struct settings *s, struct bed_options *b)
     b->sizes = create_sizes(s, s->particles.bed_sizes, 0);
     b->quantile = sizes_quantile;
     b->free_sizes = sizes_free;
-    b->diameter = sizes_moment(b->sizes, 1);
+    b->diameter = sizes_moment(b->sizes, 1) *
+                  (b->clump == NULL ? 1.0 : clumps_shape_around(b->clump));
 }
 
 int case_population_place(const struct settings *s, struct particles *ps,

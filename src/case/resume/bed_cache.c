@@ -69,7 +69,8 @@ static int cache_of(char *path, size_t room)
 
 static int bed_cache_path_of(const struct settings *s, char *path, size_t room)
 {
-    if (s->particles.bed_file != NULL || s->particles.bed.count < LEAST_COUNT ||
+    if (s->particles.bed_file != NULL || s->particles.bed_clump != NULL ||
+        s->particles.bed.count < LEAST_COUNT ||
         s->particles.bed.settle <= 0.0 || !cache_of(path, room))
         return 0;
     const size_t used = strlen(path);

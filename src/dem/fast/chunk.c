@@ -418,10 +418,11 @@ void chunk_measure(struct chunk *s, const struct rows *b)
         const struct row_motion *const own = &b->motion[i];
         const double v2 = vector_dot(own->v, own->v);
 
+        m->speed2 = v2 > m->speed2 ? v2 : m->speed2;
+        if (b->ball != NULL && b->ball[i].of >= 0) continue;
         m->translation += 0.5 * v2 / own->per_m;
         m->rotation += /* I = (2/5) m R^2 */
             0.2 * vector_dot(own->s, own->s) / own->per_m;
-        m->speed2 = v2 > m->speed2 ? v2 : m->speed2;
     }
 }
 

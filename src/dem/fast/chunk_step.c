@@ -243,6 +243,20 @@ static void publish_max_speed(struct chunk *own)
     memset(own->max_speed_now, 0, sizeof own->max_speed_now);
 }
 
+/* The motion of clumps, and then the budget of all chunks, whose balls have
+ * their velocities only now. */
+static void chunk_step_move_clumps(struct neighbours *nb,
+                                   const struct chunk_range *mine,
+                                   const struct step_parameters *by)
+{
+    if (nb->ps->clumps == NULL || by->kick == 0.0) return;
+    fast_clumps_kick(nb, by->kick, by->budget);
+    for (int s = mine->first; s < mine->last; s++)
+        chunk_step_count(nb, s, by);
+    if (by->budget) neighbours_barrier(nb);
+    fast_clumps_drift(nb, by->drift);
+}
+
 void chunk_step_load_and_move(struct neighbours *nb,
                               const struct step_parameters *by)
 {
@@ -258,10 +272,11 @@ void chunk_step_load_and_move(struct neighbours *nb,
         surfaces_wear(nb->surfaces, by->dt);
     for (int s = mine.first; s < mine.last; s++) {
         load_and_move_chunk(nb, s, by, 1);
-        chunk_step_count(nb, s, by);
+        if (nb->ps->clumps == NULL) chunk_step_count(nb, s, by);
         publish_max_speed(&nb->chunks[s]);
     }
     neighbours_barrier(nb);
+    chunk_step_move_clumps(nb, &mine, by);
 }
 
 void chunk_step_move(struct neighbours *nb, const struct step_parameters *by)
@@ -271,10 +286,11 @@ void chunk_step_move(struct neighbours *nb, const struct step_parameters *by)
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         chunk_step_advance(nb, own, own->begin, own->end, by);
-        chunk_step_count(nb, s, by);
+        if (nb->ps->clumps == NULL) chunk_step_count(nb, s, by);
         publish_max_speed(own);
     }
     neighbours_barrier(nb);
+    chunk_step_move_clumps(nb, &mine, by);
 }
 
 /* --- chunk energy --------------------------------------------------------- */

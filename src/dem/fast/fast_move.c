@@ -123,6 +123,7 @@ static void fast_move_measure(struct dem *dem)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
+    double moving, turning;
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
@@ -133,6 +134,10 @@ static void fast_move_measure(struct dem *dem)
             prescribed_particles_restore_mass(nb->prescribed, nb->rows, nb->ps,
                                               own->begin, own->end);
         chunk_measure(own, nb->rows);
+        if (s > 0) continue;
+        clumps_energy(dem->ps->clumps, &moving, &turning);
+        own->measures.translation += moving;
+        own->measures.rotation += turning;
     }
 }
 

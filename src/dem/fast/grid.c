@@ -204,6 +204,13 @@ static void find_inside(int from, int to, struct chunk *s, const struct rows *b,
     s->pairs.n += n;
 }
 
+/* 1 for two balls of one clump. */
+static inline int grid_are_one(const struct rows *b, int i, int j)
+{
+    return b->ball != NULL && b->ball[i].of >= 0 &&
+           b->ball[i].of == b->ball[j].of;
+}
+
 /* Partners of i among the particles from ... to - 1. */
 static void find_among(const struct grid *g, int from, int to, struct chunk *s,
                        const struct rows *b, int i, double skin)
@@ -212,12 +219,13 @@ static void find_among(const struct grid *g, int from, int to, struct chunk *s,
     const int ring = around[g->axis[2]];
     const int first = !ring && from <= i ? i + 1 : from;
 
-    if (!around[0] && !around[1] && !around[2]) {
+    if (!around[0] && !around[1] && !around[2] && b->ball == NULL) {
         find_inside(first, to, s, b, i, skin);
         return;
     }
     for (int j = first; j < to; j++)
-        if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin)) {
+        if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin) &&
+            !grid_are_one(b, i, j)) {
             *chunk_room_for_pairs(s, 1) = j;
             s->pairs.n++;
         }

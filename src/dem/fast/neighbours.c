@@ -54,6 +54,7 @@ void neighbours_free(struct neighbours *nb)
     prescribed_particles_free(nb->prescribed);
     barrier_free(nb->barrier);
     free(nb->rank);
+    free(nb->clump_speed);
     free(nb);
 }
 
@@ -125,6 +126,7 @@ void neighbours_begin_run(struct neighbours *nb)
     }
     if (nb->surfaces != NULL) surfaces_begin_run(nb->surfaces);
     nb->history_given = 0;
+    fast_clumps_locate(nb);
     if (nb->prescribed != NULL)
         prescribed_particles_locate(nb->prescribed, nb->ps);
 }
@@ -161,6 +163,7 @@ void neighbours_load(struct neighbours *nb)
 
     for (int s = mine.first; s < mine.last; s++)
         rows_load(nb->rows, nb->ps, nb->chunks[s].begin, nb->chunks[s].end);
+    fast_clumps_write(nb);
 }
 
 void neighbours_store(struct neighbours *nb)
@@ -188,6 +191,9 @@ double neighbours_speed(const struct neighbours *nb)
     for (int s = 0; s < nb->n_chunks; s++)
         for (int k = 0; k < 3; k++)
             top[k] = fmax(top[k], nb->chunks[s].max_speed[k]);
+    for (int s = 0; s < FAST_CLUMPS_SLICES && nb->clump_speed != NULL; s++)
+        for (int k = 0; k < 3; k++)
+            top[k] = fmax(top[k], nb->clump_speed[s][k]);
     const double v = sqrt(top[0] * top[0] + top[1] * top[1] + top[2] * top[2]);
     return nb->surfaces != NULL ? fmax(v, nb->surfaces->speed) : v;
 }
@@ -279,16 +285,10 @@ static void neighbours_sort(struct neighbours *nb)
     particles_permute(nb->ps, order);
     for (int i = 0; i < ps->n; i++)
         nb->rank[order[i]] = i;
+    fast_clumps_locate(nb);
     if (nb->surfaces != NULL) surfaces_locate_particles(nb->surfaces, ps);
     if (nb->prescribed != NULL) prescribed_particles_locate(nb->prescribed, ps);
     nb->rebuilds++;
-}
-
-/* The chunk of particle i: its begin is n s / count, rounded down. */
-static struct chunk *chunk_of(const struct neighbours *nb, int i)
-{
-    const long s = ((i + 1L) * nb->n_chunks - 1) / nb->rows->n;
-    return &nb->chunks[s];
 }
 
 /* Restores the history of a pair with the new indices. If the other particle
@@ -311,7 +311,7 @@ static void restore_history(struct neighbours *nb,
             }
         }
     }
-    chunk_restore_history(chunk_of(nb, k.owner), &k);
+    chunk_restore_history(neighbours_chunk_of(nb, k.owner), &k);
 }
 
 /* Sorts the particles and builds all neighbour lists; displacements are
@@ -335,8 +335,11 @@ static void rebuild(struct neighbours *nb)
         if (nb->prescribed != NULL)
             prescribed_particles_fix_mass(nb->prescribed, b, nb->ps, own->begin,
                                           own->end);
-        rows_record_positions(b, own->begin, own->end, nb->ahead);
     }
+    fast_clumps_write(nb);
+    for (int s = mine.first; s < mine.last; s++)
+        rows_record_positions(b, nb->chunks[s].begin, nb->chunks[s].end,
+                              nb->ahead);
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++) {
         grid_find(nb->grid, &nb->chunks[s], b, nb->skin + nb->range);

@@ -18,6 +18,7 @@
 #define DEM_FAST_NEIGHBOURS_H
 
 #include "dem/attraction.h"
+#include "dem/clumps.h"
 #include "dem/fast/chunk.h"
 #include "dem/particles.h"
 #include "dem/surfaces/prescribed_particles.h"
@@ -81,7 +82,9 @@ struct neighbours {
     int n_chunks;              /* [-] chunks */
     struct surfaces *surfaces; /* besides the box; NULL without any */
     struct prescribed_particles
-        *prescribed; /* particles with a motion of their own; NULL */
+        *prescribed;          /* particles with a motion of their own; NULL */
+    double (*clump_speed)[3]; /* [m/s] largest |v_x|, |v_y|, |v_z| of balls of a
+                                 slice (fast_clumps.c); NULL */
     struct barrier *barrier;
     int *rank;       /* [-] new index of each particle after a sort */
     double skin;     /* [m] set by the caller before neighbours_begin_run */
@@ -117,6 +120,13 @@ struct chunk_range neighbours_static_range(const struct neighbours *nb);
 /* The same by the work in a step, which is not distributed evenly. Between uses
  * of the two partitions there must be a barrier. */
 struct chunk_range neighbours_balanced_range(const struct neighbours *nb);
+
+/* The chunk of particle i: its begin is n s / count, rounded down. */
+static inline struct chunk *neighbours_chunk_of(const struct neighbours *nb,
+                                                int i)
+{
+    return &nb->chunks[((i + 1L) * nb->n_chunks - 1) / nb->rows->n];
+}
 
 /* Waits for all threads of the team. */
 void neighbours_barrier(const struct neighbours *nb);
@@ -158,6 +168,24 @@ struct energy neighbours_energy(const struct neighbours *nb);
 /* The first pair that crossed in the last drift of dt [s]: each particle that
  * moved by more than the smallest radius is compared with all. */
 struct dem_crossing neighbours_crossing(const struct neighbours *nb, double dt);
+
+/* --- clumps (fast_clumps.c) ----------------------------------------------- */
+
+/* By one thread: which particles are balls of clumps, after their order has
+ * changed. */
+void fast_clumps_locate(struct neighbours *nb);
+enum { FAST_CLUMPS_SLICES = 64 };
+
+/* By all threads: writes the rows of all balls; begins and ends with a barrier.
+ */
+void fast_clumps_write(struct neighbours *nb);
+
+/* By all threads, where there are clumps: their motion under the loads of the
+ * contacts. The rows have the new velocities at the old places after a kick
+ * with a budget, and all is new after the drift; both then end with a barrier.
+ */
+void fast_clumps_kick(struct neighbours *nb, double kick, int budget);
+void fast_clumps_drift(struct neighbours *nb, double drift);
 
 /* --- chunk step ----------------------------------------------------------- */
 

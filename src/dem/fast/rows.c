@@ -32,6 +32,8 @@ void rows_free(struct rows *b)
     free(b->listed);
     free(b->chosen);
     free(b->drag);
+    free(b->ball);
+    free(b->clump);
     free(b->own_inverse_mass);
     free(b);
 }

@@ -37,6 +37,16 @@ struct row_drag {
     double per_m;           /* [1/kg] 1/(m + m_a) */
 };
 
+/* A ball of a clump (clumps.h); and what the contacts of a clump need of it. */
+struct row_ball {
+    double arm[3]; /* [m] from the centre of the clump */
+    int of;        /* [-] number of the clump; -1: a single sphere */
+};
+
+struct row_clump {
+    double per_m, per_I[6]; /* [1/kg]; [1/(kg m^2)] in the box */
+};
+
 struct rows {
     int n;
     struct box_domain box;
@@ -53,6 +63,8 @@ struct rows {
                                   its margin, how far it may move until then */
     struct row_drag *drag;     /* NULL without an implicit drag */
     double *drag_impulse;      /* [N s] the particles' own */
+    struct row_ball *ball;     /* NULL: there are no clumps */
+    struct row_clump *clump;   /* of each clump */
     double *own_inverse_mass;  /* [1/kg] 1/m of those that move as prescribed,
                                   else 0; NULL if none ever does */
     double step;               /* [s] that the rows are for */

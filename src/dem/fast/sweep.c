@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "dem/clumps.h"
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
 
@@ -205,6 +206,29 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
     }
 }
 
+/* 1/m_eff of the balls of clumps: for the ball's 1/m stands what its clump has
+ * in the direction of n, 1/M + w . I^-1 w with w = arm x n. */
+SWEEP_STAGE void sweep_clumps(struct sweep_buffers *restrict c,
+                              const struct chunk *s, const struct rows *b,
+                              int first, int count)
+{
+    const int pairs = sweep_pairs(s, first, count);
+
+    for (int p = 0; p < count; p++) {
+        const double n[3] = {c->n[0][p], c->n[1][p], c->n[2][p]};
+        const int both[2] = {s->contacts.owner[first + p],
+                             s->contacts.partner[first + p]};
+        if (c->delta[p] <= 0.0) continue;
+        for (int k = 0; k < 1 + (p < pairs); k++) {
+            const struct row_ball *const ball = &b->ball[both[k]];
+            if (ball->of < 0) continue;
+            const struct row_clump *const of = &b->clump[ball->of];
+            c->per_m[p] += of->per_m - b->motion[both[k]].per_m +
+                           clumps_turning(of->per_I, ball->arm, n);
+        }
+    }
+}
+
 SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                             const struct contact_constants *k,
                             contact_respond respond, int many, int budget)
@@ -340,6 +364,7 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
         sweep_frames(c, &b->box, 1);
     else
         sweep_frames(c, &b->box, 0);
+    if (b->ball != NULL) sweep_clumps(c, s, b, first, count);
     if (many) sweep_material_pairs(c, s, b, first, count);
     if (!many)
         sweep_law(c, k, respond, 0, 0);

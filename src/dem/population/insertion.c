@@ -13,12 +13,19 @@
  * free, and a sphere without one is tried again in the next step. */
 enum { ATTEMPTS = 200, AT_ONCE = 4096, MOST_CELLS = 1000 };
 
-double insertion_diameter(const struct insertion_options *o, long k)
+/* That of a sphere of the same volume. */
+static double insertion_size(const struct insertion_options *o, long k)
 {
     if (o->list != NULL) return o->list[k].d;
     if (o->sizes == NULL) return o->diameter;
     return sizes_quantile(o->sizes,
                           random_uniform((unsigned long)o->seed, k, 0, 3));
+}
+
+double insertion_diameter(const struct insertion_options *o, long k)
+{
+    const double d = insertion_size(o, k);
+    return o->clump == NULL ? d : d * clumps_shape_around(o->clump);
 }
 
 void insertion_place(const struct insertion_options *o, long k, long attempt,
@@ -39,7 +46,7 @@ static long insertion_count_by_mass(struct insertion *in, double t)
     const double mass = (t - o->start) * o->mass_rate;
 
     while (in->n_due < o->count && in->mass_due <= mass) {
-        const double d = insertion_diameter(o, in->n_due++);
+        const double d = insertion_size(o, in->n_due++);
         in->mass_due += o->density * M_PI / 6.0 * d * d * d;
     }
     return in->n_due;
@@ -221,6 +228,32 @@ static struct near_particles near_particles_of(const struct insertion *in,
     return c;
 }
 
+/* Adds the next sphere, or the balls of the next clump. */
+static void insertion_put(const struct insertion *in, struct near_particles *c,
+                          struct particles *ps, double d, const double x[3])
+{
+    static const double rest[3] = {0.0, 0.0, 0.0};
+    const struct insertion_options *const o = &in->options;
+    int i = ps->n;
+    double q[4];
+
+    if (o->clump != NULL) {
+        clumps_turn_at_random((unsigned long)o->seed, in->n_inserted, q);
+        clumps_add(ps, (int)(o->clump - ps->clumps->shape),
+                   0.5 * d / o->clump->reach, o->density, x, o->velocity, q,
+                   rest);
+    } else {
+        particles_add(ps, x, d, o->density);
+        ps->vx[i] = o->velocity[0];
+        ps->vy[i] = o->velocity[1];
+        ps->vz[i] = o->velocity[2];
+    }
+    for (; i < ps->n; i++) {
+        if (ps->material != NULL) ps->material[i] = o->material;
+        add_to_cell(c, i);
+    }
+}
+
 /* Inserts the next sphere if there is a free position. */
 static int place_next(struct insertion *in, struct near_particles *c,
                       struct particles *ps)
@@ -235,12 +268,7 @@ static int place_next(struct insertion *in, struct near_particles *c,
         if (o->region.has_room != NULL &&
             !o->region.has_room(o->region.state, x, 0.5 * d))
             continue;
-        const int i = particles_add(ps, x, d, o->density);
-        if (ps->material != NULL) ps->material[i] = o->material;
-        ps->vx[i] = o->velocity[0];
-        ps->vy[i] = o->velocity[1];
-        ps->vz[i] = o->velocity[2];
-        add_to_cell(c, i);
+        insertion_put(in, c, ps, d, x);
         in->n_inserted++;
         in->n_attempts = 0;
         return 1;

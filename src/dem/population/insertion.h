@@ -16,6 +16,7 @@
 #include "base/file.h"
 #include "dem/bed.h"
 #include "dem/box_domain.h"
+#include "dem/clumps.h"
 #include "dem/particles.h"
 #include "dem/population/sizes.h"
 
@@ -29,15 +30,17 @@ struct insertion_options {
     double lo[3], hi[3]; /* [m] the region that contains the whole spheres */
     double velocity[3];  /* [m/s] initial velocity */
     double diameter;     /* [m] of all, unless there are sizes */
-    const struct sizes *sizes;      /* borrowed; or NULL */
-    double density;                 /* [kg/m^3] */
-    int material;                   /* [-] its number */
-    long count;                     /* [-] of spheres in all */
-    double rate;                    /* [1/s] or 0 */
-    double mass_rate;               /* [kg/s] or 0; both 0: all at once */
-    double start;                   /* [s] time of the first */
-    int seed;                       /* [-] of sizes and places */
-    struct placement_region region; /* places outside count as attempts */
+    const struct sizes *sizes;       /* borrowed; or NULL */
+    const struct clump_shape *clump; /* borrowed; of that shape, turned at
+                                        random; NULL: spheres */
+    double density;                  /* [kg/m^3] */
+    int material;                    /* [-] its number */
+    long count;                      /* [-] of spheres in all */
+    double rate;                     /* [1/s] or 0 */
+    double mass_rate;                /* [kg/s] or 0; both 0: all at once */
+    double start;                    /* [s] time of the first */
+    int seed;                        /* [-] of sizes and places */
+    struct placement_region region;  /* places outside count as attempts */
     /* So many, borrowed, instead of chance; NULL: none. They may overlap others
      * by `overlap` of the mean diameter [-]. */
     const struct insertion_sphere *list;
@@ -59,7 +62,8 @@ static inline int insertion_at_once(const struct insertion_options *o)
     return o->rate <= 0.0 && o->mass_rate <= 0.0;
 }
 
-/* The diameter of sphere k of a source [m], and place number `attempt` [m]. */
+/* The diameter of sphere k of a source [m], of a clump that of the sphere
+ * around it, and place number `attempt` [m]. */
 double insertion_diameter(const struct insertion_options *o, long k);
 void insertion_place(const struct insertion_options *o, long k, long attempt,
                      double d, double x[3]);

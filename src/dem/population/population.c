@@ -11,7 +11,10 @@ static int is_removed(const struct population *l,
                       const struct population_sink *sink,
                       const struct particles *ps, int i, double dt)
 {
-    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+    const int of = ps->clumps != NULL ? ps->clumps->of[ps->id[i]] : -1;
+    const double own[3] = {ps->x[i], ps->y[i], ps->z[i]};
+    const double *const x =
+        of < 0 || sink->side >= 0 ? own : ps->clumps->item[of].x;
     const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
     const int k = sink->side / 2, upper = sink->side % 2;
 
@@ -64,6 +67,9 @@ int population_mark(struct population *l, const struct particles *ps, double dt)
         l->is_removed[i] = 0;
         for (int s = 0; s < l->n_sinks && !l->is_removed[i]; s++)
             l->is_removed[i] = is_removed(l, &l->sinks[s], ps, i, dt);
+    }
+    if (ps->clumps != NULL) clumps_mark(ps, l->is_removed);
+    for (int i = 0; i < ps->n; i++) {
         if (l->is_removed[i]) count_removed(&l->totals, ps, i);
         n += l->is_removed[i];
     }
@@ -211,6 +217,7 @@ static void keep_deeper(struct overlap *found, const struct particles *ps,
     const int i = a > b ? a : b, j = a > b ? b : a;
     double d[3];
     const double mean = 0.5 * (ps->d[i] + ps->d[j]);
+    if (ps->clumps != NULL && clumps_are_one(ps, i, j)) return;
     const double depth = 1.0 - overlaps_apart(ps, box, i, j, d) / mean;
 
     if (depth > found->depth ||

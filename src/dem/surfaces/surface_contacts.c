@@ -30,6 +30,7 @@ static void surface_contacts_free_arrays(struct surface_contacts *c)
 {
     free(c->place);
     free(c->motion);
+    free(c->ball);
     free(c->material);
     chunk_release(&c->pairs);
 }
@@ -84,6 +85,7 @@ static void surface_contacts_make_room(struct surface_contacts *c, int n,
     c->pairs.energy = energy;
     c->pairs.has_rolling = rolls;
     c->pairs.has_budget = budget;
+    c->ball = alloc_zeroed(two_each, sizeof *c->ball);
     c->material = alloc_ints(2 * c->capacity);
     c->pairs.load = alloc_zeroed(two_each, sizeof *c->pairs.load);
     if (budget) c->pairs.part = alloc_zeroed(two_each, sizeof *c->pairs.part);
@@ -113,6 +115,10 @@ static void surface_contacts_put_spheres(struct surface_contacts *c,
         c->motion[2 * q].per_m = b->own_inverse_mass[t->owner];
     c->motion[2 * q + 1] =
         (struct row_motion){.v = {t->v[0], t->v[1], t->v[2]}};
+    if (b->ball != NULL) {
+        c->ball[2 * q] = b->ball[t->owner];
+        c->ball[2 * q + 1].of = -1;
+    }
     c->material[2 * q] = b->material != NULL ? b->material[t->owner] : 0;
     c->material[2 * q + 1] = scene->surface[t->surface].material;
     c->pairs.contacts.owner[q] = 2 * q;
@@ -307,6 +313,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     two.place = c->place;
     two.motion = c->motion;
     two.material = c->material;
+    if (b->ball != NULL) two.ball = c->ball;
     two.own_inverse_mass = NULL; /* put_spheres has used it */
     for (int a = 0; a < scene->n; a++) {
         memset(c->received[a].force, 0, sizeof c->received[a].force);

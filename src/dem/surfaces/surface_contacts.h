@@ -150,6 +150,7 @@ struct surface_contacts {
     struct surface_histories current, previous, saved;
     struct row_place *place;   /* as in struct rows: the two spheres of */
     struct row_motion *motion; /* contact q are 2 q and 2 q + 1 */
+    struct row_ball *ball;     /* likewise; NULL without clumps */
     struct chunk pairs;        /* the contacts in the layout of the loop */
     int *material;             /* [-] of these; where there are several */
     int capacity;              /* [-] contacts that fit in */
