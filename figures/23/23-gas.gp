@@ -2,12 +2,12 @@
 # 23-gas-profile.txt, whose blocks are the ways cube, gauss, random, di-felice,
 # gauss-2, random-2.
 load "figures/style.gp"
-set terminal svg size 960,380 dynamic font "sans,14" background "#ffffff"
+set terminal svg size 960,720 dynamic font "sans,14" background "#ffffff"
 set output "figures/23/23-gas.svg"
 series = "figures/23/23-gas-series.txt"
 profile = "figures/23/23-gas-profile.txt"
 ways = "BC-0.6 GK-1 'GK-1, random' 'GK-1, di-felice' GK-2 'GK-2, random'"
-set multiplot layout 1,3 margins 0.07,0.98,0.17,0.88 spacing 0.09
+set multiplot layout 2,2 margins 0.085,0.98,0.09,0.97 spacing 0.09,0.11
 set xlabel "time [{/:Italic d / u}_{in}]"
 set xrange [0:120]
 set ylabel "height of the bed [{/:Italic d}]" offset 1,0
@@ -20,6 +20,10 @@ plot for [i=0:5] series index i using 1:4 with lines linetype word(colour, i + 1
 set ylabel "root of axial granular temperature [{/:Italic u}_{in}]" offset 1,0
 set yrange [0:1]
 plot for [i=0:5] series index i using 1:(sqrt($2)) with lines \
+         linetype word(colour, i + 1) + 0 dashtype style(i) linewidth 1
+set ylabel "root of the transverse one [{/:Italic u}_{in}]" offset 1,0
+set yrange [0:0.3]
+plot for [i=0:5] series index i using 1:(sqrt($3)) with lines \
          linetype word(colour, i + 1) + 0 dashtype style(i) linewidth 1
 set xlabel "height [{/:Italic d}]"
 set ylabel "fluid fraction" offset 1,0

@@ -6,7 +6,8 @@
 #   sh tests/validate/agitation.sh build/winnow [liquid|measured|treatments|choices|kernels|gas ...]
 #
 # liquid takes three to eight minutes for each Reynolds number of RE (4 6 8 11),
-# choices and kernels half an hour, gas three quarters of one. END=60 in the environment ends each run at 60, to try
+# choices half an hour, kernels two hours (the last three rows half an hour each), gas three
+# quarters of one. END=60 in the environment ends each run at 60, to try
 # the script; what it finds then goes to out/validate-agitation/figures.
 . "$(dirname "$0")/runs.inc"
 
@@ -197,7 +198,8 @@ shared-11 11 shared explicit 1e-2 | $shared
 END
 }
 
-# Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
+# Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel, that on two
+# cells a diameter (GK-2) from 50 to 80.
 kernels() {
     scale="cases/ew18-liquid.cfg $middle"
     table kernels "cells a d, delta_05/d," <<END
@@ -207,6 +209,9 @@ cells-1.5 1.5 1 | $scale -s mesh.cells=[12,22,12]
 cells-2 2 1 | $scale -s mesh.cells=[16,30,16]
 width-1.5 1 1.5 | $scale -s averaging.delta_05=1.5
 width-2 1 2 | $scale -s averaging.delta_05=2.0
+fine-width-1.5 2 1.5 | $scale -s mesh.cells=[16,30,16] -s averaging.delta_05=1.5 -s output.end=80.0
+fine-width-2 2 2 | $scale -s mesh.cells=[16,30,16] -s averaging.delta_05=2.0 -s output.end=80.0
+cells-3 3 1 | $scale -s mesh.cells=[24,45,24]
 END
 }
 

@@ -1,7 +1,7 @@
-# The drag on resolved grains as EW18 figs. 6 to 13 show it, from bodies.csv with
+# The drag on resolved grains as EW18 figs. 6 to 13 show it, and their bed as figs. 15 to 17, from bodies.csv with
 # bodies.filter: blocks for gnuplot. Of each time, from `from` on, those grains count that
-# are two diameters away from the inlet and from the top of the bed; `weight` is that of
-# a grain in the fluid.
+# are two diameters away from the inlet and from the top of the bed (in a periodic box, with
+# box=1, all); `weight` is that of a grain in the fluid.
 #
 #   awk -F, -v from=8 -v nu=0.125 -v weight=28.5 -f tests/validate/drag-samples.awk bodies.csv
 
@@ -16,6 +16,8 @@ function root(x) { return x > 0 ? sqrt(x) : 0 }
 function mean_of(k) { return sum[k] / count[k] }
 function deviation(k) { return root(square[k] / count[k] - mean_of(k) ^ 2) }
 function add(k, x) { count[k]++; sum[k] += x; square[k] += x * x }
+# Of a sphere of diameter 1 what is lower than h above its lowest point.
+function below(h) { h = h < 0 ? 0 : h > 1 ? 1 : h; return 3.14159265358979 * h * h * (0.5 - h / 3) }
 function take(b, j) { return in_bed[b, j] ? 1 : 0 }
 # Heads of the shares of values in bins as wide as `step`.
 function histogram(what, list, n, step,   i, j, h, lo, hi) {
@@ -30,6 +32,11 @@ function histogram(what, list, n, step,   i, j, h, lo, hi) {
 }
 
 FNR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }
+{
+    if ($2 == 0) time[++times] = $1
+    grains[times]++
+    for (a = 0; a < 3; a++) { x = $at["v" substr("xyz", a + 1, 1)]; v1[times, a] += x; v2[times, a] += x * x }
+}
 $1 + 0 < from { next }
 {
     b = $2 + 0
@@ -45,7 +52,7 @@ END {
     for (j = 1; j <= k; j++) {
         height[j] /= n; H += height[j] / k
         for (b = 0; b < n; b++)
-            if (Y[b, j] > 2.5 && Y[b, j] < height[j] - 2) {
+            if (box || (Y[b, j] > 2.5 && Y[b, j] < height[j] - 2)) {
                 in_bed[b, j] = 1
                 add("all", C[b, j]); add("Re", R[b, j]); add("eps", E[b, j]); add("F", F[b, j])
             }
@@ -102,11 +109,25 @@ END {
     for (j = 1; j <= k; j++) if (take(best, j)) path[++m] = F[best, j]
     histogram("# [EW18 fig. 11] the same of one grain over its path, share", path, m, 0.2)
 
+    print "# [EW18 fig. 15] height, fluid fraction"
+    for (i = 0; !box && i < 15; i++) {
+        solids = 0
+        for (j = 1; j <= k; j++)
+            for (b = 0; b < n; b++) solids += below(i + 1.5 - Y[b, j]) - below(i + 0.5 - Y[b, j])
+        printf "%.1f %.4f\n", i + 0.5, 1 - solids / k / (n / 8)
+    }
+    print "\n\n# [EW18 figs. 16, 17] time, granular temperature along the flow, across it"
+    for (j = 1; j <= times; j += 5) {
+        for (a = 0; a < 3; a++) temperature[a] = v2[j, a] / grains[j] - (v1[j, a] / grains[j]) ^ 2
+        printf "%.2f %.5f %.5f\n", time[j], temperature[1], (temperature[0] + temperature[2]) / 2
+    }
+    print "\n"
+
     # figs. 12 and 13: grains that are in the bed all the time
     dt = (T[k] - T[1]) / (k - 1); lags = int(6 / dt); if (lags > k / 2) lags = int(k / 2)
     for (b = 0; b < n; b++) {
         m = 0; whole = 1
-        for (j = 1; j <= k; j++) { m += F[b, j] / k; if (Y[b, j] < 1) whole = 0 }
+        for (j = 1; j <= k; j++) { m += F[b, j] / k; if (!box && Y[b, j] < 1) whole = 0 }
         if (!whole) continue
         followed++
         for (l = 0; l <= lags; l++) {

@@ -62,6 +62,7 @@ for re; do
         awk -F, -v from="$(awk "BEGIN { print ($end > 12 ? 8 : $end / 2) }")" -v nu="$(awk "BEGIN { print 1 / $re }")" -v weight="$(awk "BEGIN { print 9 * 387 / $re / $re * 3.14159265358979 / 6 }")" \
             -f tests/validate/drag-samples.awk "$name/bodies.csv"
     } >"$out/24-liquid-$re$bed.txt"
+    laws "$out/24-liquid-$re$bed.txt" >>"$out/24-liquid-$re$bed.txt"
     cp "$out/24-liquid-$re$bed.txt" figures/24/
 done
 

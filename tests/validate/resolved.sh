@@ -165,7 +165,8 @@ densities() {
 # NAME GRAINS CELLS STEP SEED MATERIAL BODIES REST: EW18's grains at random places of a
 # periodic box of so many cells, PER in each diameter (12), in units of d, u_in and the
 # density of the fluid; carried by the mean gradient. MATERIAL is what each has instead of
-# a density of 10.
+# a density of 10. The viscosity and the weight of a volume are those of the liquid.
+nu=0.125 weight="9 * 6.046875"
 periodic() {
     name=$1 n=$2 c=$3
     L=$(calc %.6f "$c / ${PER:-12}")
@@ -174,8 +175,8 @@ periodic() {
     cat >"$out/$name.cfg" <<CASE
 title = "$name";
 mesh = { size = [$L, $L, $L]; cells = [$c, $c, $c]; periodic = [true, true, true]; };
-fluid = { density = 1.0; viscosity = 0.125; step = $4; time = "bdf2"; convection = "linear"; tolerance = 1e-6;
-  mean_gradient = [0.0, $(calc %.9g "-9 * 6.046875 * $n * pi / 6 / ($c / ${PER:-12}) ^ 3"), 0.0]; };
+fluid = { density = 1.0; viscosity = $nu; step = $4; time = "bdf2"; convection = "linear"; tolerance = 1e-6;
+  mean_gradient = [0.0, $(calc %.9g "-$weight * $n * pi / 6 / ($c / ${PER:-12}) ^ 3"), 0.0]; };
 bodies = { $7 spheres = (
 @include "$name.spheres"
   ); };
@@ -187,12 +188,12 @@ CASE
 # LAW EPS RE FORMAT: the whole force on such grains over that of the law
 over_law() {
     F=$(winnow eval "drag:$1" eps_f="$2" Re="$3" | awk '{ print $3 }')
-    calc "$4" "9 * 6.046875 * pi / 6 / (3 * pi * 0.125 * $3 * 0.125 / $2 * $F)"
+    calc "$4" "$weight * pi / 6 / (3 * pi * $nu * $3 * $nu / $2 * $F)"
 }
 
 # NAME FROM
 samples() {
-    awk -F, -v nu=0.125 -v from="$2" -f tests/validate/samples.awk "$out/$1/history.csv" "$out/$1/bodies.csv"
+    awk -F, -v nu=$nu -v from="$2" -f tests/validate/samples.awk "$out/$1/history.csv" "$out/$1/bodies.csv"
 }
 
 # NAME: the drag on grains that are resolved; of each line of the input the grains, cells,
@@ -231,6 +232,30 @@ suspension() {
 52 54 0.008 10.4
 35 54 0.008 12
 TABLE
+}
+
+# EW18's gas (density ratio 85, Re_in = 25): 22 and 18 grains in boxes of three diameters,
+# the smallest that have what Figs. 6b, 8b, 10 and 12b show. Their sigma of this gas beside
+# ours. Ten minutes; the blocks of the figures go to 24-gas-GRAINS.txt.
+gas() {
+    nu=0.04 weight="84 * 0.49"
+    echo "# eps  whole force over Beetstra's, Di Felice's of 1994, and as EW18 prints it; then as"
+    echo "# tests/validate/samples.awk says; sigma(C_d), and the line of EW18's authors from Re_p 16.5 to 28"
+    for n in 22 18; do
+        periodic gas-$n $n 36 0.008 1 "density = 85.0" \
+            "filter = 2.0; stiffness = 255000.0; restitution = 0.9; friction = 0.3; virtual_mass = 0.5;" \
+            "effects = { gravity = [0.0, -0.49, 0.0]; }; output = { end = 16.0; every = 16.0; history = 0.008; picture = false; };"
+        found=$(samples gas-$n 8)
+        eps=$(calc %.5f "1 - $n * pi / 6 / 27")
+        for law in beetstra di-felice di-felice-printed; do
+            eps="$eps $(over_law $law "${eps%% *}" "${found%% *}" %.3f)"
+        done
+        echo "$eps  $found" | awk '{ printf "%s  %.2f %s\n", $0, $11 * $12,
+            $6 < 30 ? sprintf("%.2f", 43.9 - 27.9 * ($6 - 16.54) / 11.46) : "beyond 28" }'
+        { made gas; awk -F, -v from=8 -v nu=$nu -v box=1 -v weight="$(calc %.9g "$weight * pi / 6")" \
+            -f tests/validate/drag-samples.awk $out/gas-$n/bodies.csv; } >figures/24/24-gas-$n.txt
+        laws figures/24/24-gas-$n.txt >>figures/24/24-gas-$n.txt
+    done
 }
 
 # What the mesh makes of the drag on each of 22 grains that are held at random places of a
