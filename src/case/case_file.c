@@ -3,6 +3,7 @@
 #include "case/case_file.h"
 
 #include "case/case_mesh.h"
+#include "case/schema.h"
 #include "coupling/processes.h"
 #include "case/resolved/case_bodies.h"
 #include "case/particles/case_surfaces.h"
@@ -10,6 +11,8 @@
 
 #include <assert.h>
 #include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* A row: path, type, unit, allowed, default, meaning, source, needs. NULL as
  * the default means that the key must be given. */
@@ -39,6 +42,39 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
     assert(n < CASE_FILE_TABLES);
     tables[n] = NULL;
+}
+
+int case_file_is_seed(const char *path)
+{
+    const size_t n = strlen(path), m = strlen(CASE_FILE_SEED);
+
+    return n > m && strcmp(path + n - m, CASE_FILE_SEED) == 0;
+}
+
+/* Of one group, or of those of a list. */
+static void add_seed(const struct settings *s, const char *path, int more,
+                     struct texts *set)
+{
+    char *const group = strndup(path, strlen(path) - strlen(CASE_FILE_SEED));
+    const int there = settings_has(s, group);
+
+    if (there && settings_is_list(s, group))
+        for (int i = 0; i < settings_length(s, group); i++)
+            texts_add(set, "%s.%d" CASE_FILE_SEED "=%d", group, i,
+                      settings_item_int(s, group, i, &CASE_FILE_SEED[1]) +
+                          more);
+    else if (there)
+        texts_add(set, "%s=%d", path, settings_int(s, path) + more);
+    free(group);
+}
+
+void case_file_add_seeds(const struct settings *s, int more, struct texts *set)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+
+    case_file_tables(tables);
+    SCHEMA_EACH (key, tables)
+        if (case_file_is_seed(key->path)) add_seed(s, key->path, more, set);
 }
 
 struct settings *case_file_read(const char *file, int n_overrides,

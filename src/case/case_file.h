@@ -3,6 +3,7 @@
 #define CASE_CASE_FILE_H
 
 #include "base/key.h"
+#include "base/text.h"
 #include "case/settings.h"
 
 /* The keys of no group. How a table is searched and how a row is put into words
@@ -13,6 +14,14 @@ enum { CASE_FILE_TABLES = 128 }; /* at most, of the core and all models */
 
 /* All tables of keys: the core and those of the models, ended by NULL. */
 void case_file_tables(const struct key *tables[CASE_FILE_TABLES]);
+
+/* How the path of a seed ends; 1 if this one does. */
+#define CASE_FILE_SEED ".seed"
+int case_file_is_seed(const char *path);
+
+/* Adds the overrides that set all seeds of the case to so much more than they
+ * are. */
+void case_file_add_seeds(const struct settings *s, int more, struct texts *set);
 
 /* Reads a case with its overrides and checks it, key by key and then as a
  * whole. NULL after one message; *code is then the exit code, 2 or 4. */

@@ -17,9 +17,6 @@
 
 enum { MOST_RUNS = 10000 };
 
-/* How the path of a seed ends. */
-#define SEED ".seed"
-
 /* The words as they were given, or as a study file says them. A truth belongs
  * to the measure before it; that of the last measure also to those that have
  * none. */
@@ -287,41 +284,14 @@ static void add_output(struct plan *p, const struct settings *s)
                   number_text(s->output.end, end));
 }
 
-static int is_seed(const char *path)
-{
-    const size_t n = strlen(path), m = strlen(SEED);
-
-    return n > m && strcmp(path + n - m, SEED) == 0;
-}
-
-/* Adds what sets the seed of a group of the case, or those of a list, to so
- * much more than it is. */
-static void add_seed(const struct settings *s, const char *path, int more,
-                     struct texts *set)
-{
-    char *const group = strndup(path, strlen(path) - strlen(SEED));
-    const int there = settings_has(s, group);
-
-    if (there && settings_is_list(s, group))
-        for (int i = 0; i < settings_length(s, group); i++)
-            texts_add(set, "%s.%d" SEED "=%d", group, i,
-                      settings_item_int(s, group, i, &SEED[1]) + more);
-    else if (there)
-        texts_add(set, "%s=%d", path, settings_int(s, path) + more);
-    free(group);
-}
-
 /* The seeds of all groups that the case has with these overrides. */
 static int add_seeds(const struct plan *p, int more, struct texts *set)
 {
-    const struct key *tables[CASE_FILE_TABLES];
     int code;
     struct settings *const s = plan_case(p, set, &code);
 
     if (s == NULL) return code;
-    case_file_tables(tables);
-    SCHEMA_EACH (key, tables)
-        if (is_seed(key->path)) add_seed(s, key->path, more, set);
+    case_file_add_seeds(s, more, set);
     settings_free(s);
     return 0;
 }
@@ -345,14 +315,15 @@ static int check_seeds(const struct plan *p)
 
     for (int i = 0; i < c->n; i++)
         for (int k = 0; k < c->of[i].key.n && c->of[i].n > 1; k++)
-            if (is_seed(c->of[i].key.text[k]))
+            if (case_file_is_seed(c->of[i].key.text[k]))
                 return plan_wrong(
                     "%s: is varied, so that --seeds cannot set it",
                     c->of[i].key.text[k]);
     for (int v = 0; v < choices_variants(c) && code == 0 && !found; v++) {
         struct texts set = {0};
         code = plan_overrides(p, v, 0, &set);
-        found = set.n > 0 && strstr(set.text[set.n - 1], SEED "=") != NULL;
+        found = set.n > 0 &&
+                strstr(set.text[set.n - 1], CASE_FILE_SEED "=") != NULL;
         texts_free(&set);
     }
     return code != 0 || found

@@ -4,8 +4,9 @@
  *
  * The case runs for that long with every effect on that could matter, which
  * measures how large each is, and once more without each of them, which shows
- * what that changes and what time it takes. A run with a slightly different
- * tolerance shows which changes are chance. The runs are processes of this
+ * what that changes and what time it takes. Two more runs show which changes
+ * are chance: one with a slightly different tolerance, and one with other
+ * seeds, as two beds that bubble are not alike. The runs are processes of this
  * program in a folder of their own, in which the bed settles once, and which is
  * removed. */
 #include "case/command.h"
@@ -24,6 +25,7 @@
 #include <unistd.h>
 
 #include "base/interrupt.h"
+#include "base/text.h"
 #include "case/case_file.h"
 #include "output/summary.h"
 #include "coupling/effects.h"
@@ -166,9 +168,9 @@ static void try_choose(const struct attempt *a, int without, struct words *w)
     }
 }
 
-/* Runs the case without the i-th, or with all; `more` is one further override,
- * or NULL. */
-static struct outcome try_run(struct attempt *a, int without, const char *more)
+/* Runs the case without the i-th, or with all, and with further overrides. */
+static struct outcome try_run(struct attempt *a, int without,
+                              const struct texts *more)
 {
     struct words *const w = malloc(sizeof *w);
     char dir[2 * NAME], path[WORD];
@@ -178,7 +180,8 @@ static struct outcome try_run(struct attempt *a, int without, const char *more)
     snprintf(dir, sizeof dir, "%s/run", a->dir);
     try_begin(a, "run", w);
     try_choose(a, without, w);
-    if (more != NULL) try_add(w, "-s", more);
+    for (int i = 0; more != NULL && i < more->n; i++)
+        try_add(w, "-s", more->text[i]);
     snprintf(path, sizeof path, "%d", a->line->threads);
     try_add(w, "-j", a->line->threads > 0 ? path : "1");
     try_add(w, "-o", dir);
@@ -248,11 +251,16 @@ static void try_candidates(struct attempt *a, const struct settings *s)
     }
 }
 
-static void put_change(char cell[32], double without, double with)
+/* [%]; nan: it has no such number. */
+static double change(double without, double with)
+{
+    return with != 0.0 ? 100.0 * (without - with) / fabs(with) : NAN;
+}
+
+static void put_change(char cell[32], double change)
 {
     snprintf(cell, 32, "-");
-    if (isfinite(without) && isfinite(with) && with != 0.0)
-        snprintf(cell, 32, "%+.2g", 100.0 * (without - with) / fabs(with));
+    if (isfinite(change)) snprintf(cell, 32, "%+.2g", change);
 }
 
 static void try_row(const char *name, const char *estimate, double measured,
@@ -264,18 +272,89 @@ static void try_row(const char *name, const char *estimate, double measured,
     if (measured > 0.0) /* of a force */
         snprintf(cell[1], sizeof cell[1], "%.3g", 100.0 * measured);
     if (without->code == 0) {
-        put_change(cell[2], without->speed, with->speed);
-        put_change(cell[3], without->drop, with->drop);
-        put_change(cell[4], with->time, without->time);
+        put_change(cell[2], change(without->speed, with->speed));
+        put_change(cell[3], change(without->drop, with->drop));
+        put_change(cell[4], change(with->time, without->time));
     }
     printf("  %-18s %9s %9s %9s %9s %9s  %s\n", name, estimate, cell[1],
            cell[2], cell[3], cell[4],
-           without->code != 0 ? "breaks down without it" : remark);
+           without->code != 0 ? "the run breaks down" : remark);
+}
+
+/* The runs that differ by chance alone: with other rounding, where a fluid has
+ * a tolerance, and with other seeds, where the case has any. */
+enum { CHANCES = 2 };
+struct chances {
+    int n;
+    const char *name[CHANCES];
+    struct outcome of[CHANCES];
+};
+
+static void add_chance(struct attempt *a, const char *name, struct texts *more,
+                       struct chances *c)
+{
+    if (more->n > 0) {
+        c->name[c->n] = name;
+        c->of[c->n++] = try_run(a, -1, more);
+    }
+    texts_free(more);
+}
+
+static struct chances try_chances(struct attempt *a, const struct settings *s)
+{
+    struct texts rounding = {0}, seeds = {0};
+    struct chances c = {0};
+
+    if (s->has.fluid)
+        texts_add(&rounding, "fluid.tolerance=%g",
+                  changed * s->fluid.tolerance);
+    case_file_add_seeds(s, 1, &seeds);
+    add_chance(a, "(other rounding)", &rounding, &c);
+    add_chance(a, "(other seed)", &seeds, &c);
+    return c;
+}
+
+/* 1 if a change of speed and drop is not above what chance gives. */
+static int is_chance(const struct chances *c, const struct outcome *without,
+                     const struct outcome *with)
+{
+    double speed = 0.0, drop = 0.0; /* [%] the largest by chance */
+
+    for (int i = 0; i < c->n && c->of[i].code == 0; i++) {
+        speed = fmax(speed, fabs(change(c->of[i].speed, with->speed)));
+        drop = fmax(drop, fabs(change(c->of[i].drop, with->drop)));
+    }
+    return !(fabs(change(without->speed, with->speed)) > speed) &&
+           !(fabs(change(without->drop, with->drop)) > drop);
+}
+
+static void try_rows(struct attempt *a, const struct settings *s,
+                     const struct outcome *with)
+{
+    const struct chances c = try_chances(a, s);
+
+    printf("Effects in %g s: size, and what changes without each of them\n"
+           "  %-18s %9s %9s %9s %9s %9s\n  %-18s %9s %9s %9s %9s %9s\n",
+           a->seconds, "", "estimate", "measured", "speed", "drop", "time", "",
+           "%", "%", "%", "%", "% of run");
+    for (int i = 0; i < a->n; i++) {
+        const struct effect_row *const r = &a->row[i];
+        const struct outcome without = try_run(a, i, NULL);
+        char estimate[CHECK_SIZE], remark[64];
+        check_size(&r->estimate, estimate);
+        snprintf(remark, sizeof remark, "%s%s", r->named ? "on" : "off",
+                 is_chance(&c, &without, with)
+                     ? ", within what another start gives"
+                     : "");
+        try_row(r->effect->name, estimate, with->share[i], &without, with,
+                remark);
+    }
+    for (int i = 0; i < c.n; i++)
+        try_row(c.name[i], "-", NAN, &c.of[i], with, "all on");
 }
 
 static int try_table(struct attempt *a, const struct settings *s)
 {
-    char same[WORD];
     const struct outcome with = try_run(a, -1, NULL);
 
     if (with.code != 0) {
@@ -286,24 +365,7 @@ static int try_table(struct attempt *a, const struct settings *s)
                 with.code);
         return with.code;
     }
-    printf("Effects in %g s: size, and what changes without each of them\n"
-           "  %-18s %9s %9s %9s %9s %9s\n  %-18s %9s %9s %9s %9s %9s\n",
-           a->seconds, "", "estimate", "measured", "speed", "drop", "time", "",
-           "%", "%", "%", "%", "% of run");
-    for (int i = 0; i < a->n; i++) {
-        const struct effect_row *const r = &a->row[i];
-        const struct outcome without = try_run(a, i, NULL);
-        char estimate[CHECK_SIZE];
-        check_size(&r->estimate, estimate);
-        try_row(r->effect->name, estimate, with.share[i], &without, &with,
-                r->named ? "on" : "off");
-    }
-    if (s->has.fluid) {
-        snprintf(same, sizeof same, "fluid.tolerance=%g",
-                 changed * s->fluid.tolerance);
-        const struct outcome other = try_run(a, -1, same);
-        try_row("(chance)", "-", NAN, &other, &with, "all on, other rounding");
-    }
+    try_rows(a, s, &with);
     printf("  to its end, %g s, the case takes about %.3g s of one core with "
            "all of them\n",
            a->end, with.time * a->end / a->seconds);
