@@ -47,15 +47,10 @@ void processes_check_print(const struct settings *s,
                            const struct case_scales *k)
 {
     if (!is_distributed(s)) return;
-    const double one = case_scales_seconds(s);
 
     puts("Distributed engine");
-    text_line("time on one core", one, "s", "about, by build/winnow");
-    text_line("time of one rank", slower * one, "s",
-              "about, by build/winnow-mpi");
-    text_line(
-        "ranks for each thread replaced", slower, "-",
-        "below that it only pays where one machine has too little memory");
+    text_line("time of one rank over that of one core", slower, "-",
+              "as in a bed; with fewer ranks a thread it pays for memory only");
     text_line("memory of all ranks",
               1e-6 * (per_particle * k->particles + per_cell * k->cells), "MB",
               "about; of N ranks a part each, and their layers");

@@ -24,7 +24,8 @@ static void print_plan(const struct plan *p, int n, struct run *runs)
         seconds += to_do ? runs[i].expected : 0.0;
     }
     printf("%d runs, %d of them done; the others take about %.3g s of "
-           "processor time, after settling, %d at a time\n",
+           "processor time, after settling, %d at a time (a guess by the "
+           "speed of one machine; winnow check times a case)\n",
            n, ended, seconds, p->jobs);
 }
 
