@@ -146,6 +146,7 @@ struct effect_scales {
     int carried;     /* [-] 1: the particles move with the stream, or fall */
     int held;        /* [-] 1: the fluid cannot go along with the drag on it */
     int decays;      /* [-] 1: nothing drives the slip, so that it dies out */
+    int turns;       /* [-] 1: the slip rises and falls, in `time` each */
     int rests;       /* [-] 1: they lie on each other, at the end at least */
     int stirred;     /* [-] 1: the spin is what collisions leave */
     double slip;     /* [m/s] of a particle in the stream */

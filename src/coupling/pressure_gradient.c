@@ -159,7 +159,8 @@ static void pressure_gradient_before_particles(void *memory,
  * a lone particle the buoyancy. In a bed that is not fluidized the gradient is
  * that of the drag, eps_s beta w. A stream that changes in time has its own.
  * Where a period lets the fluid go along with the drag on it, there is none in
- * the mean: what is left, of an uneven bed, is less. */
+ * the mean: what is left, of an uneven bed, is less. An averaging that is wide
+ * against the bed lets the stream meet less of it (passed). */
 static struct effect_estimate
 pressure_gradient_estimate(const struct effect_scales *k)
 {

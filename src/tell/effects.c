@@ -210,7 +210,9 @@ static void print_collisions(const struct settings *s,
     const int often = k->rests || rate * end > noticed;
     char verdict[CHECK_VERDICT];
 
-    if (k->rests)
+    if (k->rests && k->tau == 0.0)
+        snprintf(verdict, sizeof verdict, "needed: they lie on each other");
+    else if (k->rests)
         snprintf(verdict, sizeof verdict,
                  "needed: they lie on each other; the drag slows one in %.2g s",
                  k->tau);

@@ -102,11 +102,11 @@ static double falls_with(const struct settings *s,
 }
 
 /* The solids fraction at which a stream of this superficial velocity carries
- * the particles: that of a packed bed if it does not. */
+ * the particles: that of a bed as dense as it can be if it does not. */
 static double expanded(const struct settings *s, const struct effect_scales *k,
-                       double up)
+                       double up, double high)
 {
-    double low = 0.0, high = CHECK_PACKED;
+    double low = 0.0;
 
     if (falls_with(s, k, high) * (1.0 - high) > up) return high;
     for (int i = 0; i < 60; i++) {
@@ -119,6 +119,23 @@ static double expanded(const struct settings *s, const struct effect_scales *k,
     return low;
 }
 
+/* The solids fraction that the grains of a bed meet, over that of the bed: the
+ * averaging mixes it with what is above. A layer of eps_s, of the height H on a
+ * floor, which mirrors it, becomes smooth over b, and again where its grains
+ * are asked, as with b sqrt(2); this is the mean over the grains [-]. */
+static double averaged(const struct settings *s, double load, double eps_s)
+{
+    const struct averaging_options o = build_averaging_options(s);
+    const double b = M_SQRT2 * o.method->gaussian * o.bandwidth;
+    const int up = vector_axis(s->effects.gravity);
+    double lo[3], hi[3];
+
+    case_mesh_ends(s, lo, hi);
+    const double height = (hi[up] - lo[up]) * fmin(1.0, load / eps_s);
+    const double x = 2.0 * height / b;
+    return b > 0.0 ? erf(x) + expm1(-x * x) / (x * M_SQRTPI) : 1.0;
+}
+
 /* A bed in a stream that goes against its fall: fluidized, or at rest. In it
  * the velocity of the fluid changes with that of the grains, over no less than
  * a few cells and the width over which they are averaged; and particles behind
@@ -127,9 +144,14 @@ static double expanded(const struct settings *s, const struct effect_scales *k,
 static void bed_scales(const struct settings *s, struct effect_scales *k,
                        const struct case_scales *in, double load)
 {
-    k->eps_s = fmax(expanded(s, k, in->up), load);
-    k->carried = k->eps_s < CHECK_PACKED;
-    k->slip = in->up / (1.0 - k->eps_s);
+    const double most = CHECK_PACKED * averaged(s, load, CHECK_PACKED);
+
+    k->passed = fmax(expanded(s, k, in->up, most), load);
+    k->carried = expanded(s, k, fmax(in->up, in->jet), most) < most;
+    k->eps_s = k->passed;
+    for (int i = 0; i < 10; i++) /* a looser bed is higher */
+        k->eps_s = fmin(CHECK_PACKED, k->passed / averaged(s, load, k->eps_s));
+    k->slip = in->up / (1.0 - k->passed);
     k->length = fmax(2.0 * in->S_c, build_averaging_options(s).bandwidth);
     k->shear = stirred * k->slip / k->length;
     k->stirred = k->carried;
@@ -145,11 +167,10 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
                       (k->rho_s + 0.5 * k->rho_f);
 }
 
-/* A bed that lies there as the run begins. */
+/* A bed that lies there as the run begins; a lattice does, too. */
 static int is_laid(const struct settings *s, const struct effect_scales *k)
 {
-    return s->particles.has_bed && s->particles.bed.settle > 0.0 &&
-           k->rho_s > k->rho_f;
+    return s->particles.has_bed && k->rho_s > k->rho_f;
 }
 
 /* The slip of spheres that fall or rise, that a stream takes along or passes
@@ -162,6 +183,8 @@ static double free_slip(const struct settings *s, const struct effect_scales *k,
     if (k->gravity > 0.0) {
         const double fall = falls_with(s, k, k->eps_s);
         const int stirs = s->particles.surfaces.n > 0;
+        if (s->fluid.has_mean_flow && k->partners && fall < in->inlet)
+            return fall; /* through a period they go along */
         slip = is_laid(s, k) ? stirs * fmin(fall, in->impact)
                              : fmin(fall, 0.5 * k->gravity * in->end);
         slip = fmax(slip, p->speed);
@@ -215,6 +238,7 @@ static void free_scales(const struct settings *s, struct effect_scales *k,
     if (k->mean_gradient > 0.0 && k->mu > 0.0) /* at the wall of a channel */
         k->shear = fmax(k->shear, k->mean_gradient * k->length / k->mu);
     k->spin = p->spin;
+    k->passed = k->eps_s;
     k->time = k->end;
     k->acceleration = k->slip / k->time;
     k->decays = k->gravity == 0.0;
@@ -238,28 +262,36 @@ static void crowd_scales(struct effect_scales *k, double way)
 static void swept_scales(struct effect_scales *k)
 {
     k->acceleration = k->changes;
-    if (k->drag < k->weight * fabs(1.0 - k->rho_f / k->rho_s)) return;
+    /* The pressure of the others carries its part, too. */
+    const double carried = 0.99 * (1.0 - k->passed) * k->weight;
+    if (k->drag < carried * fabs(1.0 - k->rho_f / k->rho_s)) return;
     k->time = k->tau;
+    k->turns = 1;
     k->acceleration += k->slip / k->tau;
 }
 
-/* Spheres that come to rest lie as densely as a bed, on whatever floor. */
+/* Spheres that come to rest lie as densely as a bed, on whatever floor; or
+ * where a stream that goes out has taken them. */
 static void pack(const struct settings *s, struct effect_scales *k,
                  const struct case_scales *in)
 {
     const double *const g = s->effects.gravity;
-    double lo[3], hi[3], way = 0.0;
+    double lo[3], hi[3], way = 0.0, longest = 0.0;
     int periodic[3], ends = 0;
 
     case_mesh_ends(s, lo, hi);
     case_mesh_periodic(s, periodic);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        longest = fmax(longest, hi[i] - lo[i]);
         if (g[i] != 0.0 && !periodic[i]) {
             way = hypot(way, hi[i] - lo[i]);
             ends = 1;
         }
+    }
+    const double stream = s->fluid.has_mean_flow ? 0.0 : in->inlet;
     k->rests = k->partners && ends &&
-               (is_laid(s, k) || way < falls_with(s, k, k->eps_s) * in->end);
+               (is_laid(s, k) || way < falls_with(s, k, k->eps_s) * in->end ||
+                longest < stream * in->end);
     if (k->rests) k->eps_s = CHECK_PACKED;
     if (k->rests && in->inlet > 0.0) swept_scales(k);
     if (!is_laid(s, k)) crowd_scales(k, ends ? way : HUGE_VAL);
@@ -290,6 +322,16 @@ static double drag_at(const struct settings *s, const struct effect_scales *k,
            drag_resistance(&law, 1.0 - eps_s, k->rho_f, k->mu, k->d, k->slip);
 }
 
+/* A grain in a jet of the speed U sees it change over the length L, in T = L/U
+ * if it goes along, U T/(tau + T), and its slip is the part U tau/(tau + T)
+ * that it lacks: U/T of both. The share up/U of them is in the jet. */
+static void jet_scales(struct effect_scales *k, double up, double jet)
+{
+    const double T = k->length / jet;
+
+    k->acceleration += up * k->tau / ((k->tau + T) * (k->tau + T));
+}
+
 static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
                             const struct case_scales *in,
                             const struct placed *p)
@@ -302,12 +344,12 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     k->dt = in->dt;
     k->changes = in->changes / in->end;
     const double load = volume_of_all(k, in) / case_mesh_volume(s);
-    const int is_bed = in->volume > 0.0 || load > crowd;
-    if (is_bed && k->gravity > 0.0 && in->up > 0.0)
+    const int lifts =
+        (in->volume > 0.0 || load > crowd) && k->gravity > 0.0 && in->up > 0.0;
+    if (lifts)
         bed_scales(s, k, in, load);
     else
         free_scales(s, k, in, p, load);
-    k->passed = k->eps_s;
     k->drag = drag_at(s, k, k->passed);
     k->tau =
         k->slip > 0.0 ? k->rho_s * scales_volume(k) * k->slip / k->drag : 0.0;
@@ -316,6 +358,7 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     settle_time(s, k);
     k->held = is_held(s, in);
     if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);
+    if (lifts && k->carried && in->jet > 0.0) jet_scales(k, in->up, in->jet);
 }
 
 struct effect_scales check_scales(const struct settings *s,

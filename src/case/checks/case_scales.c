@@ -136,14 +136,18 @@ static void stream_scales(const struct settings *s, const struct mesh *m,
         build_boundaries_shares(s, m->patches[i].name, &mean, &peak);
         case_scales_inward(m, &m->patches[i], e);
         k->changes = fmax(k->changes, mean * changes_of(&o->inlet, k->end));
-        for (int j = 0; j < o->inlet.n; j++)
+        for (int j = 0; j < o->inlet.n; j++) {
             add_stream(s, o->inlet.value[j] * mean,
                        share_of_section(s, m, &m->patches[i]), e, k);
+            if (peak > 1.5 * mean) /* more than a parabola between walls has */
+                k->jet = fmax(k->jet, o->inlet.value[j] * peak);
+        }
     }
     const double U = vector_length(s->fluid.mean_flow);
     for (int i = 0; i < 3 && U > 0.0; i++)
         e[i] = s->fluid.mean_flow[i] / U;
     if (U > 0.0) add_stream(s, U, 1.0, e, k);
+    k->changes = fmax(k->changes, U); /* it is there from the first step on */
 }
 
 /* The speed [m/s] at which a sphere meets a wall or another one that starts

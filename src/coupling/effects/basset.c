@@ -215,6 +215,12 @@ static double basset_of_decay(double share, double x)
     return s;
 }
 
+/* A slip that rises and falls in turn, each in a time T at the rate a, mostly
+ * has the history of the first sine of that square wave, of the amplitude 4/pi
+ * a and the frequency omega = pi/T: C (4/pi) a sqrt(pi/omega), whose mean size
+ * is 2/pi of that, over C a sqrt(T) [-]. */
+static const double of_turns = 8.0 / (M_PI * M_PI);
+
 /* C (2 sqrt(t)) dw/dt for as long as the slip develops, but no longer than it
  * takes to. Beyond Re = 1 the kernel fades sooner. */
 static struct effect_estimate basset_estimate(const struct effect_scales *k)
@@ -226,7 +232,7 @@ static struct effect_estimate basset_estimate(const struct effect_scales *k)
     if (k->acceleration > 0.0)
         share = C * sqrt(k->time) * k->acceleration / k->force;
     share = k->decays && share > 0.0 ? basset_of_decay(share, k->end / k->time)
-                                     : 2.0 * share;
+                                     : (k->turns ? of_turns : 2.0) * share;
     if (k->decays && k->time < k->dt)
         return effects_unknown(
             share, "the slip dies out in %.2g s, within one step of the fluid",

@@ -207,7 +207,7 @@ static struct effect_estimate
 stochastic_drag_estimate(const struct effect_scales *k)
 {
     static const struct stochastic_drag_sigma bed = {93.5, 13.43, 3.0, 10.5, 0};
-    const double *const n = k->numbers, eps = 1.0 - k->eps_s;
+    const double *const n = k->numbers, eps = 1.0 - k->passed;
     const struct stochastic_drag_sigma s = n != NULL ? sigma_of(n) : bed;
     const double Re = coefficient_reynolds(eps, k->rho_f, k->mu, k->d, k->slip);
     const double T = k->slip > 0.0 ? k->d / (eps * k->slip) : 0.0;
@@ -239,7 +239,7 @@ static void stochastic_drag_trial(const struct effect_scales *k,
     snprintf(text, EFFECT_TRIAL,
              "{sigma_low=93.5;sigma_high=13.43;Re_low=3.0;Re_high=10.5;time=%g;"
              "}",
-             k->slip > 0.0 ? k->d / ((1.0 - k->eps_s) * k->slip) : 1.0);
+             k->slip > 0.0 ? k->d / ((1.0 - k->passed) * k->slip) : 1.0);
 }
 
 static int stochastic_drag_counts(const void *memory, struct effect_count *c)
