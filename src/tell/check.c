@@ -23,6 +23,7 @@
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /* A line with the place of the cell in question. */
 static void line_at(const char *name, double value, const char *unit,
@@ -187,8 +188,19 @@ static void print_interval(const struct settings *s, const char *name,
     text_line(name, given, "s", remark);
 }
 
+/* 1 if the bed is in the file that the case names. */
+static int is_kept(const struct settings *s)
+{
+    char path[SETTINGS_PATH];
+
+    if (s->particles.bed_file == NULL) return 0;
+    settings_beside(s, s->particles.bed_file, path, sizeof path);
+    return access(path, R_OK) == 0;
+}
+
 /* The first steps of a case, for at most `enough` of one core; nothing is
- * written. A bed does not settle for that, so that its grains do not touch. */
+ * written. A bed that is not kept does not settle for that, so that its grains
+ * do not touch. */
 static const double enough = 0.3; /* [s] */
 
 static long first_steps(const struct settings *s, double *seconds, int *code,
@@ -199,8 +211,10 @@ static long first_steps(const struct settings *s, double *seconds, int *code,
     struct settings now = *s;
     long n = 0;
 
-    now.particles.bed.settle = 0.0;
-    now.particles.bed_file = NULL;
+    if (!is_kept(s)) {
+        now.particles.bed.settle = 0.0;
+        now.particles.bed_file = NULL;
+    }
     now.quiet = 1;
     omp_set_num_threads(1);
     struct simulation *const sim = build_simulation(&now, code);
@@ -222,7 +236,8 @@ static long first_steps(const struct settings *s, double *seconds, int *code,
  * end at once. A step that takes too long for this is left to --try. */
 static int print_time(const struct settings *s, const struct case_scales *k)
 {
-    const int settles = s->particles.has_bed && s->particles.bed.settle > 0.0;
+    const int settles =
+        s->particles.has_bed && s->particles.bed.settle > 0.0 && !is_kept(s);
     char remark[96], why[BREAKDOWN_TEXT] = "";
     double seconds;
     int code = 0, comes = 0;

@@ -258,7 +258,7 @@ static void crowd_scales(struct effect_scales *k, double way)
 
 /* Grains that a stream moves along their bed, as its drag is above their
  * weight, are stopped by others and start again: their slip changes by itself
- * within tau. */
+ * within tau. They spin as in a bed, but all the same way: they roll. */
 static void swept_scales(struct effect_scales *k)
 {
     k->acceleration = k->changes;
@@ -267,6 +267,7 @@ static void swept_scales(struct effect_scales *k)
     if (k->drag < carried * fabs(1.0 - k->rho_f / k->rho_s)) return;
     k->time = k->tau;
     k->turns = 1;
+    k->spin = spun * k->slip / k->d;
     k->acceleration += k->slip / k->tau;
 }
 
