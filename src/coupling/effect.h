@@ -149,6 +149,7 @@ struct effect_scales {
     int turns;       /* [-] 1: the slip rises and falls, in `time` each */
     int rests;       /* [-] 1: they lie on each other, at the end at least */
     int stirred;     /* [-] 1: the spin is what collisions leave */
+    double jet;      /* [-] the part of them in a jet, which turns all alike */
     double slip;     /* [m/s] of a particle in the stream */
     double length;   /* [m] over which the velocity changes by that */
     double shear;    /* [1/s] of the stream */

@@ -155,6 +155,7 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
     k->length = fmax(2.0 * in->S_c, build_averaging_options(s).bandwidth);
     k->shear = stirred * k->slip / k->length;
     k->stirred = k->carried;
+    if (in->jet > 0.0) k->jet = in->up / in->jet;
     if (!k->carried) { /* the stream begins, and then nothing changes */
         k->rests = 1;
         k->time = in->end;
@@ -277,22 +278,19 @@ static void pack(const struct settings *s, struct effect_scales *k,
                  const struct case_scales *in)
 {
     const double *const g = s->effects.gravity;
-    double lo[3], hi[3], way = 0.0, longest = 0.0;
+    double lo[3], hi[3], way = 0.0;
     int periodic[3], ends = 0;
 
     case_mesh_ends(s, lo, hi);
     case_mesh_periodic(s, periodic);
-    for (int i = 0; i < 3; i++) {
-        longest = fmax(longest, hi[i] - lo[i]);
+    for (int i = 0; i < 3; i++)
         if (g[i] != 0.0 && !periodic[i]) {
             way = hypot(way, hi[i] - lo[i]);
             ends = 1;
         }
-    }
-    const double stream = s->fluid.has_mean_flow ? 0.0 : in->inlet;
     k->rests = k->partners && ends &&
                (is_laid(s, k) || way < falls_with(s, k, k->eps_s) * in->end ||
-                longest < stream * in->end);
+                (in->way > 0.0 && in->way < in->inlet * in->end));
     if (k->rests) k->eps_s = CHECK_PACKED;
     if (k->rests && in->inlet > 0.0) swept_scales(k);
     if (!is_laid(s, k)) crowd_scales(k, ends ? way : HUGE_VAL);

@@ -135,6 +135,9 @@ static void stream_scales(const struct settings *s, const struct mesh *m,
         if (o == NULL || o->inlet.n == 0) continue;
         build_boundaries_shares(s, m->patches[i].name, &mean, &peak);
         case_scales_inward(m, &m->patches[i], e);
+        k->way = 0.0;
+        for (int a = 0; a < 3; a++)
+            k->way += fabs(e[a]) * (m->hi[a] - m->lo[a]);
         k->changes = fmax(k->changes, mean * changes_of(&o->inlet, k->end));
         for (int j = 0; j < o->inlet.n; j++) {
             add_stream(s, o->inlet.value[j] * mean,

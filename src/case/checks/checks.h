@@ -82,6 +82,7 @@ struct case_scales {
     double inlet;      /* [m/s] largest superficial velocity of an inlet, or the
                           mean one of a periodic flow */
     double up;         /* [m/s] of that the part against the fall of grains */
+    double way;        /* [m] through the mesh from an inlet */
     double jet;        /* [m/s] the fastest in an inlet that is not even */
     double changes;    /* [m/s] of inlet in the run, from rest, ups and downs */
     double impact;     /* [m/s] speed of collisions that is assumed */

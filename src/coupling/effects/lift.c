@@ -294,7 +294,7 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
 }
 
 /* A force of random direction adds to another one, on average, half the square
- * of its share. */
+ * of its share. In a jet all spin alike. */
 static struct effect_estimate magnus_estimate(const struct effect_scales *k)
 {
     const double Re = k->rho_f * k->slip * k->d / k->mu;
@@ -305,7 +305,7 @@ static struct effect_estimate magnus_estimate(const struct effect_scales *k)
         effects_estimate(Re > 0.0 && Re_r > 0.0 ? F / k->force : 0.0,
                          k->stirred ? "collisions turn it any way" : "");
 
-    if (k->stirred) e.loss = 0.5 * e.share * e.share;
+    if (k->stirred) e.loss = e.share * (k->jet + 0.5 * e.share);
     return e;
 }
 
