@@ -5,11 +5,12 @@
 #   sh tests/commands.sh build whole    (part of make check-slow)
 #
 # The short form compiles every program of figures/, and runs every command of
-# winnow that the book and the README name: cases to 2 ms, their beds not settled; and
-# of the other commands each day those of another tenth of the lines.
+# winnow that the book and the README name: cases two steps far, their beds not settled,
+# without pictures; and of studies and other commands each day those of another tenth
+# of the lines.
 # The whole form runs the commands as they stand, and those of scripts as well.
 # Cases that `winnow check` expects to take more than a minute settle their beds
-# (more than half an hour: do not settle them) and go to 2 ms; long validation is
+# (more than half an hour: do not settle them) and go two steps; long validation is
 # left out, and of make's targets it is only seen that they are there.
 set -u
 top=$PWD
@@ -47,10 +48,10 @@ first() { # goal
     rm -rf "$work/fresh"
 }
 
-# What a bounded run goes to: 2 ms, or two steps if these are longer.
+# What a bounded run goes to: two steps of the fluid, or else 2 ms.
 end_of() { # case
     (cd "$work" && build/winnow check "$1" 2>/dev/null) | awk '
-        $1 == "step" && $3 == "s" && 2 * $2 > 2e-3 { end = 2 * $2 }
+        $1 == "step" && $3 == "s" { end = 2 * $2 }
         END { print end ? end : "2e-3" }'
 }
 
@@ -61,12 +62,13 @@ ended() { # build/winnow run CASE ...
     echo "$* $samples -s output.end=$(end_of "$3")"
 }
 
-# The short form of `winnow run CASE ...`.
+# The short form of `winnow run CASE ...`: a picture takes longer than two steps.
 shortened() {
-    bed=
+    bed= picture='-s output.picture=false'
     grep -q 'bed = {' "$3" && bed='-s particles.bed.settle=0'
+    case $* in *animation*) picture= ;; esac
     # shellcheck disable=SC2086 # words
-    ended "$@" $bed
+    ended "$@" $bed $picture
 }
 
 # The whole form of `winnow run CASE ...`.
@@ -76,6 +78,8 @@ bounded() {
     elif [ "${seconds:-61}" -le 1800 ]; then ended "$@"
     else shortened "$@"; fi
 }
+
+today() { [ -z "$whole" ] && [ $((lines % 10)) -ne "$turn" ] || echo "$1"; }
 
 # What is to be run of a command that should end with the code; nothing if it is
 # left out here.
@@ -97,8 +101,9 @@ form_of() { # code command...
         if [ "$code" != 0 ]; then echo "$*"
         elif [ -n "$whole" ]; then bounded $*
         else shortened $*; fi ;;
+    build/winnow\ study*) today "$*" ;;
     build/winnow\ *) echo "$*" ;;
-    *) [ -z "$whole" ] && [ $((lines % 10)) -ne "$turn" ] || echo "$*" ;;
+    *) today "$*" ;;
     esac
 }
 
