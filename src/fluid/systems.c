@@ -63,8 +63,7 @@ struct array {
 enum { MOST_ARRAYS = 64 };
 
 /* The table of all arrays; returns their number. It does not read the mesh,
- * which may no longer exist when the arrays are freed. Of 58 lines, because it
- * has a row for each array. */
+ * which may no longer exist when the arrays are freed. */
 static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
 {
     const struct array rows[] = {
@@ -111,9 +110,7 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->levels->phi_old, 1, FACE, ALWAYS},
         {&fl->levels->convecting_flux_own, 1, FACE, OWN_FLUX},
         {&fl->levels->ddt_older, 1, CELL, TWO_STEPS},
-        {&fl->levels->u_known, 3, CELL, TWO_STEPS},
-        {&fl->geometry->SS, 1, FACE, ALWAYS},
-        {&fl->geometry->face_coefficient, 1, FACE, ALWAYS}};
+        {&fl->levels->u_known, 3, CELL, TWO_STEPS}};
     const int n = sizeof rows / sizeof *rows;
 
     assert(n <= MOST_ARRAYS);
@@ -153,8 +150,10 @@ static void systems_free_arrays(struct fluid *fl)
 }
 
 /* Geometric coefficients of each face, computed once. */
-static void fill_geometry(struct face_geometry *g, const struct mesh *m)
+static void create_geometry(struct face_geometry *g, const struct mesh *m)
 {
+    g->SS = alloc_doubles(m->n_faces);
+    g->face_coefficient = alloc_doubles(m->n_faces);
     for (int f = 0; f < m->n_faces; f++) {
         const double *const S = &m->S[3 * f];
         g->SS[f] = vector_dot(S, S);
@@ -188,18 +187,19 @@ void systems_create(struct fluid *fl)
     fl->levels = alloc_zeroed(1, sizeof *fl->levels);
     fl->geometry = alloc_zeroed(1, sizeof *fl->geometry);
     fl->faces = systems_faces_of(m);
+    create_geometry(fl->geometry, m);
+    /* Before the arrays, because it takes more memory while it is made. */
+    if (fl->options.shared == NULL)
+        fl->pressure->matrix =
+            preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
+                                  fl->geometry->face_coefficient, m->d, m->V);
     allocate_arrays(fl);
-    fill_geometry(fl->geometry, m);
     fl->deferred = deferred_create(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->matrix->diagonals = fl->momentum->diag3 != NULL ? 3 : 1;
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = systems_has(fl, BOUNDARY_OUTLET) ? -1 : 0;
-    if (fl->options.shared == NULL)
-        fl->pressure->matrix =
-            preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
-                                  fl->geometry->face_coefficient, m->d, m->V);
     fl->pressure->cg = cg_work_create(n);
     fl->momentum->bicgstab = bicgstab_work_create(n);
 }
@@ -218,5 +218,7 @@ void systems_free(struct fluid *fl)
     free(fl->pressure);
     free(fl->jump);
     free(fl->levels);
+    free(fl->geometry->SS);
+    free(fl->geometry->face_coefficient);
     free(fl->geometry);
 }
