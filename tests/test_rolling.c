@@ -201,7 +201,6 @@ START_TEST(without_rolling_friction_there_is_no_array_for_it)
         ck_assert_double_gt(neighbours_refresh(nb, 1e-5, 0.0), 0.0);
         ck_assert_int_eq(nb->chunks[0].contacts.n_pairs, 1);
         ck_assert_int_eq(nb->chunks[0].contacts.roll_angle[0] != NULL, rolls);
-        ck_assert_int_eq(nb->chunks[0].pairs.roll_angle != NULL, rolls);
         neighbours_free(nb);
     }
     particles_free(ps);

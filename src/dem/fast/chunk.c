@@ -32,8 +32,6 @@ void chunk_release(struct chunk *s)
     for (int l = 0; l < 2; l++) {
         free(lists[l]->start);
         free(lists[l]->partner);
-        free(lists[l]->xi);
-        free(lists[l]->roll_angle);
     }
     for (int k = 0; k < 3; k++) {
         free(s->contacts.xi[k]);
@@ -105,21 +103,6 @@ void chunk_add_wall(struct chunk *s, int wall)
     s->walls.n++;
 }
 
-/* None of the pairs has a history yet. */
-static void empty_histories(struct neighbour_list *v, int rolls)
-{
-    if (v->n > v->history_capacity) {
-        const size_t n = (size_t)(v->history_capacity = v->capacity);
-        free(v->xi);
-        free(v->roll_angle);
-        v->xi = alloc_zeroed(n, sizeof *v->xi);
-        v->roll_angle = rolls ? alloc_zeroed(n, sizeof *v->roll_angle) : NULL;
-    }
-    if (v->n == 0) return;
-    memset(v->xi, 0, (size_t)v->n * sizeof *v->xi);
-    if (rolls) memset(v->roll_angle, 0, (size_t)v->n * sizeof *v->roll_angle);
-}
-
 /* The load of particle j among those of the chunk; an index before the chunk's
  * first stands for one after the last of all n (periodic, slowest direction).
  */
@@ -141,8 +124,6 @@ void chunk_finish_lists(struct chunk *s, int n)
     const int most = s->pairs.n + s->walls.n + SWEEP_LANES;
 
     chunk_begin_owner(s, s->end);
-    empty_histories(&s->pairs, s->has_rolling);
-    empty_histories(&s->walls, s->has_rolling);
     for (int q = 0; q < s->pairs.n; q++)
         s->window =
             chunk_larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
@@ -171,19 +152,6 @@ void chunk_finish_lists(struct chunk *s, int n)
     }
 }
 
-static void return_history(struct chunk *s)
-{
-    const struct chunk_contacts *const c = &s->contacts;
-
-    for (int q = 0; q < c->n_pairs + c->n_walls; q++) {
-        struct neighbour_list *const v = q < c->n_pairs ? &s->pairs : &s->walls;
-        for (int k = 0; k < 3; k++)
-            v->xi[c->list_index[q]][k] = c->xi[k][q];
-        for (int k = 0; s->has_rolling && k < 3; k++)
-            v->roll_angle[c->list_index[q]][k] = c->roll_angle[k][q];
-    }
-}
-
 static inline int near_pair(const struct rows *b, int i, int j)
 {
     const struct row_place *const p = &b->place[i], *const q = &b->place[j];
@@ -197,48 +165,62 @@ static inline int near_wall(const struct rows *b, int i, int wall)
     return rows_wall_gap(&b->box, &b->place[i], wall) < b->chosen[i].R;
 }
 
-/* From slot `first` on; returns the slot after the last. Writes every pair, and
- * advances the slot only for near ones, which avoids a branch. */
-static inline int
-choose_contacts_of(struct chunk *s, const struct rows *b,
-                   const struct neighbour_list *v,
-                   int (*is_near)(const struct rows *, int, int), int first)
+/* Moves the contacts to the end of as many slots as the lists have pairs;
+ * returns the first of theirs. The new ones are written from slot 0 on: they
+ * cannot reach an old one that is still to come, which is a pair of the list
+ * that is still to come. */
+static int move_to_end(struct chunk *s)
 {
     struct chunk_contacts *const c = &s->contacts;
+    const int n = c->n_pairs + c->n_walls;
+    const int first = s->pairs.n + s->walls.n - n;
+    const size_t size = (size_t)n * sizeof(double);
+
+    if (n == 0) return first;
+    memmove(c->list_index + first, c->list_index, (size_t)n * sizeof(int));
+    for (int k = 0; k < 3; k++) {
+        memmove(c->xi[k] + first, c->xi[k], size);
+        if (s->has_rolling)
+            memmove(c->roll_angle[k] + first, c->roll_angle[k], size);
+    }
+    return first;
+}
+
+static inline void take_history(double *const component[3], int to, int from,
+                                int had)
+{
+    for (int k = 0; k < 3; k++)
+        component[k][to] = had ? component[k][from] : 0.0;
+}
+
+/* From slot `first` on; returns the slot after the last. The `n_old` contacts
+ * from slot `old` on are those before, in the same order: a pair that was one
+ * of them keeps its history. Writes every pair, and advances the slot only for
+ * near ones, which avoids a branch. */
+static inline int choose_contacts_of(struct chunk *s, const struct rows *b,
+                                     const struct neighbour_list *v,
+                                     int (*is_near)(const struct rows *, int,
+                                                    int),
+                                     int first, int old, int n_old)
+{
+    struct chunk_contacts *const c = &s->contacts;
+    const int end = old + n_old;
     int slot = first;
 
     for (int i = s->begin; i < s->end; i++)
         for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
              q++) {
             const int j = v->partner[q], near = is_near(b, i, j);
+            const int had = (old < end) & (c->list_index[old] == q);
             c->owner[slot] = i;
             c->partner[slot] = j;
             c->list_index[slot] = q;
+            take_history(c->xi, slot, old, had);
+            if (s->has_rolling) take_history(c->roll_angle, slot, old, had);
             slot += near;
+            old += had;
         }
     return slot;
-}
-
-/* Of the chosen. Pairs that are not have separated, and their history is
- * deleted. */
-static void take_history(double *const to[3], const int *list_index, int first,
-                         int last, double (*from)[3], int n)
-{
-    for (int slot = first; slot < last; slot++)
-        for (int k = 0; k < 3; k++)
-            to[k][slot] = from[list_index[slot]][k];
-    if (n > 0) memset(from, 0, (size_t)n * sizeof *from);
-}
-
-static void take_histories(struct chunk *s, struct neighbour_list *v, int first,
-                           int last)
-{
-    const struct chunk_contacts *const c = &s->contacts;
-
-    take_history(c->xi, c->list_index, first, last, v->xi, v->n);
-    if (s->has_rolling)
-        take_history(c->roll_angle, c->list_index, first, last, v->roll_angle,
-                     v->n);
 }
 
 /* The contacts first ... last - 1 are in the order of their owners. Returns the
@@ -295,13 +277,15 @@ int chunk_blocks_fit(const struct chunk *s, int n)
 
 void chunk_choose_contacts(struct chunk *s, const struct rows *b)
 {
-    return_history(s);
-    const int pairs = choose_contacts_of(s, b, &s->pairs, near_pair, 0);
-    const int all = choose_contacts_of(s, b, &s->walls, near_wall, pairs);
-    take_histories(s, &s->pairs, 0, pairs);
-    take_histories(s, &s->walls, pairs, all);
-    s->contacts.n_pairs = pairs;
-    s->contacts.n_walls = all - pairs;
+    struct chunk_contacts *const c = &s->contacts;
+    const int old = move_to_end(s);
+    const int pairs =
+        choose_contacts_of(s, b, &s->pairs, near_pair, 0, old, c->n_pairs);
+    const int all = choose_contacts_of(s, b, &s->walls, near_wall, pairs,
+                                       old + c->n_pairs, c->n_walls);
+
+    c->n_pairs = pairs;
+    c->n_walls = all - pairs;
     split_into_blocks(s, b->n, s->blocks);
 }
 
@@ -345,19 +329,35 @@ void chunk_save_history(struct chunk *s)
     }
 }
 
+/* The first of the contacts first ... last - 1 whose owner is not before i. */
+static int first_of_owner(const struct chunk_contacts *c, int first, int last,
+                          int i)
+{
+    while (first < last) {
+        const int middle = first + (last - first) / 2;
+        if (c->owner[middle] < i)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    return first;
+}
+
 void chunk_restore_history(struct chunk *s, const struct contact_history *k)
 {
-    struct neighbour_list *const v = k->partner < 0 ? &s->walls : &s->pairs;
-    const int partner = k->partner < 0 ? -1 - k->partner : k->partner;
-    const int a = k->owner - s->begin;
-    int q = v->start[a];
+    struct chunk_contacts *const c = &s->contacts;
+    const int wall = k->partner < 0, all = c->n_pairs + c->n_walls;
+    const int partner = wall ? -1 - k->partner : k->partner;
+    const int last = wall ? all : c->n_pairs;
+    int q = first_of_owner(c, wall ? c->n_pairs : 0, last, k->owner);
 
-    while (q < v->start[a + 1] && v->partner[q] != partner)
+    while (q < last && c->owner[q] == k->owner && c->partner[q] != partner)
         q++;
-    if (q == v->start[a + 1]) return; /* they have parted since */
-    memcpy(v->xi[q], k->xi, sizeof k->xi);
-    if (s->has_rolling)
-        memcpy(v->roll_angle[q], k->roll_angle, sizeof k->roll_angle);
+    if (q == last || c->owner[q] != k->owner) return; /* they have parted */
+    for (int a = 0; a < 3; a++) {
+        c->xi[a][q] = k->xi[a];
+        if (s->has_rolling) c->roll_angle[a][q] = k->roll_angle[a];
+    }
 }
 
 int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n)

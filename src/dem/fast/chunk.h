@@ -23,9 +23,7 @@
  * are partner[start[a]] ... partner[start[a + 1] - 1]. */
 struct neighbour_list {
     int *start, *partner;
-    double (*xi)[3]; /* [m] xi of the pair while it is not among the contacts */
-    double (*roll_angle)[3]; /* [rad] theta likewise; NULL without rolling */
-    int n, capacity, history_capacity;
+    int n, capacity;
 };
 
 /* Pairs first, then walls. The partner of a wall contact is the wall, 2 k for
@@ -140,9 +138,8 @@ void chunk_add_wall(struct chunk *s, int wall);
 void chunk_finish_lists(struct chunk *s, int n);
 
 /* Chooses the contacts from the neighbour list: the gap is less than the sum of
- * the margins of both, or than that of the one at a wall. The tangential
- * displacements are copied from the old contacts to the neighbour list and from
- * there to the new contacts. */
+ * the margins of both, or than that of the one at a wall. A pair that was a
+ * contact before keeps its history. */
 void chunk_choose_contacts(struct chunk *s, const struct rows *b);
 
 /* 1 if the blocks are those that its contacts are split into; n particles. */
@@ -155,7 +152,7 @@ void chunk_energy_state(struct chunk_energy *e, struct state *state);
 void chunk_reserve_history(struct chunk *s, int n);
 
 /* Saves the histories of the touching pairs; restores one that chunk s owns
- * now. */
+ * now, unless its pair is no contact any more. */
 void chunk_save_history(struct chunk *s);
 void chunk_restore_history(struct chunk *s, const struct contact_history *k);
 

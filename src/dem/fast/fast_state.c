@@ -43,14 +43,6 @@ static void partners_state(struct chunk *c, struct neighbour_list *v, int most,
     free(partner);
 }
 
-static void list_histories_state(struct neighbour_list *v, struct state *s)
-{
-    if (v->n == 0) return;
-    state_reals(s, "xi", "m", v->xi[0], v->n, 3);
-    if (v->roll_angle != NULL)
-        state_reals(s, "roll_angle", "rad", v->roll_angle[0], v->n, 3);
-}
-
 /* 1 if each contact is that of its place in the list, so that its loads have
  * theirs. */
 static int are_listed(const struct chunk *c)
@@ -105,12 +97,6 @@ static void lists_state(struct chunk *c, int n, struct state *s)
     partners_state(c, &c->walls, WALLS, s);
     state_end(s);
     if (s->loading && !s->failed) chunk_finish_lists(c, n);
-    state_begin(s, "pairs");
-    list_histories_state(&c->pairs, s);
-    state_end(s);
-    state_begin(s, "walls");
-    list_histories_state(&c->walls, s);
-    state_end(s);
     chunk_state_contacts(c, n, s);
     state_wholes_of(s, "block_end", "-", &c->blocks->end, size, c->n_blocks, 1);
     state_wholes_of(s, "block_pairs", "-", &c->blocks->pairs, size, c->n_blocks,

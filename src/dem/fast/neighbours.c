@@ -347,34 +347,42 @@ static void rebuild(struct neighbours *nb)
             surfaces_find(nb->surfaces, s, &nb->chunks[s], b, nb->skin);
     }
     neighbours_barrier(nb);
+    if (mine.first == 0) nb->stale = 0;
+}
+
+/* The contacts of this thread's chunks; after a rebuild they get the histories
+ * that all chunks had before it. */
+static void choose_contacts(struct neighbours *nb, int rebuilt, double least)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        chunk_choose_contacts(own, nb->rows);
+        if (nb->surfaces != NULL)
+            surfaces_choose_contacts(nb->surfaces, s, nb->rows, 2.0 * least);
+    }
+    if (!rebuilt) return;
+    neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++)
         for (int q = 0; q < nb->chunks[s].n_history; q++)
             restore_history(nb, &nb->chunks[s].history[q]);
-    neighbours_barrier(nb);
-    if (mine.first == 0) nb->stale = 0;
 }
 
 double neighbours_refresh(struct neighbours *nb, double least, double time)
 {
-    const struct chunk_range mine = neighbours_static_range(nb);
-    const double most = 0.125 * nb->skin;
+    const double of_surfaces = fmin(least, 0.125 * nb->skin);
 
     neighbours_check_lost(nb);
     set_margins(nb, least, time);
-    const int lost = is_any_lost(nb),
-              narrow = list_is_narrow(nb, fmin(least, most));
+    const int lost = is_any_lost(nb), narrow = list_is_narrow(nb, of_surfaces);
     neighbours_barrier(nb);
     if (lost) return -1.0;
     if (narrow) {
         rebuild(nb);
         set_margins(nb, least, time);
     }
-    for (int s = mine.first; s < mine.last; s++) {
-        chunk_choose_contacts(&nb->chunks[s], nb->rows);
-        if (nb->surfaces != NULL)
-            surfaces_choose_contacts(nb->surfaces, s, nb->rows,
-                                     2.0 * fmin(least, most));
-    }
+    choose_contacts(nb, narrow, of_surfaces);
     return neighbours_margin_left(nb);
 }
 
