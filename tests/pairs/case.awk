@@ -150,7 +150,7 @@ function sized() {
 function sphere(where, velocity, i) {
     return "{ position = " where "; velocity = " velocity "; " \
         (on("clumps") && i % 2 ? "clump = \"egg\"; rotation = [0.0, 0.0, " i / 2 "]; " : "") \
-        "diameter = " (is("sizes", "equal") ? grain : grain * (0.7 + 0.1 * i)) ";" \
+        "diameter = " grain * (is("sizes", "equal") ? 1 : 0.7 + 0.1 * i) * (on("clumps") ? 0.85 : 1) ";" \
         (is("materials", "several pairs") && i % 2 ? " material = \"felt\";" : "") \
         (i == 2 ? " spin = [10.0, -20.0, 300.0];" : "") " }"
 }
