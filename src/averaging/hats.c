@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 
 struct hats *hats_create(const struct mesh *mesh, int capacity)
 {
@@ -108,4 +109,31 @@ void hats_gather(const struct hats *h, int m, const double *field, double *q)
                 q[m * i + k] += share * field[m * c + k];
         }
     }
+}
+
+void hats_moments(const struct hats *h, const struct particles *ps, double *q,
+                  double *moments)
+{
+    for (int i = 0; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        const double V = particles_volume(ps, i);
+        const double all[HATS_MOMENTS] = {V,
+                                          V * v[0],
+                                          V * v[1],
+                                          V * v[2],
+                                          V * vector_dot(v, v),
+                                          V / particles_grain(ps, i)};
+        memcpy(&q[HATS_MOMENTS * i], all, sizeof all);
+    }
+    hats_spread(h, HATS_MOMENTS, q, moments);
+}
+
+double hats_temperature(const double *moments)
+{
+    const double eps = moments[0];
+
+    if (eps <= 0.0) return 0.0;
+    return fmax(0.0, moments[4] / eps -
+                         vector_dot(&moments[1], &moments[1]) / (eps * eps)) /
+           3.0;
 }

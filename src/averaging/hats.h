@@ -33,4 +33,12 @@ void hats_find(struct hats *h, const struct particles *ps);
 void hats_spread(const struct hats *h, int m, const double *q, double *field);
 void hats_gather(const struct hats *h, int m, const double *field, double *q);
 
+/* The moments of the particles' velocities, 6 a cell: eps_s, eps_s u, eps_s
+ * u.u, and eps_s over the diameter of the grains; q: 6 a particle. And of one
+ * cell the mean square of the deviation from u, of one direction [m^2/s^2]. */
+enum { HATS_MOMENTS = 6 };
+void hats_moments(const struct hats *h, const struct particles *ps, double *q,
+                  double *moments);
+double hats_temperature(const double *moments);
+
 #endif

@@ -103,17 +103,28 @@ const struct key effects_keys[] = {
      .divided = KEY_DIVIDED},
     KEY_END};
 
-const struct effect *const effects[] = {
-    &gravity_effect,         &pressure_gradient_effect,
-    &viscous_stress_effect,  &virtual_mass_effect,
-    &basset_effect,          &saffman_effect,
-    &fluid_torque_effect,    &magnus_effect,
-    &time_average_effect,    &energy_budget_effect,
-    &cohesion_electrostatic, &cohesion_van_der_waals,
-    &cohesion_capillary,     &whole_drag_effect,
-    &stochastic_drag_effect, &lubrication_effect,
-    &bubbles_effect,         &mixing_effect,
-    &particle_stress_effect, NULL};
+const struct effect *const effects[] = {&gravity_effect,
+                                        &pressure_gradient_effect,
+                                        &viscous_stress_effect,
+                                        &virtual_mass_effect,
+                                        &basset_effect,
+                                        &saffman_effect,
+                                        &fluid_torque_effect,
+                                        &magnus_effect,
+                                        &time_average_effect,
+                                        &energy_budget_effect,
+                                        &cohesion_electrostatic,
+                                        &cohesion_van_der_waals,
+                                        &cohesion_capillary,
+                                        &whole_drag_effect,
+                                        &stochastic_drag_effect,
+                                        &lubrication_effect,
+                                        &bubbles_effect,
+                                        &mixing_effect,
+                                        &particle_stress_effect,
+                                        &collision_damping_effect,
+                                        &collision_isotropy_effect,
+                                        NULL};
 
 /* --- effect force --------------------------------------------------------- */
 

@@ -31,7 +31,7 @@ extern const struct effect viscous_stress_effect, virtual_mass_effect,
     time_average_effect, energy_budget_effect, cohesion_electrostatic,
     cohesion_van_der_waals, cohesion_capillary, whole_drag_effect,
     stochastic_drag_effect, lubrication_effect, bubbles_effect, mixing_effect,
-    particle_stress_effect;
+    particle_stress_effect, collision_damping_effect, collision_isotropy_effect;
 extern const struct effect *const effects[];
 const struct effect *effect_named(const char *name);
 

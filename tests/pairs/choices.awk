@@ -38,6 +38,8 @@ BEGIN {
     choice("cm", "particles.integrator", values_of("particles.integrator", "heun adaptive-heun"))
     choice("p", "particles.integrator", values_of("particles.integrator"))
     choice("cpm", "particles.list", values_of("particles.list"))
+    choice("cpm", "effects.particle_stress", "off {pressure=10.0;}")
+    choice("cpm", "effects.collision_damping", "off {restitution=0.9;}")
     choice("cp", "gravity", "down none oblique")
     choice("cpm", "effects.energy_budget", "off {}")
     choice("cm", "width", "bandwidth delta_05 cells grains regions")
@@ -128,6 +130,33 @@ BEGIN {
           "does not support forces between particles at a distance")
     apart("particles.list", "none", "cohesion", "electrostatic van_der_waals capillary all",
           "does not support forces between particles at a distance")
+    # A stress stands for contacts, and knows what the loop without contacts knows.
+    apart("effects.particle_stress", "{pressure=10.0;}", "particles.list",
+          "verlet link-cells all-pairs", "it takes the place of contacts|does not support|no bed comes to rest")
+    apart("effects.particle_stress", "{pressure=10.0;}", "mesh", "dual cyclic",
+          "it is computed on plain boxes")
+    apart("effects.particle_stress", "{pressure=10.0;}", "mesh", "sheared slanted")
+    apart("effects.particle_stress", "{pressure=10.0;}", "materials", "wall several pairs",
+          "all materials must have the same density")
+    apart("effects.particle_stress", "{pressure=10.0;}", "effects.virtual_mass", "{}",
+          "leave out the effects with an added mass")
+    apart("effects.particle_stress", "{pressure=10.0;}", "effects.basset", "{}",
+          "leave out the effects with an added mass")
+    apart("effects.particle_stress", "{pressure=10.0;}", "particles.integrator", "heun adaptive-heun")
+    apart("effects.particle_stress", "{pressure=10.0;}", "driven", "line swing circle")
+    apart("effects.particle_stress", "{pressure=10.0;}", "surface",
+          "plane cylinder stl moving turning loaded")
+    apart("effects.particle_stress", "{pressure=10.0;}", "count", "settled")
+    apart("effects.particle_stress", "{pressure=10.0;}", "cohesion",
+          "electrostatic van_der_waals capillary all")
+    apart("effects.particle_stress", "{pressure=10.0;}", "effects.lubrication",
+          "{roughness=1e-6;range=1e-4;}")
+    apart("effects.particle_stress", "{pressure=10.0;}", "bodies",
+          "fixed free moving cylinder surface solid")
+    apart("effects.particle_stress", "off", "effects.collision_damping", "{restitution=0.9;}",
+          "needs effects.particle_stress")
+    apart("effects.particle_stress", "off", "effects.collision_isotropy", "{}",
+          "needs effects.particle_stress")
     # Refused where none comes at the start either: a fact of the command line.
     apart("count", "none", "driven", "line swing circle")
     # The width at half the height is of a Gaussian.

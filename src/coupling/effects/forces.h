@@ -190,4 +190,19 @@ double particle_stress_slope(const struct particle_stress_law *law, double P,
 double particle_stress_fraction(const struct particle_stress_law *law, double P,
                                 double tau);
 
+/* Where the particles are as a step begins, for what stands for collisions, and
+ * the packing [-]. */
+struct hats;
+struct simulation;
+const struct hats *particle_stress_places(const struct simulation *sim,
+                                          double *packing);
+
+/* The rate [1/s] at which collisions of restitution e take the fluctuations
+ * away, half of that of their square [Haff83, ORourke10]; and at which elastic
+ * ones make them alike in all directions, p/mu of a dilute gas of spheres
+ * [ORourke12]. eps_s per diameter [1/m], Theta [m^2/s^2]. */
+double collision_damping_rate(double e, double eps_per_d, double g_0,
+                              double Theta);
+double collision_isotropy_rate(double eps_per_d, double g_0, double Theta);
+
 #endif

@@ -114,7 +114,7 @@ struct particle_stress {
     double *rhs, *sums, *change;
     double *face; /* [m/s^2] 2 a_f of the six sides of a cell */
     double *a;    /* [m/s^2] 3 a cell */
-    double *q;    /* 3 a particle */
+    double *q;    /* 6 a particle */
     struct hats *hats;
     int n_cells;
     long solves, iterations, crowded; /* [-] so far */
@@ -157,7 +157,7 @@ static void *particle_stress_create(struct simulation *sim,
     for (int k = 0; k < CELL_ARRAYS; k++)
         *at[k] = alloc_doubles(width[k] * m->n_cells);
     self->g = alloc_doubles(m->n_internal);
-    self->q = alloc_doubles(3 * ps->capacity);
+    self->q = alloc_doubles(HATS_MOMENTS * ps->capacity);
     self->hats = hats_create(m, ps->capacity);
     for (int f = 0; f < m->n_internal; f++)
         self->g[f] = vector_dot(&m->S[3 * f], &m->S[3 * f]) /
@@ -200,11 +200,27 @@ static void particle_stress_before(void *memory, struct simulation *sim)
     struct particle_stress *const self = memory;
 
     particle_stress_spread(self, sim, self->before);
-    if (sim->particles->n > 0) /* all have the same */
-        self->rho = sim->particles->m[0] / particles_volume(sim->particles, 0);
+    if (sim->particles->n == 0) return;
+    self->rho = sim->particles->m[0] / particles_volume(sim->particles, 0);
     self->stiff = self->rho / (sim->dt * sim->dt);
-    for (int c = 0; c < sim->mesh->n_cells; c++)
-        self->P[c] = self->least;
+    if (self->law.lun)
+        hats_moments(self->hats, sim->particles, self->q, self->face);
+    for (int c = 0; c < self->n_cells; c++)
+        self->P[c] =
+            self->law.lun
+                ? fmax(self->least,
+                       self->rho * hats_temperature(&self->face[6 * c]))
+                : self->least;
+}
+
+const struct hats *particle_stress_places(const struct simulation *sim,
+                                          double *packing)
+{
+    const struct particle_stress *const self =
+        effects_memory(sim, &particle_stress_effect);
+
+    *packing = self->law.packing;
+    return self->hats;
 }
 
 /* --- tau ------------------------------------------------------------------ */
@@ -387,6 +403,7 @@ static void particle_stress_after(void *memory, struct simulation *sim)
     const struct mesh *const m = sim->mesh;
     int crowded = 0;
 
+    if (sim->particles->n == 0) return;
     particle_stress_spread(self, sim, self->eps);
     for (int c = 0; c < m->n_cells; c++) {
         const double over = fmax(0.0, self->before[c] - self->law.packing);
