@@ -3,6 +3,7 @@
 
 #include "base/clock.h"
 #include "coupling/coupling.h"
+#include "coupling/effects.h"
 #include "averaging/averaging.h"
 #include "mesh/measures.h"
 #include "dem/contact.h"
@@ -152,27 +153,63 @@ static void print_contacts(const struct settings *s,
     text_line("particle steps in one step", k->dem_steps, "-", "");
 }
 
-/* The pressure drop of a bed that a stream carries is its weight less its
- * buoyancy, for pressures are without the weight of the fluid. */
-static void print_weight(const struct settings *s, const struct case_scales *k)
+/* The weight of the bed over its area [Pa], in a fluid of rho_f [kg/m^3]; 0 of
+ * none, and in a mesh that has no one section. */
+static double weight_over_area(const struct settings *s,
+                               const struct case_scales *k, double rho_f)
 {
     const double *const g = s->effects.gravity;
-    const double rho_f = s->has.fluid ? s->fluid.rho : 0.0;
     double lo[3], size[3], area = 1.0;
     int up = 0;
 
-    if (s->poly != NULL) return; /* it has no one section */
-    if (!s->effects.has_gravity || !s->particles.has_bed) return;
+    if (s->poly != NULL) return 0.0;
+    if (!s->effects.has_gravity || !s->particles.has_bed) return 0.0;
     case_mesh_ends(s, lo, size);
     for (int i = 0; i < 3; i++)
         if (fabs(g[i]) > fabs(g[up])) up = i;
     for (int i = 0; i < 3; i++)
         if (i != up) area *= size[i] - lo[i];
+    return k->volume * (s->particles.grains.density - rho_f) * fabs(g[up]) /
+           area;
+}
+
+/* The pressure drop of a bed that a stream carries is its weight less its
+ * buoyancy, for pressures are without the weight of the fluid. */
+static void print_weight(const struct settings *s, const struct case_scales *k)
+{
+    const double rho_f = s->has.fluid ? s->fluid.rho : 0.0;
+    const double weight = weight_over_area(s, k, rho_f);
+
+    if (weight == 0.0) return;
     text_line(rho_f > 0.0 ? "buoyant weight of the bed over its area"
                           : "weight of the bed over its area",
-              k->volume * (s->particles.grains.density - rho_f) * fabs(g[up]) /
-                  area,
-              "Pa", rho_f > 0.0 ? "the pressure drop of a fluidized bed" : "");
+              weight, "Pa",
+              rho_f > 0.0 ? "the pressure drop of a fluidized bed" : "");
+}
+
+/* What a stress in the place of contacts has to go on. */
+static void print_stress(const struct settings *s, const struct case_scales *k)
+{
+    double n[EFFECT_NUMBERS];
+    const double eps_s = check_scales(s, k).eps_s;
+    const double each = M_PI / 6.0 * gsl_pow_3(k->d);
+    const double in_a_cell = eps_s * gsl_pow_3(k->S_c) / each;
+    const double weight = weight_over_area(s, k, 0.0);
+    const double way = k->impact * k->dt / k->S_c;
+
+    if (!fill_effect_numbers(s, &particle_stress_effect, n)) return;
+    puts("Particle stress");
+    text_line("particles in a cell", in_a_cell, "-",
+              in_a_cell < 5.0 ? "FEW: their noise decides"
+                              : "where the particles are");
+    text_line("way in a step / S_c", way, "-",
+              way > 0.2 ? "LONG: cells are filled above the packing"
+                        : "at the speed that is assumed");
+    if (weight > 0.0)
+        text_line("P_s / weight of the bed", n[1] / weight, "-",
+                  n[1] > 1e-4 * weight
+                      ? "SOFT: the bed packs slowly, and less at its top"
+                      : "stiff");
 }
 
 /* Where whole steps do not give the time between two rows or pictures. */
@@ -291,6 +328,7 @@ int check_case(const struct settings *s)
     print_resolution(&k);
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
+    if (k.particles > 0) print_stress(s, &k);
     if (k.particles > 0) check_cohesion(s, &k);
     if (k.particles > 0) case_parcels_print(s, &k, check_scales(s, &k).eps_s);
     case_clumps_print(s);

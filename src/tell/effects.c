@@ -210,7 +210,10 @@ static void print_collisions(const struct settings *s,
     const int often = k->rests || rate * end > noticed;
     char verdict[CHECK_VERDICT];
 
-    if (k->rests && k->tau == 0.0)
+    if (s->effects.particle_stress)
+        snprintf(verdict, sizeof verdict,
+                 "negligible: particle_stress stands for them");
+    else if (k->rests && k->tau == 0.0)
         snprintf(verdict, sizeof verdict, "needed: they lie on each other");
     else if (k->rests)
         snprintf(verdict, sizeof verdict,

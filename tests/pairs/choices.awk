@@ -130,33 +130,33 @@ BEGIN {
           "does not support forces between particles at a distance")
     apart("particles.list", "none", "cohesion", "electrostatic van_der_waals capillary all",
           "does not support forces between particles at a distance")
-    # A stress stands for contacts, and knows what the loop without contacts knows.
-    apart("effects.particle_stress", "{pressure=10.0;}", "particles.list",
-          "verlet link-cells all-pairs", "it takes the place of contacts|does not support|no bed comes to rest")
-    apart("effects.particle_stress", "{pressure=10.0;}", "mesh", "dual cyclic",
-          "it is computed on plain boxes")
-    apart("effects.particle_stress", "{pressure=10.0;}", "mesh", "sheared slanted")
-    apart("effects.particle_stress", "{pressure=10.0;}", "materials", "wall several pairs",
-          "all materials must have the same density")
-    apart("effects.particle_stress", "{pressure=10.0;}", "effects.virtual_mass", "{}",
-          "leave out the effects with an added mass")
-    apart("effects.particle_stress", "{pressure=10.0;}", "effects.basset", "{}",
-          "leave out the effects with an added mass")
-    apart("effects.particle_stress", "{pressure=10.0;}", "particles.integrator", "heun adaptive-heun")
-    apart("effects.particle_stress", "{pressure=10.0;}", "driven", "line swing circle")
-    apart("effects.particle_stress", "{pressure=10.0;}", "surface",
-          "plane cylinder stl moving turning loaded")
-    apart("effects.particle_stress", "{pressure=10.0;}", "count", "settled")
-    apart("effects.particle_stress", "{pressure=10.0;}", "cohesion",
-          "electrostatic van_der_waals capillary all")
-    apart("effects.particle_stress", "{pressure=10.0;}", "effects.lubrication",
-          "{roughness=1e-6;range=1e-4;}")
-    apart("effects.particle_stress", "{pressure=10.0;}", "bodies",
-          "fixed free moving cylinder surface solid")
-    apart("effects.particle_stress", "off", "effects.collision_damping", "{restitution=0.9;}",
-          "needs effects.particle_stress")
-    apart("effects.particle_stress", "off", "effects.collision_isotropy", "{}",
-          "needs effects.particle_stress")
+    # A stress stands for contacts, and collisions go with it. They know what the loop
+    # without contacts knows.
+    n_stress = split("effects.particle_stress {pressure=10.0;} effects.collision_damping " \
+                     "{restitution=0.9;} effects.collision_isotropy {}", stress, " ")
+    for (k = 1; k < n_stress; k += 2) {
+        apart(stress[k], stress[k + 1], "particles.list", "verlet link-cells all-pairs", \
+              k == 1 ? "it takes the place of contacts|does not support|no bed comes to rest" : "")
+        apart(stress[k], stress[k + 1], "mesh", "dual cyclic", \
+              k == 1 ? "it is computed on plain boxes" : "")
+        apart(stress[k], stress[k + 1], "mesh", "sheared slanted", "")
+        apart(stress[k], stress[k + 1], "materials", "wall several pairs", \
+              k == 1 ? "all materials must have the same density" : "")
+        apart(stress[k], stress[k + 1], "effects.virtual_mass", "{}", \
+              k == 1 ? "leave out the effects with an added mass" : "")
+        apart(stress[k], stress[k + 1], "effects.basset", "{}", "")
+        apart(stress[k], stress[k + 1], "particles.integrator", "heun adaptive-heun", "")
+        apart(stress[k], stress[k + 1], "driven", "line swing circle", "")
+        apart(stress[k], stress[k + 1], "surface",
+              "plane cylinder stl moving turning loaded", "")
+        apart(stress[k], stress[k + 1], "count", "settled", "")
+        apart(stress[k], stress[k + 1], "cohesion", "electrostatic van_der_waals capillary all", "")
+        apart(stress[k], stress[k + 1], "effects.lubrication", "{roughness=1e-6;range=1e-4;}", "")
+        apart(stress[k], stress[k + 1], "bodies", "fixed free moving cylinder surface solid", "")
+        if (k > 1)
+            apart("effects.particle_stress", "off", stress[k], stress[k + 1],
+                  "needs effects.particle_stress")
+    }
     # Refused where none comes at the start either: a fact of the command line.
     apart("count", "none", "driven", "line swing circle")
     # The width at half the height is of a Gaussian.

@@ -132,7 +132,7 @@ static const struct key damping_keys[] = {
      .divided = "the stress is one system of all cells"},
     {"effects.collision_damping.restitution", KEY_REAL, "-", ">= 0, <= 1", NULL,
      "coefficient of restitution e of the grains", "ORourke10", ""},
-    {0}};
+    KEY_END};
 
 const struct effect collision_damping_effect = {
     .name = "collision_damping",
@@ -229,7 +229,7 @@ static const struct key isotropy_keys[] = {
      .divided = "the stress is one system of all cells"},
     {"effects.collision_isotropy.seed", KEY_INT, "-", ">= 0", "1",
      "seed of the random numbers; the same seed gives the same run", "", ""},
-    {0}};
+    KEY_END};
 
 const struct effect collision_isotropy_effect = {
     .name = "collision_isotropy",
