@@ -101,6 +101,7 @@ parcels: $B/winnow
 	@sh tests/table.sh $B tests/tables/clumps.txt
 parcels-slow: $B/winnow
 	@sh tests/table.sh $B tests/tables/parcels.txt long
+	@sh tests/table.sh $B tests/tables/clumps.txt long
 faults: $B/winnow
 	@sh tests/table.sh $B tests/tables/faults.txt
 study: $B/winnow
