@@ -22,7 +22,7 @@ static const char *const required[][2] = {
     {"time", "2e-3"},      {"range", "2e-5"},     {"hamaker", "1e-19"},
     {"tension", "0.01"},   {"roughness", "1e-6"}, {"sigma_low", "0.2"},
     {"sigma_high", "0.2"}, {"height", "0.01"},    {"sample", "4e-3"},
-    {NULL, NULL}};
+    {"pressure", "10.0"},  {NULL, NULL}};
 
 static const char *value_of(const char *path)
 {
@@ -63,7 +63,7 @@ static struct simulation *build(const char *fluid, const char *effect_named)
             "fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;\n"
             "  bottom = { inlet = 0.8; }; top = { outlet = 0.0; };\n"
             "  sides = \"slip\"; front_back = \"no-slip\"; %s };\n"
-            "particles = { contact = \"linear\"; step = 2e-5;\n"
+            "particles = { contact = \"linear\"; step = %s;\n"
             "  grains = { density = 1000; stiffness = 50.0; restitution = 0.9;"
             "    friction = 0.3; rolling_friction = 0.1; %s };\n"
             "  insert = ( { count = 40; diameter = 1e-3; rate = 1e4;\n"
@@ -73,7 +73,9 @@ static struct simulation *build(const char *fluid, const char *effect_named)
             "exchange = { drag = \"gidaspow\"; };\n"
             "effects = { %s };\n"
             "output = { end = 1.0; every = 1.0; };\n",
-            fluid, strstr(effect_named, "electro") ? "charge = 1e-12;" : "",
+            fluid,
+            strstr(effect_named, "stress =") ? "2e-4; list = \"none\"" : "2e-5",
+            strstr(effect_named, "electro") ? "charge = 1e-12;" : "",
             effect_named);
     fclose(f);
     struct settings *const s = case_file_read(path, 0, NULL, &code);
