@@ -19,10 +19,10 @@ enum { STEPS = 4, N_EFFECTS = 32, TEXT = 512 };
 
 /* Values of keys that have no default, by the last part of their paths. */
 static const char *const required[][2] = {
-    {"time", "2e-3"},      {"range", "2e-5"},     {"hamaker", "1e-19"},
-    {"tension", "0.01"},   {"roughness", "1e-6"}, {"sigma_low", "0.2"},
-    {"sigma_high", "0.2"}, {"height", "0.01"},    {"sample", "4e-3"},
-    {"pressure", "10.0"},  {NULL, NULL}};
+    {"time", "2e-3"},      {"range", "2e-5"},      {"hamaker", "1e-19"},
+    {"tension", "0.01"},   {"roughness", "1e-6"},  {"sigma_low", "0.2"},
+    {"sigma_high", "0.2"}, {"height", "0.01"},     {"sample", "4e-3"},
+    {"pressure", "10.0"},  {"restitution", "0.9"}, {NULL, NULL}};
 
 static const char *value_of(const char *path)
 {
@@ -43,7 +43,11 @@ static void name_effect(const struct effect *e, char text[TEXT])
         snprintf(text, TEXT, "%s = [1.0, -9.0, 0.5];", e->name);
         return;
     }
-    snprintf(text, TEXT, "gravity = [1.0, -9.0, 0.5]; %s = { ", e->name);
+    snprintf(text, TEXT, "gravity = [1.0, -9.0, 0.5]; %s%s = { ",
+             strncmp(e->name, "collision_", 10) == 0
+                 ? "particle_stress = { pressure = 10.0; }; "
+                 : "",
+             e->name);
     for (k++; k->path != NULL; k++)
         if (k->fallback == NULL)
             snprintf(text + strlen(text), TEXT - strlen(text), "%s = %s; ",
@@ -74,7 +78,8 @@ static struct simulation *build(const char *fluid, const char *effect_named)
             "effects = { %s };\n"
             "output = { end = 1.0; every = 1.0; };\n",
             fluid,
-            strstr(effect_named, "stress =") ? "2e-4; list = \"none\"" : "2e-5",
+            strstr(effect_named, "particle_stress") ? "2e-4; list = \"none\""
+                                                    : "2e-5",
             strstr(effect_named, "electro") ? "charge = 1e-12;" : "",
             effect_named);
     fclose(f);
