@@ -98,6 +98,7 @@ free: $B/winnow
 	@LIBS="$(LIBS)" sh tests/free.sh $B
 parcels: $B/winnow
 	@sh tests/table.sh $B tests/tables/parcels.txt
+	@sh tests/table.sh $B tests/tables/stress.txt
 	@sh tests/table.sh $B tests/tables/clumps.txt
 parcels-slow: $B/winnow
 	@sh tests/table.sh $B tests/tables/parcels.txt long
