@@ -96,7 +96,7 @@ static void collisions_report(struct simulation *sim, int i, const double dv[3])
     effects_report(sim, F, 1.0);
 }
 
-/* --- damping -------------------------------------------------------------- */
+/* --- collision damping ---------------------------------------------------- */
 
 static void collision_damping_step(void *memory, struct simulation *sim)
 {
@@ -145,7 +145,7 @@ const struct effect collision_damping_effect = {
     .free = collisions_free,
 };
 
-/* --- isotropy ------------------------------------------------------------- */
+/* --- collision isotropy --------------------------------------------------- */
 
 static int collisions_cell(const struct hats *h, int i)
 {

@@ -165,8 +165,7 @@ double time_average_weight(double dt, double b_t);
 /* mean = (1 - alpha) now + alpha mean for n values [SX15 14]. */
 void time_average_update(double alpha, int n, const double *now, double *mean);
 
-/* --- particle stress -------------------------------------------------------
- */
+/* --- particle stress ------------------------------------------------------ */
 
 /* The stress tau [Pa] of solids of the fraction eps_s that do not meet.
  *
