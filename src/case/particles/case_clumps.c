@@ -18,6 +18,9 @@
 
 static const char list[] = "particles.clumps";
 
+/* So many balls in all clumps take seconds for their unions. */
+enum { CLUMP_BALLS = 1000 };
+
 /* --- shapes --------------------------------------------------------------- */
 
 /* Balls on the long axis of an ellipsoid of revolution that touch it from
@@ -37,38 +40,37 @@ static struct body_ball *ellipsoid_balls(const double half[3], int n)
     return ball;
 }
 
-/* NULL after a message of the file. */
-static struct body_ball *file_balls(const struct settings *s,
-                                    const struct clump_setup *one, int *n)
+struct body_ball *case_clumps_file(const struct settings *s, const char *file,
+                                   double scale, int *n)
 {
     long rows;
     struct insertion_sphere *const read =
-        grain_table_parse(settings_input(s, one->file), &rows);
+        grain_table_parse(settings_input(s, file), &rows);
 
     if (read == NULL) return NULL;
     struct body_ball *const ball = alloc_zeroed((size_t)rows, sizeof *ball);
     for (long k = 0; k < rows; k++) {
         for (int e = 0; e < 3; e++)
-            ball[k].at[e] = one->scale * read[k].x[e];
-        ball[k].R = 0.5 * one->scale * read[k].d;
+            ball[k].at[e] = scale * read[k].x[e];
+        ball[k].R = 0.5 * scale * read[k].d;
     }
     free(read);
     *n = (int)rows;
     return ball;
 }
 
-/* dV/dR of balls that shrink together: of a union of balls that overlap in
- * pairs V is a cubic in that, and the difference formula for the beginning of
- * four places exact. */
-static double surface_of(int n, const struct body_ball *given)
+/* dV/dR of balls of the volume V that shrink together: of a union of balls that
+ * overlap in pairs V is a cubic in that, and the difference formula for the
+ * beginning of four places exact. */
+static double surface_of(int n, const struct body_ball *given, double V)
 {
     static const double weight[4] = {11.0, -18.0, 9.0, -2.0};
     struct body_ball *const ball = alloc_zeroed((size_t)n, sizeof *ball);
-    double R = HUGE_VAL, sum = 0.0;
+    double R = HUGE_VAL, sum = weight[0] * V;
 
     for (int k = 0; k < n; k++)
         R = fmin(R, given[k].R);
-    for (int step = 0; step < 4; step++) {
+    for (int step = 1; step < 4; step++) {
         for (int k = 0; k < n; k++) {
             ball[k] = given[k];
             ball[k].R -= 0.05 * step * R;
@@ -94,7 +96,7 @@ static int make_shape(const struct settings *s, const struct clump_setup *one,
         memcpy(ball[k].at, o->ball[k].at, sizeof ball[k].at);
         ball[k].R = o->ball[k].R;
     }
-    to->sauter = 6.0 * o->volume / surface_of(n, given);
+    to->sauter = 6.0 * o->volume / surface_of(n, given, o->volume);
     const int wrong = clumps_shape_make(to, n, ball, o->volume, o->gyration);
     body_outline_free(o);
     if (!wrong) return 0;
@@ -122,16 +124,22 @@ static int clumps_check_one(const struct settings *s,
 }
 
 static int make_one(const struct settings *s, const struct clump_setup *one,
-                    struct clump_shape *to)
+                    struct clump_shape *to, int *total)
 {
     int n = one->balls, code = clumps_check_one(s, one);
 
     if (code != 0) return code;
-    struct body_ball *const ball = one->file != NULL
-                                       ? file_balls(s, one, &n)
-                                       : ellipsoid_balls(one->half, n);
+    struct body_ball *const ball =
+        one->file != NULL ? case_clumps_file(s, one->file, one->scale, &n)
+                          : ellipsoid_balls(one->half, n);
     if (ball == NULL) return 2;
-    code = make_shape(s, one, n, ball, to);
+    *total += n;
+    code = *total > CLUMP_BALLS
+               ? settings_wrong(s, list,
+                                "%s has %d balls; expected at most %d in all "
+                                "clumps together",
+                                one->name, n, CLUMP_BALLS)
+               : make_shape(s, one, n, ball, to);
     free(ball);
     return code;
 }
@@ -207,7 +215,7 @@ static int give_diameters(struct settings *s)
 int case_clumps_make(struct settings *s)
 {
     struct particles_setup *const p = &s->particles;
-    int code = 0;
+    int code = 0, total = 0;
 
     for (int i = 0; i < p->place.n; i++)
         if (p->place.item[i].clump == NULL && p->place.item[i].diameter == 0.0)
@@ -221,7 +229,7 @@ int case_clumps_make(struct settings *s)
         code = case_clumps_shape(s, p->shapes[i].name) != &p->shapes[i]
                    ? settings_wrong(s, list, "two are called %s",
                                     p->shapes[i].name)
-                   : make_one(s, &p->clumps.item[i], &p->shapes[i]);
+                   : make_one(s, &p->clumps.item[i], &p->shapes[i], &total);
     return code != 0 ? code : give_diameters(s);
 }
 

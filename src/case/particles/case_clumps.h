@@ -12,6 +12,10 @@
 int case_clumps_make(struct settings *s);
 void case_clumps_release(struct settings *s);
 
+/* The balls of a file, times a scale; NULL after a message of the file. */
+struct body_ball *case_clumps_file(const struct settings *s, const char *file,
+                                   double scale, int *n);
+
 /* Whether clumps can be together with all else of the case. 0, or 2 after a
  * message. */
 int case_clumps_check(const struct settings *s);

@@ -13,7 +13,7 @@
 #include "case/case_file.h"
 #include "coupling/effects.h"
 #include "dem/contact_linear.h"
-#include "dem/population/insertion.h"
+#include "case/particles/case_clumps.h"
 #include "dem/reference.h"
 #include "dem/surfaces/triangles.h"
 #include "resolved/solid_bodies.h"
@@ -92,19 +92,12 @@ void case_bodies_release(struct settings *s)
 static struct body_outline *read_clump(const struct settings *s,
                                        const struct body_setup *says)
 {
-    long n;
-    struct insertion_sphere *const list =
-        grain_table_parse(settings_input(s, says->file), &n);
+    int n;
+    struct body_ball *const ball =
+        case_clumps_file(s, says->file, says->scale, &n);
 
-    if (list == NULL) return NULL;
-    struct body_ball *const ball = alloc_zeroed((size_t)n, sizeof *ball);
-    for (long k = 0; k < n; k++) {
-        for (int e = 0; e < 3; e++)
-            ball[k].at[e] = says->scale * list[k].x[e];
-        ball[k].R = 0.5 * says->scale * list[k].d;
-    }
-    free(list);
-    struct body_outline *const o = clump_create((int)n, ball);
+    if (ball == NULL) return NULL;
+    struct body_outline *const o = clump_create(n, ball);
     free(ball);
     return o;
 }
