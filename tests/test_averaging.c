@@ -111,21 +111,21 @@ static void scene_free(struct scene *s)
     free(s->field);
 }
 
-/* A particle in the middle of a box of 40^3 cells, spread with b = 4 cells: the
- * variance along x is that of the Gaussian which the method says, b_G^2 / 2,
- * and a thousandth at most is beyond its reach, if it has one. Of the
- * polynomial b_G is rounded to 0.4 b, 2 % above its own; a cell adds 1 %, the
+/* A particle near the middle of a box of 24^3 cells, spread with b = 3 cells:
+ * the variance along x is that of the Gaussian which the method says, b_G^2 /
+ * 2, and a thousandth at most is beyond its reach, if it has one. Of the
+ * polynomial b_G is rounded to 0.4 b, 2 % above its own; a cell adds 2 %, the
  * cut-off at 3 b takes none. */
 START_TEST(a_method_has_the_variance_and_the_reach_that_it_says)
 {
     static const struct box_spec box = {
-        {1.0, 1.0, 1.0}, {40, 40, 40}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    const struct averaging_options o = {.bandwidth = 0.1, .tolerance = 1e-12};
+        {1.0, 1.0, 1.0}, {24, 24, 24}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    const struct averaging_options o = {.bandwidth = 0.125, .tolerance = 1e-9};
     struct mesh *const m = mesh_create_box(&box);
     struct particles *const ps = particles_create(1);
     double *const field = alloc_doubles(m->n_cells);
 
-    cloud_place(ps, 0.4875, 0.4875, 0.4875, 0.001);
+    cloud_place(ps, 0.4792, 0.4792, 0.4792, 0.001);
     for (int i = 0; averaging_methods[i] != NULL; i++) {
         const struct averaging_method *const method = averaging_methods[i];
         const double b = method->gaussian * o.bandwidth, one = 1.0;
@@ -136,7 +136,7 @@ START_TEST(a_method_has_the_variance_and_the_reach_that_it_says)
         averaging_spread(a, 1, &one, field);
         for (int c = 0; c < m->n_cells; c++) {
             const double *const x = &m->centre[3 * c];
-            const double r[3] = {x[0] - 0.4875, x[1] - 0.4875, x[2] - 0.4875};
+            const double r[3] = {x[0] - 0.4792, x[1] - 0.4792, x[2] - 0.4792};
             const double phi = field[c] * m->V[c];
             sum += phi;
             second += phi * r[0] * r[0];
