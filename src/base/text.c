@@ -29,6 +29,20 @@ void text_blank(char *text)
         memset(text, ' ', control_length(text));
 }
 
+int text_wrong(const char *path, int line, const char *format, ...)
+{
+    char message[1024], where[16] = "";
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(message, sizeof message, format, values);
+    va_end(values);
+    text_blank(message);
+    if (line > 0) snprintf(where, sizeof where, ":%d", line);
+    fprintf(stderr, "winnow: %s%s: %s\n", path, where, message);
+    return 1;
+}
+
 /* How a target quotes. */
 static const struct quoting {
     const char *around;        /* quote before and behind, "" for none */

@@ -20,6 +20,11 @@ const char *text_control(const char *text);
 /* Puts blanks in the place of control characters. */
 void text_blank(char *text);
 
+/* Prints what is wrong with a file on stderr, with the line unless that is 0,
+ * and blanks in the place of control characters; returns 1. */
+int text_wrong(const char *path, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 enum text_target {
     TEXT_PLAIN,   /* a line of a terminal */
     TEXT_SHELL,   /* a word of a command */

@@ -87,8 +87,7 @@ static int read_course(const struct settings *s, struct motion_course *c,
     if (c->file == NULL) return 0;
     const struct input *const in = settings_input(s, c->file);
     m->table = c->table = motion_table_create(in, c->repeat, wrong);
-    if (c->table == NULL) fprintf(stderr, "winnow: %s: %s\n", in->path, wrong);
-    return c->table == NULL;
+    return c->table == NULL ? text_wrong(in->path, 0, "%s", wrong) : 0;
 }
 
 /* How many particles there are at the start [-]. */

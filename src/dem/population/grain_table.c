@@ -10,6 +10,7 @@
 #include "base/csv.h"
 #include "base/file.h"
 #include "base/number.h"
+#include "base/text.h"
 
 static const char atoms[] = "ITEM: ATOMS";
 
@@ -244,7 +245,7 @@ struct insertion_sphere *grain_table_parse(const struct input *in, long *n)
     struct insertion_sphere *const list =
         text != NULL ? grain_table_rows(&text, n, wrong) : NULL;
     free(text);
-    if (list == NULL) fprintf(stderr, "winnow: %s: %s\n", in->path, wrong);
+    if (list == NULL) text_wrong(in->path, 0, "%s", wrong);
     return list;
 }
 

@@ -3,7 +3,6 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +12,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
+#include "base/text.h"
 #include "base/vector.h"
 
 enum { HEAD = 80, RECORD = 50, WORD = 64, MOST = 50000000 };
@@ -26,22 +26,7 @@ struct source {
     int line;
 };
 
-static int stl_wrong(const struct source *in, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-static int stl_wrong(const struct source *in, const char *format, ...)
-{
-    va_list values;
-
-    fprintf(stderr, "winnow: %s", in->path);
-    if (in->line > 0) fprintf(stderr, ":%d", in->line);
-    fprintf(stderr, ": ");
-    va_start(values, format);
-    vfprintf(stderr, format, values);
-    va_end(values);
-    fprintf(stderr, "\n");
-    return 1;
-}
+#define stl_wrong(in, ...) text_wrong((in)->path, (in)->line, __VA_ARGS__)
 
 /* One more triangle, unless it has no area. */
 static void stl_add(struct stl *s, int *room, double corner[3][3])

@@ -13,6 +13,7 @@
 
 #include "base/number.h"
 #include "base/file.h"
+#include "base/text.h"
 
 void poly_file_wrong(struct poly_file *p, const char *format, ...)
 {
@@ -60,6 +61,24 @@ static void skip_blanks(struct poly_file *p)
     }
 }
 
+/* What follows up to a blank or a sign of the grammar, which is a word itself;
+ * its length. */
+static int plain_word(struct poly_file *p, char word[POLY_WORD])
+{
+    int n = 0;
+
+    while (p->text[p->at] != '\0' && n < POLY_WORD - 1) {
+        const char c = p->text[p->at];
+        const int sign = strchr("(){};", c) != NULL;
+        if (isspace((unsigned char)c) || (sign && n > 0)) break;
+        word[n++] = c;
+        p->at++;
+        if (sign) break;
+    }
+    word[n] = '\0';
+    return n;
+}
+
 /* The end of a text in quotes that begins at `at`. */
 static long end_of_text(const struct poly_file *p, long at)
 {
@@ -70,8 +89,6 @@ static long end_of_text(const struct poly_file *p, long at)
 
 void poly_file_word(struct poly_file *p, char word[POLY_WORD])
 {
-    int n = 0;
-
     word[0] = '\0';
     if (p->failed) return;
     skip_blanks(p);
@@ -80,18 +97,10 @@ void poly_file_word(struct poly_file *p, char word[POLY_WORD])
         const long most = end - p->at < POLY_WORD ? end - p->at : POLY_WORD;
         snprintf(word, POLY_WORD, "%.*s", (int)most, &p->text[p->at]);
         p->at = end;
-        return;
+    } else if (plain_word(p, word) == 0) {
+        poly_file_wrong(p, "the file ends too early");
     }
-    while (p->text[p->at] != '\0' && n < POLY_WORD - 1) {
-        const char c = p->text[p->at];
-        const int sign = strchr("(){};", c) != NULL;
-        if (isspace((unsigned char)c) || (sign && n > 0)) break;
-        word[n++] = c;
-        p->at++;
-        if (sign) break;
-    }
-    word[n] = '\0';
-    if (n == 0) poly_file_wrong(p, "the file ends too early");
+    text_blank(word); /* messages quote it */
 }
 
 void poly_file_expect(struct poly_file *p, const char *expected)
