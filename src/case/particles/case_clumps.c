@@ -59,6 +59,24 @@ struct body_ball *case_clumps_file(const struct settings *s, const char *file,
     return ball;
 }
 
+/* Such a ball adds stiffness, and takes time, but is no part of the surface. 0,
+ * or 2 after a message. */
+static int refuse_inner_balls(const char *path, int n,
+                              const struct body_ball *ball)
+{
+    double r[3];
+
+    for (int i = 0; i < n * n; i++) {
+        const struct body_ball *const a = &ball[i / n], *const b = &ball[i % n];
+        vector_between(a->at, b->at, r);
+        if (a == b || vector_length(r) + a->R > b->R * (1.0 + 1e-6)) continue;
+        text_wrong(path, 0, "row %d is inside the ball of row %d", i / n + 1,
+                   i % n + 1);
+        return 2;
+    }
+    return 0;
+}
+
 /* dV/dR of balls of the volume V that shrink together: of a union of balls that
  * overlap in pairs V is a cubic in that, and the difference formula for the
  * beginning of four places exact. */
@@ -134,12 +152,14 @@ static int make_one(const struct settings *s, const struct clump_setup *one,
                           : ellipsoid_balls(one->half, n);
     if (ball == NULL) return 2;
     *total += n;
-    code = *total > CLUMP_BALLS
-               ? settings_wrong(s, list,
-                                "%s has %d balls; expected at most %d in all "
-                                "clumps together",
-                                one->name, n, CLUMP_BALLS)
-               : make_shape(s, one, n, ball, to);
+    if (*total > CLUMP_BALLS)
+        code = settings_wrong(s, list,
+                              "%s has %d balls; expected at most %d in all "
+                              "clumps together",
+                              one->name, n, CLUMP_BALLS);
+    else if (one->file != NULL)
+        code = refuse_inner_balls(one->file, n, ball);
+    if (code == 0) code = make_shape(s, one, n, ball, to);
     free(ball);
     return code;
 }
@@ -355,6 +375,34 @@ int case_clumps_check(const struct settings *s)
 
 /* --- what is said --------------------------------------------------------- */
 
+/* Marks the balls that those from number i on are joined to by contacts. */
+static void mark_joined(const struct clump_shape *s, int i, int *mark)
+{
+    double r[3];
+
+    mark[i] = 1;
+    for (int j = 0; j < s->n; j++) {
+        vector_between(s->ball[i].at, s->ball[j].at, r);
+        if (!mark[j] &&
+            vector_length(r) < (s->ball[i].R + s->ball[j].R) * (1.0 + 1e-6))
+            mark_joined(s, j, mark);
+    }
+}
+
+/* The pieces that a clump would fall into [-]. */
+static int pieces_of(const struct clump_shape *s)
+{
+    int *const mark = alloc_ints(s->n), pieces = 0;
+
+    for (int i = 0; i < s->n; i++)
+        if (!mark[i]) {
+            mark_joined(s, i, mark);
+            pieces++;
+        }
+    free(mark);
+    return pieces;
+}
+
 void case_clumps_print(const struct settings *s)
 {
     for (int i = 0; i < s->particles.clumps.n; i++) {
@@ -373,5 +421,9 @@ void case_clumps_print(const struct settings *s)
         text_line("sphericity", one->sauter / d, "-",
                   "surface of that sphere over its own; the drag has that d");
         text_line("sphere around it", 2.0 * one->reach / d, "-", about);
+        const int pieces = pieces_of(one);
+        if (pieces > 1)
+            text_line("pieces", pieces, "-",
+                      "APART: not all its balls touch, yet they move as one");
     }
 }
