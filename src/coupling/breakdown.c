@@ -215,9 +215,8 @@ static const char *trouble_of(const struct simulation *sim)
 {
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        const char *const text = e->effect->mover != NULL
-                                     ? e->effect->mover->failure(e->memory)
-                                     : NULL;
+        const char *const text =
+            e->effect->failure != NULL ? e->effect->failure(e->memory) : NULL;
         if (text != NULL) return text;
     }
     return NULL;

@@ -185,7 +185,8 @@ static int move_freely(struct simulation *sim, double *clock)
     return failed;
 }
 
-/* Moves what is neither fluid nor particle, such as bodies in the flow. */
+/* Moves what is neither fluid nor particle, such as bodies in the flow; ends if
+ * an effect has failed. */
 static int move_others(struct simulation *sim)
 {
     int failed = 0;
@@ -194,6 +195,8 @@ static int move_others(struct simulation *sim)
         const struct effect_state *const e = &sim->effects[i];
         if (e->effect->mover != NULL)
             failed = e->effect->mover->move(e->memory, sim);
+        if (e->effect->failure != NULL)
+            failed |= e->effect->failure(e->memory) != NULL;
     }
     return failed;
 }

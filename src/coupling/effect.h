@@ -51,6 +51,8 @@ struct effect {
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
     const struct effect_mover *mover; /* of what else moves */
+    /* How the computation broke down in this step; NULL: it did not. */
+    const char *(*failure)(const void *memory);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     /* Visits its memory, but for arrays that are attached to the particles. */
@@ -115,9 +117,8 @@ struct effect_columns {
 
 struct effect_mover {
     /* Moves it by a step, after fluid and particles; non-zero if the
-     * computation broke down. failure: how it did, or NULL if it did not. */
+     * computation broke down. */
     int (*move)(void *memory, struct simulation *sim);
-    const char *(*failure)(const void *memory);
     /* Moves the particles by so many steps, and itself with them, in place of
      * dem_run; `move` then has nothing left to do. Non-zero as dem_run. NULL:
      * it does not move with the particles. */

@@ -259,7 +259,6 @@ static void bodies_effect_free(void *memory)
 }
 
 static const struct effect_mover mover = {.move = bodies_effect_move,
-                                          .failure = bodies_effect_trouble,
                                           .momentum = bodies_effect_momentum};
 
 const struct effect bodies_effect = {
@@ -268,6 +267,7 @@ const struct effect bodies_effect = {
     .equations = "EW18 1-4",
     .function = "hold_fluid",
     .mover = &mover,
+    .failure = bodies_effect_trouble,
     .state = bodies_effect_state,
     .free = bodies_effect_free,
 };
@@ -303,11 +303,10 @@ static int among_effect_move(void *memory, struct simulation *sim)
     return 0;
 }
 
-static const struct effect_mover among_mover = {
-    .move = among_effect_move,
-    .move_particles = among_effect_along,
-    .failure = bodies_effect_trouble,
-    .momentum = momentum};
+static const struct effect_mover among_mover = {.move = among_effect_move,
+                                                .move_particles =
+                                                    among_effect_along,
+                                                .momentum = momentum};
 
 const struct effect among_effect = {
     .name = "bodies",
@@ -316,6 +315,7 @@ const struct effect among_effect = {
     .function = "among_grains_run",
     .before_particles = before_particles,
     .mover = &among_mover,
+    .failure = bodies_effect_trouble,
     .after_particles = after_particles,
     .state = bodies_effect_state,
     .free = bodies_effect_free,

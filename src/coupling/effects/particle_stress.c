@@ -59,6 +59,7 @@ struct particle_stress {
     struct hats *hats;
     int n_cells;
     long solves, iterations, crowded; /* [-] so far */
+    int failed;                       /* [-] 1: a tau was not found */
 };
 
 /* Arrays of the cells, how wide each is. */
@@ -168,7 +169,10 @@ const struct hats *particle_stress_places(const struct simulation *sim,
 
 /* Where eps is less [-], tau' is that of it: else the matrix has numbers of too
  * many sizes. */
-static const double thin = 1e-6;
+static double particle_stress_thin(const struct particle_stress_law *law)
+{
+    return law->lun ? 1e-6 : pow(1e-6, 1.0 / fmax(1.0, law->exponent - 1.0));
+}
 
 /* Sets eps(tau), what is missing to `wanted` times V rho / dt^2 [Pa m], and the
  * diagonal V rho / (dt^2 tau') [m]; returns the most [-] that is missing in a
@@ -176,7 +180,7 @@ static const double thin = 1e-6;
 static double particle_stress_missing(struct particle_stress *self,
                                       const struct mesh *m, const double *tau)
 {
-    const double stiff = self->stiff;
+    const double stiff = self->stiff, thin = particle_stress_thin(&self->law);
     double most = 0.0;
 
 #pragma omp parallel for schedule(static)
@@ -195,8 +199,10 @@ static double particle_stress_missing(struct particle_stress *self,
         self->rhs[o] -= out;
         self->rhs[n] += out;
     }
-    for (int c = 0; c < m->n_cells; c++)
-        most = fmax(most, fabs(self->rhs[c]) / m->V[c]);
+    for (int c = 0; c < m->n_cells; c++) {
+        const double of = fabs(self->rhs[c]) / m->V[c];
+        if (of > most || isnan(of)) most = of;
+    }
     return most / stiff;
 }
 
@@ -204,6 +210,8 @@ static double particle_stress_missing(struct particle_stress *self,
 static void particle_stress_update(struct particle_stress *self,
                                    const struct mesh *m, double *tau)
 {
+    const double thin = particle_stress_thin(&self->law);
+
     for (int c = 0; c < m->n_cells; c++) {
         const double eps = self->fraction[c], change = self->change[c];
         const double by = change * self->sums[c] / (self->stiff * m->V[c]);
@@ -229,7 +237,8 @@ static void particle_stress_solve(struct particle_stress *self,
             tau[c] = particle_stress(&self->law, self->P[c],
                                      fmin(fmax(self->wanted[c], enough),
                                           self->law.packing * (1.0 - enough)));
-    for (int k = 0; k < MOST; k++, self->iterations++) {
+    int k = 0;
+    for (; k < MOST; k++, self->iterations++) {
         if (particle_stress_missing(self, m, tau) < enough) break;
         memset(self->change, 0, (size_t)m->n_cells * sizeof *self->change);
         preconditioned_set(self->matrix, self->g, self->sums);
@@ -238,6 +247,7 @@ static void particle_stress_solve(struct particle_stress *self,
         particle_stress_update(self, m, tau);
     }
     self->solves++;
+    self->failed |= k == MOST;
 }
 
 /* --- velocities and places ------------------------------------------------ */
@@ -365,6 +375,17 @@ static void particle_stress_after(void *memory, struct simulation *sim)
     particle_stress_shift(self, sim);
 }
 
+static const char *particle_stress_failure(const void *memory)
+{
+    const struct particle_stress *const self = memory;
+
+    return self->failed
+               ? "effects.particle_stress was not found in 60 iterations of "
+                 "Newton's method; try a smaller step, or a larger "
+                 "effects.particle_stress.pressure:"
+               : NULL;
+}
+
 /* --- what a case sees ----------------------------------------------------- */
 
 static int particle_stress_fields(const void *memory, struct effect_field *f)
@@ -453,6 +474,7 @@ const struct effect particle_stress_effect = {
     .create = particle_stress_create,
     .before_particles = particle_stress_before,
     .after_particles = particle_stress_after,
+    .failure = particle_stress_failure,
     .fields = particle_stress_fields,
     .columns = &particle_stress_columns,
     .counts = particle_stress_counts,

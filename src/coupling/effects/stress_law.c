@@ -41,16 +41,18 @@ double particle_stress_slope(const struct particle_stress_law *law, double P,
 }
 
 /* Newton's method for ln tau in ln y, y = eps / (eps_cp - eps): nearly a line
- * of slope 1 to beta. */
+ * of slope 1 to beta. It begins where eps is for a small tau. */
 double particle_stress_fraction(const struct particle_stress_law *law, double P,
                                 double tau)
 {
     const double cp = law->packing;
-    double ln_y = 0.0, eps = 0.5 * cp;
 
-    if (tau <= 0.0) return 0.0;
+    if (tau <= 1e-300 * P) return 0.0; /* and no number below becomes 0 */
     if (!law->lun && law->exponent == 2.0)
         return 2.0 * tau * cp / (tau + sqrt(tau * tau + 4.0 * P * tau * cp));
+    double eps = fmin(
+        0.5 * cp, law->lun ? tau / P : pow(tau / P * cp, 1.0 / law->exponent));
+    double ln_y = log(eps / (cp - eps));
     for (int k = 0; k < 50; k++) {
         const double now = particle_stress(law, P, eps);
         const double slope =
