@@ -90,8 +90,10 @@ static int refuse_key(const struct settings *s, const char *path,
                       const char *why)
 {
     return settings_wrong(s, path,
-                          "not on the distributed engine (%s); run on one "
-                          "machine, or leave it out",
+                          is_distributed(s)
+                              ? "not on the distributed engine (%s); run on "
+                                "one machine, or leave it out"
+                              : "not in a deck of LAMMPS (%s); leave it out",
                           why);
 }
 

@@ -146,13 +146,16 @@ static double history_sums_count(const struct simulation *sim)
     return processes_total(sim, sim->particles->n);
 }
 
-/* The grains that they stand for. */
+/* The grains that they stand for; the balls of a clump are one. */
 static double history_sums_grains(const struct simulation *sim)
 {
+    const struct particles *const ps = sim->particles;
     double sum = 0.0;
 
-    for (int i = 0; i < sim->particles->n; i++)
-        sum += particles_grains(sim->particles, i);
+    for (int i = 0; i < ps->n; i++)
+        if (!clumps_own(ps, i) ||
+            ps->clumps->item[ps->clumps->of[ps->id[i]]].first == ps->id[i])
+            sum += particles_grains(ps, i);
     return sum;
 }
 
@@ -229,7 +232,8 @@ enum {
     N = HISTORY_PARTS,
     I = HISTORY_POPULATION,
     E = HISTORY_BUDGET,
-    G = HISTORY_PARCELS
+    G = HISTORY_PARCELS,
+    K = HISTORY_GRAINS
 };
 
 /* history.def has a line a column, in the order of the row: it makes a function
@@ -265,6 +269,9 @@ int history_applies(const struct history_column *c,
            (!(c->needs & I) || sim->population != NULL) &&
            (!(c->needs & G) ||
             (sim->particles != NULL && sim->particles->across != NULL)) &&
+           (!(c->needs & K) ||
+            (sim->particles != NULL && (sim->particles->across != NULL ||
+                                        sim->particles->clumps != NULL))) &&
            (!(c->needs & E) ||
             (sim->dem != NULL && dem_energy(sim->dem) != NULL));
 }

@@ -24,7 +24,8 @@ enum {
     HISTORY_PARTS = 16,        /* a step of the fluid that may be divided */
     HISTORY_POPULATION = 32,   /* insertion or removal */
     HISTORY_BUDGET = 64,       /* of the particles' energy */
-    HISTORY_PARCELS = 128      /* particles that stand for several grains */
+    HISTORY_PARCELS = 128,     /* particles that stand for several grains */
+    HISTORY_GRAINS = 256       /* those, or balls of clumps */
 };
 
 /* The function of a column that is one expression of the simulation, and those

@@ -99,13 +99,15 @@ static void print_quality(const struct settings *s)
     mesh_free(m);
 }
 
-static void print_resolution(const struct case_scales *k)
+static void print_resolution(const struct settings *s,
+                             const struct case_scales *k)
 {
     puts("Resolution");
     text_line("cells", k->cells, "-", "");
     text_line("S_c", k->S_c, "m", "cube root of the mean cell volume");
     if (k->particles == 0) return;
-    text_line("particles", k->particles, "-", "");
+    text_line("particles", k->particles, "-",
+              s->particles.clumps.n > 0 ? "each ball of a clump is one" : "");
     text_line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
     text_line("N_p / N_c", (double)k->particles / k->cells, "-",
               "particles a cell, in the mean");
@@ -325,7 +327,7 @@ int check_case(const struct settings *s)
     if (s->has.particles && build_particles_check(s) != 0) return 2;
 
     printf("%s\n%s\n", s->title, s->cites);
-    print_resolution(&k);
+    print_resolution(s, &k);
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0) print_stress(s, &k);

@@ -338,8 +338,9 @@ int case_scales_check(const struct settings *s)
         "%.3g s does not resolve the impacts of %s of %.3g m, which last %.3g "
         "s: at most %.3g s, better %.3g s; to run all the same set "
         "particles.unsafe_step = true",
-        k.dem_dt, case_scales_name(s, m.material), m.d, m.contact, m.longest,
-        m.suggested);
+        k.dem_dt,
+        s->particles.clumps.n > 0 ? "balls" : case_scales_name(s, m.material),
+        m.d, m.contact, m.longest, m.suggested);
 }
 
 const char *case_scales_name(const struct settings *s, int m)

@@ -144,8 +144,13 @@ static int check_bed_fits(const struct settings *s)
 {
     struct bed_options b = build_particles_bed(s);
     const struct bed_range range = bed_range(&b);
-    const char *const key = b.sizes == NULL ? KEY_OF(s, particles.bed.diameter)
-                                            : KEY_OF(s, particles.bed_sizes);
+    const char *const diameter = KEY_OF(s, particles.bed.diameter);
+    const char *const key = b.sizes != NULL ? KEY_OF(s, particles.bed_sizes)
+                            : settings_has(s, diameter)
+                                ? diameter
+                                : KEY_OF(s, particles.bed_clump);
+    const char *const spheres =
+        b.clump == NULL ? "spheres" : "clumps in spheres";
     double lo[3], size[3];
 
     build_particles_free_bed(&b);
@@ -154,14 +159,15 @@ static int check_bed_fits(const struct settings *s)
         size[k] -= lo[k];
     for (int k = 0; k < 3; k++)
         if (range.max > size[k] && b.count > 0)
-            return settings_wrong(s, key, "%g m is larger than the box, %g m",
-                                  range.max, size[k]);
+            return settings_wrong(s, key,
+                                  "%s of %g m are larger than the box, %g m",
+                                  spheres, range.max, size[k]);
     const double share = range.volume / case_mesh_volume(s);
     if (share > 0.6)
         return settings_wrong(s, KEY_OF(s, particles.bed.count),
-                              "%d spheres of %g m would fill %.0f %% of the "
-                              "box; at most 60 %% can settle",
-                              b.count, b.diameter, 100.0 * share);
+                              "%d %s of %g m would fill %.0f %% of the box; at "
+                              "most 60 %% can settle",
+                              b.count, spheres, b.diameter, 100.0 * share);
     return 0;
 }
 

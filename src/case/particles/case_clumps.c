@@ -259,6 +259,16 @@ double case_clumps_balls(const struct settings *s, const char *name, double n)
     return shape == NULL ? n : n * shape->n;
 }
 
+int case_clumps_origin(const struct settings *s, int i)
+{
+    int k = 0;
+
+    while ((i -= (int)case_clumps_balls(s, s->particles.place.item[k].clump,
+                                        1.0)) >= 0)
+        k++;
+    return k;
+}
+
 double case_clumps_ball(const struct settings *s, const char *name, double d)
 {
     const struct clump_shape *const shape = case_clumps_shape(s, name);

@@ -27,6 +27,9 @@ const struct clump_shape *case_clumps_shape(const struct settings *s,
 /* How many particles stand for n grains of that name [-]. */
 double case_clumps_balls(const struct settings *s, const char *name, double n);
 
+/* The entry of particles.place that particle i comes from. */
+int case_clumps_origin(const struct settings *s, int i);
+
 /* The diameter of the smallest ball of a clump in a sphere of that diameter
  * [m], or that itself where there is no clump; and the least share of their own
  * volume that balls of the case have a mass for [-]. */

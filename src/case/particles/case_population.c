@@ -193,10 +193,10 @@ static int case_population_check_given(const struct settings *s, int i,
                               "how large; leave out count, diameter and sizes",
                               i);
     if (in->of.rate > 0.0 && in->of.mass_rate > 0.0)
-        return settings_wrong(
-            s, sources,
-            "source %d: give either rate [1/s] or mass_rate [kg/s], not both",
-            i);
+        return settings_wrong(s, sources,
+                              "source %d: give either rate [1/s] or mass_rate "
+                              "[kg/s], not both",
+                              i);
     if (in->file == NULL && in->count == 0)
         return settings_wrong(s, sources, "source %d needs count or file", i);
     if (in->file == NULL && sized != 1)
@@ -411,15 +411,15 @@ int case_population_place(const struct settings *s, struct particles *ps,
 
     if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MAX) return 0;
     if (strcmp(what, "refuse") == 0)
-        return settings_wrong(s, KEY_OF(s, particles.place),
-                              "spheres %d and %d overlap by %.3g of their mean "
-                              "diameter; set particles.overlaps to \"relax\" "
-                              "to move them apart, or to \"allow\"",
-                              deep.i, deep.j, deep.depth);
+        return settings_wrong(
+            s, KEY_OF(s, particles.place),
+            "spheres of places %d and %d overlap by %.3g of their mean "
+            "diameter; set particles.overlaps to %s\"allow\"",
+            case_clumps_origin(s, deep.i), case_clumps_origin(s, deep.j),
+            deep.depth, ps->clumps ? "" : "\"relax\" to move them apart or ");
     if (overlaps_relax(ps, &box, 1000) >= 0) return 0;
-    return settings_wrong(
-        s, KEY_OF(s, particles.place),
-        "the spheres overlap, and there is no room to move them apart");
+    return settings_wrong(s, KEY_OF(s, particles.place),
+                          "there is no room to move the spheres apart");
 }
 
 static struct population_sink sink_of(const struct settings *s,
