@@ -244,8 +244,8 @@ static const char *validate_beside_stress(const struct settings *s)
         return "it takes the place of contacts: set particles.list to \"none\"";
     if (s->poly != NULL)
         return "it is computed on plain boxes; this mesh is none";
-    if (s->particles.clumps.n > 0)
-        return "it pushes single spheres: leave particles.clumps out";
+    if (settings_has(s, "effects.energy_budget"))
+        return "effects.energy_budget does not know its work: leave one out";
     for (int k = 0; k < s->particles.materials.n; k++)
         if (s->particles.materials.item[k].density !=
             s->particles.grains.density)
