@@ -9,6 +9,7 @@
 
 #include "coupling/coupling.h"
 #include "coupling/effect.h"
+#include "dem/dem_method.h"
 #include "mesh/measures.h"
 
 enum { OVERLAP_TEXT = 256 };
@@ -90,16 +91,20 @@ static void describe_lost(const struct simulation *sim, const char *when,
                           char text[BREAKDOWN_TEXT])
 {
     const struct dem_report *const r = &sim->dem_report;
+    const struct dem_method *const by = dem_created_with(sim->dem)->method;
 
     snprintf(text, BREAKDOWN_TEXT,
              "%d particle%s left the box or %s no longer anywhere %s, the "
              "first with id %d, at [%g, %g, %g] m; the largest overlap was "
              "%.3g d, the highest speed %.3g m/s.\nTry a smaller "
-             "particles.step (winnow check suggests one); a stiffer material "
-             "helps only if its contacts are resolved",
+             "particles.step%s",
              r->lost, r->lost == 1 ? "" : "s", r->lost == 1 ? "is" : "are",
              when, r->lost_id, r->lost_at[0], r->lost_at[1], r->lost_at[2],
-             r->max_overlap, r->max_speed);
+             r->max_overlap, r->max_speed,
+             by != NULL && by->no_contacts
+                 ? ""
+                 : " (winnow check suggests one); a stiffer material helps "
+                   "only if its contacts are resolved");
 }
 
 static void describe_crossing(const struct simulation *sim, const char *when,

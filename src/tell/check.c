@@ -135,7 +135,9 @@ static void print_contacts(const struct settings *s,
     puts("Contacts");
     if (s->particles.list->no_contacts) {
         text_line("particle step", k->dem_dt, "s",
-                  "safe: particles.list = \"none\", no contacts");
+                  s->effects.particle_stress
+                      ? "no contacts: the way in a step decides"
+                      : "safe: particles.list = \"none\", no contacts");
         return;
     }
     text_line("impact speed", k->impact, "m/s", "assumed for what follows");
@@ -214,7 +216,8 @@ static void print_stress(const struct settings *s, const struct case_scales *k)
     if (weight > 0.0)
         text_line("P_s / weight of the bed", n[1] / weight, "-",
                   n[1] > 1e-4 * weight
-                      ? "SOFT: the bed packs slowly, and less at its top"
+                      ? "SOFT: the bed packs slowly, and its floor bears "
+                        "weight that the drop lacks"
                       : "stiff");
 }
 

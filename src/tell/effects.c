@@ -58,6 +58,8 @@ void check_verdict(const struct effect_row *r, char text[CHECK_VERDICT])
     if (r->instead != NULL)
         snprintf(text, CHECK_VERDICT, "negligible: %s stands for it",
                  r->instead->name);
+    else if (r->effect == &particle_stress_effect)
+        snprintf(text, CHECK_VERDICT, "needed: it stands for contacts");
     else if (e->of == NULL)
         return; /* a measure, no force */
     else if (e->loss < noticed && e->share < noticed)

@@ -480,4 +480,5 @@ const struct effect particle_stress_effect = {
     .counts = particle_stress_counts,
     .state = particle_stress_state,
     .free = particle_stress_free,
+    .cost = {100.0, 1200.0, 0.0},
 };
