@@ -1,6 +1,6 @@
 # Winnow. `make run` shows a fluidized bed, `make check` proves the code, `make help` lists the rest.
 CC       = gcc
-WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wno-missing-field-initializers -Wno-pass-failed $(WERROR)
+WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wno-missing-field-initializers $(if $(findstring clang,$(CC)),-Wno-pass-failed) $(WERROR)
 WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
 TUNE     = -march=native

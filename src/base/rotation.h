@@ -124,12 +124,12 @@ static inline double rotation_moment(const double G[6], double Q[3][3], int i,
     return sum;
 }
 
-/* The principal frame q of moments of inertia G, and the moments I there: each
+/* The principal frame q of moments of inertia G, and the moments there: each
  * axis in turn is turned about until nothing but rounding is left beside the
  * diagonal, as Jacobi did it. Where nothing was there q is 1. The angle a has
  * tan 2a = off/more and tan a = t. */
 static inline void rotation_principal(const double G[6], double q[4],
-                                      double I[3])
+                                      double moments[3])
 {
     double Q[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     double P[3] = {0.0};
@@ -148,7 +148,7 @@ static inline void rotation_principal(const double G[6], double q[4],
         rotation_matrix(q, Q);
     }
     for (int k = 0; k < 3; k++)
-        I[k] = rotation_moment(G, Q, k, k);
+        moments[k] = rotation_moment(G, Q, k, k);
 }
 
 #endif

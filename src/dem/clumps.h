@@ -172,18 +172,18 @@ struct clump_pose {
 static inline struct clump_pose clumps_pose(const struct clump *c)
 {
     struct clump_pose at;
-    double *const I = at.per_I;
+    double *const per_I = at.per_I;
     int n = 0;
 
     rotation_matrix(c->q, at.Q);
     for (int j = 0; j < 3; j++)
         for (int k = j; k < 3; k++, n++)
-            I[n] = at.Q[j][0] * c->per_I[0] * at.Q[k][0] +
-                   at.Q[j][1] * c->per_I[1] * at.Q[k][1] +
-                   at.Q[j][2] * c->per_I[2] * at.Q[k][2];
-    at.w[0] = I[0] * c->L[0] + I[1] * c->L[1] + I[2] * c->L[2];
-    at.w[1] = I[1] * c->L[0] + I[3] * c->L[1] + I[4] * c->L[2];
-    at.w[2] = I[2] * c->L[0] + I[4] * c->L[1] + I[5] * c->L[2];
+            per_I[n] = at.Q[j][0] * c->per_I[0] * at.Q[k][0] +
+                       at.Q[j][1] * c->per_I[1] * at.Q[k][1] +
+                       at.Q[j][2] * c->per_I[2] * at.Q[k][2];
+    at.w[0] = per_I[0] * c->L[0] + per_I[1] * c->L[1] + per_I[2] * c->L[2];
+    at.w[1] = per_I[1] * c->L[0] + per_I[3] * c->L[1] + per_I[4] * c->L[2];
+    at.w[2] = per_I[2] * c->L[0] + per_I[4] * c->L[1] + per_I[5] * c->L[2];
     return at;
 }
 
