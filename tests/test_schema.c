@@ -127,7 +127,7 @@ END_TEST
  * side, which is a condition. */
 START_TEST(every_key_has_a_member_of_its_type)
 {
-    static const char *const fits[] = {
+    static const char *const fits[KEY_PATCH + 1] = {
         [KEY_REAL] = "d",   [KEY_INT] = "i",   [KEY_BOOL] = "i",
         [KEY_TEXT] = "t",   [KEY_FILE] = "t",  [KEY_VECTOR] = "v",
         [KEY_COUNTS] = "n", [KEY_FLAGS] = "n", [KEY_SERIES] = "s",
