@@ -172,7 +172,7 @@ casts() {
     [ "$extent" = long ] && command -v clang >/dev/null || return
     tree src/base/number.c | grep -q '<FloatingToIntegral>' ||
         echo 'none in number.c' | wrong 'casts are not seen'
-    for unit in $(grep -l -E '\((int|long|unsigned|u?int[0-9]*_t|size_t)\)' \
+    for unit in $(grep -l -E '\((int|long|unsigned( long)?|u?int[0-9]*_t|size_t)\)' \
         $units); do
         tree "$unit" | awk -v file="$unit" '
             /^[|`]-FunctionDecl/ { mine = $0 !~ / number_(int|long|clamped) / }

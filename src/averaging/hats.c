@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 
 struct hats *hats_create(const struct mesh *mesh, int capacity)
@@ -35,8 +36,7 @@ static void hats_find_one(struct hats *h, int i, int k, double x)
     const struct box *const b = &h->mesh->box;
     const double *const edge = b->edge[k];
     const int n = b->n[k], at = 3 * i + k;
-    int c =
-        (int)fmin(fmax((x - edge[0]) / (edge[n] - edge[0]) * n, 0.0), n - 1.0);
+    int c = number_clamped((x - edge[0]) / (edge[n] - edge[0]) * n, 0, n - 1);
 
     while (c > 0 && x < edge[c])
         c--;

@@ -50,7 +50,8 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
         const struct place_setup *const p = &s->particles.place.item[i];
         const double d = case_clumps_ball(s, p->clump, p->diameter);
 
-        k->particles += (int)case_clumps_balls(s, p->clump, 1.0);
+        k->particles +=
+            number_clamped(case_clumps_balls(s, p->clump, 1.0), 1, INT_MAX);
         k->d = i == 0 ? d : fmin(k->d, d);
         k->d_most = fmax(k->d_most, p->diameter);
     }

@@ -263,10 +263,10 @@ int case_clumps_origin(const struct settings *s, int i)
 {
     int k = 0;
 
-    while ((i -= (int)case_clumps_balls(s, s->particles.place.item[k].clump,
-                                        1.0)) >= 0)
-        k++;
-    return k;
+    for (double left = i;; k++) {
+        left -= case_clumps_balls(s, s->particles.place.item[k].clump, 1.0);
+        if (left < 0.0) return k;
+    }
 }
 
 double case_clumps_ball(const struct settings *s, const char *name, double d)

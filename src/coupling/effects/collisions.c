@@ -17,12 +17,14 @@
 #include "coupling/effects/forces.h"
 
 #include <gsl/gsl_math.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "averaging/hats.h"
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/statistics.h"
 #include "base/vector.h"
 #include "coupling/effect.h"
@@ -57,7 +59,7 @@ static void *collisions_create(struct simulation *sim, const double *parameters)
     const int cells = sim->mesh->n_cells;
 
     self->e = parameters[0];
-    self->seed = (unsigned long)parameters[0];
+    self->seed = (unsigned long)number_clamped(parameters[0], 0, INT_MAX);
     self->moments = alloc_doubles(HATS_MOMENTS * cells);
     self->field = alloc_doubles(4 * cells);
     self->q = alloc_doubles(HATS_MOMENTS * sim->particles->capacity);

@@ -20,11 +20,13 @@
 #include "coupling/effects/forces.h"
 
 #include <gsl/gsl_math.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/statistics.h"
 #include "coupling/coupling.h"
 #include "coupling/effect.h"
@@ -88,7 +90,7 @@ static void *stochastic_drag_create(struct simulation *sim,
 
     self->sigma = sigma_of(parameters);
     self->T = parameters[5];
-    self->seed = (unsigned long)parameters[6];
+    self->seed = (unsigned long)number_clamped(parameters[6], 0, INT_MAX);
     self->y = alloc_doubles(sim->particles->capacity);
     particles_attach(sim->particles, "stochastic_y", "-", self->y, 1);
     return self;
