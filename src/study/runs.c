@@ -420,6 +420,10 @@ static void check_worker(struct pool *c, struct worker *w)
     if (w->process > 0) {
         const int code = code_of_process(w->process);
         if (code < 0) return;
+        if (code == RUN_NOT_WRITTEN && folder_process(r->folder) != 0) {
+            w->process = 0; /* a killed study's run has the folder: wait */
+            return;
+        }
         const int anew =
             w->resumed && (code == RUN_REFUSED || code == RUN_NOT_WRITTEN);
         *w = (struct worker){NULL, 0, 0};
