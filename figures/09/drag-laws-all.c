@@ -2,7 +2,7 @@
 /* drag-laws-all.c -- the drag of all laws over that of Beetstra's, against the
  * fluid fraction, at two Reynolds numbers of the superficial slip.
  *
- * Prints the names, then a row a fluid fraction: its value, and for each
+ * Prints the names, "tenneti_100" of Tenneti's law at Re = 100, then a row a fluid fraction: its value, and for each
  * Reynolds number each law, "?" outside of the range of its data. */
 #include "coupling/drag.h"
 
@@ -16,7 +16,7 @@ int main(void)
     printf("eps_f");
     for (int r = 0; r < 2; r++)
         for (int k = 0; drag_laws[k] != NULL; k++)
-            printf(" %s", drag_laws[k]->name);
+            printf(" %s_%g", drag_laws[k]->name, Re[r]);
     putchar('\n');
     for (double eps = 0.36; eps < 0.985; eps += 0.01) {
         printf("%.2f", eps);

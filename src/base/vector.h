@@ -40,6 +40,18 @@ static inline void vector_between(const double a[3], const double b[3],
     vector_along(a, -1.0, b, c);
 }
 
+/* Two unit vectors normal to the unit vector n and to each other. */
+static inline void vectors_across(const double n[3], double e[3], double f[3])
+{
+    const double other[3] = {fabs(n[0]) < 0.5, fabs(n[0]) >= 0.5, 0.0};
+
+    vector_cross(n, other, e);
+    const double length = vector_length(e);
+    for (int k = 0; k < 3; k++)
+        e[k] /= length;
+    vector_cross(n, e, f);
+}
+
 /* The axis that it has most of; y, where no other has more. */
 static inline int vector_axis(const double a[3])
 {

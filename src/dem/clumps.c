@@ -62,10 +62,10 @@ int clumps_shape_make(struct clump_shape *s, int n, struct clump_ball *ball,
     s->ball = ball;
     s->volume = volume;
     s->reach = 0.0;
-    rotation_principal(gyration, s->frame, s->gyration);
+    rotation_principal(gyration, s->principal, s->gyration);
     for (int k = 0; k < n; k++) {
         double at[3];
-        rotation_to_body(s->frame, ball[k].at, at);
+        rotation_to_body(s->principal, ball[k].at, at);
         memcpy(ball[k].at, at, sizeof at);
     }
     return clump_set_shares(s);
@@ -181,7 +181,7 @@ int clumps_add(struct particles *ps, int shape, double scale, double density,
     c->m = density * s->volume * gsl_pow_3(scale);
     memcpy(c->x, x, sizeof c->x);
     memcpy(c->v, v, sizeof c->v);
-    rotation_product(q, s->frame, c->q);
+    rotation_product(q, s->principal, c->q);
     rotation_matrix(c->q, Q);
     rotation_to_body(c->q, w, spin);
     for (int k = 0; k < 3; k++) {

@@ -31,12 +31,12 @@ struct clump_shape {
     const char *name; /* borrowed */
     int n;            /* [-] balls */
     struct clump_ball *ball;
-    double volume;      /* [m^3] of the union */
-    double sauter;      /* [m] six volumes over the surface */
-    double gyration[3]; /* [m^2] principal moments of inertia over the mass */
-    double frame[4];    /* [-] quaternion: from the principal axes to those that
-                           its balls were given in */
-    double reach;       /* [m] from the centre to the farthest point */
+    double volume;       /* [m^3] of the union */
+    double sauter;       /* [m] six volumes over the surface */
+    double gyration[3];  /* [m^2] principal moments of inertia over the mass */
+    double principal[4]; /* [-] quaternion: from the principal axes to those
+                           that its balls were given in */
+    double reach;        /* [m] from the centre to the farthest point */
 };
 
 /* The shape of n balls, of which each has R and, from the centre of mass, `at`

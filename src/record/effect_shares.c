@@ -81,8 +81,11 @@ static void effect_shares_print(const void *part)
         char mean_text[32], largest_text[32];
         share_text(mean_share(sim, i), mean_text);
         share_text(largest_share(sim, i), largest_text);
-        printf("%s %s of weight or drag, at most %s, in %.0f s\n",
-               e->effect->name, mean_text, largest_text, e->tally.seconds);
+        printf("%s %s of weight or drag, at most %s, ", e->effect->name,
+               mean_text, largest_text);
+        printf(e->tally.seconds < 0.95 ? "in less than a second\n"
+                                       : "in %.2g s\n",
+               e->tally.seconds);
     }
 }
 

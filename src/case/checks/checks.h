@@ -35,8 +35,8 @@ int model_choice_is_on(const struct settings *s, const struct kind *kind,
 
 /* 0 if the model that the case chooses of a kind reads the key; else 2, after a
  * message with those that do. */
-int model_choice_unread(const struct settings *s, const char *kind,
-                        const char *path);
+int model_choice_refuse_unread(const struct settings *s, const char *kind,
+                               const char *path);
 
 /* For validate_case: a model has the keys that it cannot do without. 0, or 2
  * after one message. */

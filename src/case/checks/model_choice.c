@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* model_choice.c -- which models a case chooses, and whether it gives each the
+ * keys that it asks for, and no key of another. */
 #include "case/checks/checks.h"
 
 #include "averaging/averaging.h"
@@ -11,7 +13,7 @@
 #include <string.h>
 
 /* The group that a key is in, and its own name. */
-static const char *model_choice_split(const char *path, char group[SCHEMA_TEXT])
+static const char *key_split(const char *path, char group[SCHEMA_TEXT])
 {
     const char *const dot = strrchr(path, '.');
 
@@ -40,8 +42,8 @@ static int is_chosen_by_some_side(const struct settings *s,
 }
 
 /* 1 if one of the groups of a list chose that model. */
-static int is_in_list(const struct settings *s, const char *list,
-                      const char *key, const char *model)
+static int is_chosen_in_list(const struct settings *s, const char *list,
+                             const char *key, const char *model)
 {
     for (int i = 0; i < settings_length(s, list); i++)
         if (strcmp(settings_item_text(s, list, i, key), model) == 0) return 1;
@@ -50,13 +52,13 @@ static int is_in_list(const struct settings *s, const char *list,
 
 /* 1 if the group is there in which the key of a kind is; and, where the key
  * belongs to other models, one of these is chosen. */
-static int is_at_work(const struct settings *s, const struct kind *kind)
+static int is_choice_read(const struct settings *s, const struct kind *kind)
 {
     char group[SCHEMA_TEXT];
     struct model m;
     int owned = 0;
 
-    model_choice_split(kind->key, group);
+    key_split(kind->key, group);
     if (!settings_has(s, kind->group != NULL ? kind->group
                          : group[0] != '\0'  ? group
                                              : kind->key))
@@ -74,20 +76,21 @@ int model_choice_is_on(const struct settings *s, const struct kind *kind,
                        const struct model *m)
 {
     char group[SCHEMA_TEXT], path[SCHEMA_TEXT];
-    const char *const key = model_choice_split(kind->key, group);
+    const char *const key = key_split(kind->key, group);
 
-    if (!is_at_work(s, kind)) return 0;
+    if (!is_choice_read(s, kind)) return 0;
     if (strstr(kind->key, KEY_ANY_PATCH) != NULL)
         return is_chosen_by_some_side(s, kind, m);
-    if (settings_is_list(s, group)) return is_in_list(s, group, key, m->name);
+    if (settings_is_list(s, group))
+        return is_chosen_in_list(s, group, key, m->name);
     if (group[0] != '\0')
         return strcmp(settings_text(s, kind->key), m->name) == 0;
     snprintf(path, sizeof path, "%s.%s", kind->key, m->name);
     return settings_has(s, path);
 }
 
-int model_choice_unread(const struct settings *s, const char *kind,
-                        const char *path)
+int model_choice_refuse_unread(const struct settings *s, const char *kind,
+                               const char *path)
 {
     const struct kind *const k = models_kind(kind);
     char names[SCHEMA_TEXT] = "";
@@ -104,13 +107,13 @@ int model_choice_unread(const struct settings *s, const char *kind,
                           settings_text(s, k->key), names);
 }
 
-/* 0 if the i-th group of the list chooses a model of the kind, and another one.
- */
-static int chooses(const struct settings *s, const struct kind *kind,
+/* 1 if the key is one that the i-th group of the list must have: 0 if this
+ * group chooses another model of the kind. */
+static int may_ask(const struct settings *s, const struct kind *kind,
                    const char *list, int i, const struct model *m)
 {
     char of[SCHEMA_TEXT];
-    const char *const key = model_choice_split(kind->key, of);
+    const char *const key = key_split(kind->key, of);
 
     return strcmp(of, list) != 0 ||
            strcmp(settings_item_text(s, list, i, key), m->name) == 0;
@@ -118,8 +121,9 @@ static int chooses(const struct settings *s, const struct kind *kind,
 
 /* The key that a condition or a profile asks for, on each side that chooses it.
  */
-static int missing_at_sides(const struct settings *s, const struct kind *kind,
-                            const struct model *m, const char *path)
+static int refuse_missing_on_sides(const struct settings *s,
+                                   const struct kind *kind,
+                                   const struct model *m, const char *path)
 {
     char key[SCHEMA_TEXT];
 
@@ -133,34 +137,34 @@ static int missing_at_sides(const struct settings *s, const struct kind *kind,
 }
 
 /* The key that a model asks for, in a group or in each group of a list. */
-static int missing(const struct settings *s, const struct kind *kind,
-                   const struct model *m, const char *path)
+static int refuse_missing(const struct settings *s, const struct kind *kind,
+                          const struct model *m, const char *path)
 {
     char list[SCHEMA_TEXT];
-    const char *const key = model_choice_split(path, list);
+    const char *const key = key_split(path, list);
 
     if (strstr(path, KEY_ANY_PATCH) != NULL)
-        return missing_at_sides(s, kind, m, path);
+        return refuse_missing_on_sides(s, kind, m, path);
     if (!settings_is_list(s, list))
         return settings_has(s, path)
                    ? 0
                    : settings_wrong(s, kind->key, "%s needs %s", m->name, path);
     for (int i = 0; i < settings_length(s, list); i++)
-        if (chooses(s, kind, list, i, m) && !settings_item_has(s, list, i, key))
+        if (may_ask(s, kind, list, i, m) && !settings_item_has(s, list, i, key))
             return settings_wrong(s, list, "%s needs the %s of %s", m->name,
                                   key, settings_item_text(s, list, i, "name"));
     return 0;
 }
 
 /* A key that a model alone reads, given where another one is chosen. */
-static int check_own(const struct settings *s, const char *kind,
-                     const struct key *own)
+static int refuse_unread_keys(const struct settings *s, const char *kind,
+                              const struct key *own)
 {
     int code = 0;
 
     for (const struct key *k = own; k != NULL && k->path != NULL; k++)
         if (code == 0 && settings_has(s, k->path))
-            code = model_choice_unread(s, kind, k->path);
+            code = model_choice_refuse_unread(s, kind, k->path);
     return code;
 }
 
@@ -170,11 +174,12 @@ int model_choice_check(const struct settings *s)
     int code = 0;
 
     for (int i = 0; drag_laws[i] != NULL && code == 0; i++)
-        code = check_own(s, "drag", drag_laws[i]->own_keys);
+        code = refuse_unread_keys(s, "drag", drag_laws[i]->own_keys);
     for (int i = 0; contact_laws[i] != NULL && code == 0; i++)
-        code = check_own(s, "contact", contact_laws[i]->own_keys);
+        code = refuse_unread_keys(s, "contact", contact_laws[i]->own_keys);
     for (int i = 0; averaging_methods[i] != NULL && code == 0; i++)
-        code = check_own(s, "averaging", averaging_methods[i]->own_keys);
+        code =
+            refuse_unread_keys(s, "averaging", averaging_methods[i]->own_keys);
     if (code != 0) return code;
 
     for (const struct kind *const *k = models_kinds; *k != NULL; k++)
@@ -184,7 +189,7 @@ int model_choice_check(const struct settings *s)
                      row++)
                     if (row->fallback != NULL && schema_is_required(row) &&
                         model_choice_is_on(s, *k, &m) &&
-                        missing(s, *k, &m, row->path) != 0)
+                        refuse_missing(s, *k, &m, row->path) != 0)
                         return 2;
     return 0;
 }

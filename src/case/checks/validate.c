@@ -382,8 +382,8 @@ static int case_averaging_check_given(const struct settings *s)
     const struct averaging_options *const o = &s->averaging;
     const int b = o->bandwidth > 0.0, delta = o->delta_05 > 0.0;
 
-    if (delta &&
-        model_choice_unread(s, "averaging", KEY_OF(s, averaging.delta_05)) != 0)
+    if (delta && model_choice_refuse_unread(s, "averaging",
+                                            KEY_OF(s, averaging.delta_05)) != 0)
         return 2;
     if (o->regions.n > most_regions)
         return settings_wrong(s, KEY_OF(s, averaging.regions), "%d at most",

@@ -280,7 +280,7 @@ static int has_name(const struct case_copy *c, const char *name)
 }
 
 /* Two files of one name from two folders: the second gets a number. */
-static char *free_name(const struct case_copy *c, const char *path)
+static char *unused_name(const struct case_copy *c, const char *path)
 {
     const char *const slash = strrchr(path, '/');
     const char *const last = slash != NULL ? slash + 1 : path;
@@ -306,7 +306,7 @@ static void add_file(void *of, const struct input *in)
         c->file = more;
         c->capacity = 2 * c->n + 8;
     }
-    char *const name = free_name(c, in->path);
+    char *const name = unused_name(c, in->path);
     c->file[c->n++] = (struct named_file){in, name};
 }
 

@@ -172,22 +172,11 @@ const struct surface_shape surface_plane = {
 
 /* --- cylinder ------------------------------------------------------------- */
 
-/* Some unit vector across the axis, for a point on it. */
-static void cylinder_across(const double axis[3], double e[3])
-{
-    const double other[3] = {fabs(axis[0]) < 0.5, fabs(axis[0]) >= 0.5, 0.0};
-
-    vector_cross(axis, other, e);
-    const double length = vector_length(e);
-    for (int k = 0; k < 3; k++)
-        e[k] /= length;
-}
-
 static struct surface_hit nearest_on_cylinder(const struct surface *s,
                                               const double y[3])
 {
     struct surface_hit h;
-    double from[3], out[3];
+    double from[3], out[3], across[3];
 
     vector_between(y, s->point, from);
     vector_along(from, -vector_dot(from, s->normal), s->normal, out);
@@ -196,7 +185,7 @@ static struct surface_hit nearest_on_cylinder(const struct surface *s,
         for (int k = 0; k < 3; k++)
             h.n[k] = side * out[k] / rho;
     else
-        cylinder_across(s->normal, h.n);
+        vectors_across(s->normal, h.n, across); /* any: it is on the axis */
     h.r = side * (rho - s->radius);
     vector_along(y, -h.r, h.n, h.q);
     return h;

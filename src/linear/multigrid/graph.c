@@ -133,7 +133,7 @@ static void centre(const struct graph *g, const int *parent, struct graph *big,
 }
 
 /* The number of the first of the two aggregates that link l joins. */
-static int graph_lower(const struct graph *g, const int *parent, int l)
+static int lower_aggregate(const struct graph *g, const int *parent, int l)
 {
     const int I = parent[g->owner[l]], J = parent[g->neighbour[l]];
 
@@ -182,11 +182,11 @@ static int *sorted_by_lower(const struct graph *g, const int *parent, int count)
     int *const next = alloc_ints(count + 1);
 
     for (int l = 0; l < g->n_links; l++)
-        next[graph_lower(g, parent, l) + 1]++;
+        next[lower_aggregate(g, parent, l) + 1]++;
     for (int I = 0; I < count; I++)
         next[I + 1] += next[I];
     for (int l = 0; l < g->n_links; l++)
-        order[next[graph_lower(g, parent, l)]++] = l;
+        order[next[lower_aggregate(g, parent, l)]++] = l;
     free(next);
     return order;
 }

@@ -51,18 +51,6 @@ static void outline_add(struct outline *o, int surface, int n, double (*x)[3])
     o->end[o->n_polygons++] = o->n_points;
 }
 
-/* Two unit vectors normal to a third and to each other. */
-static void frame(const double n[3], double e[3], double f[3])
-{
-    const double other[3] = {fabs(n[0]) < 0.5, fabs(n[0]) >= 0.5, 0.0};
-
-    vector_cross(n, other, e);
-    const double length = vector_length(e);
-    for (int k = 0; k < 3; k++)
-        e[k] /= length;
-    vector_cross(n, e, f);
-}
-
 /* Clips a polygon to sign (x_k - bound) >= 0: corners outside are removed, and
  * each side that crosses the bound gets a corner there [Sutherland74]. */
 static int clip(int n, double (*x)[3], int k, double sign, double bound)
@@ -92,7 +80,7 @@ static void draw_plane(struct outline *o, int surface, const double at[3],
     double x[MOST_CORNERS][3], e[3], f[3], size[3], middle[3], to[3];
     int corners = 4;
 
-    frame(n, e, f);
+    vectors_across(n, e, f);
     vector_between(hi, lo, size);
     vector_along(lo, 0.5, size, middle);
     vector_between(at, middle, to);
@@ -193,7 +181,7 @@ void outline_draw(struct outline *o, const struct surface *list, int n,
             draw_plane(o, s, at, normal, lo, hi);
             continue;
         }
-        frame(one->normal, e, f);
+        vectors_across(one->normal, e, f);
         motion_turn(&p, e, turned); /* makes its rotation visible */
         draw_cylinder(o, s, one->radius, at, normal, turned, lo, hi);
     }

@@ -169,19 +169,6 @@ static void put_box(const double centre[3], const double half[3],
     }
 }
 
-/* Two unit vectors across the axis, which is the third. */
-static void frame_of(const double axis[3], double e[3][3])
-{
-    const double other[3] = {fabs(axis[0]) < 0.5, fabs(axis[0]) >= 0.5, 0.0};
-
-    vector_cross(axis, other, e[0]);
-    const double length = vector_length(e[0]);
-    for (int k = 0; k < 3; k++)
-        e[0][k] /= length;
-    vector_cross(axis, e[0], e[1]);
-    memcpy(e[2], axis, sizeof e[2]);
-}
-
 static void corner_of(const double centre[3], double e[3][3],
                       const double at[3], double x[3])
 {
@@ -195,7 +182,8 @@ static void put_cylinder(const double centre[3], const struct body_shape *shape,
     const double R = shape->half[0], L = shape->half[1];
     double e[3][3];
 
-    frame_of(shape->axis, e);
+    vectors_across(shape->axis, e[0], e[1]);
+    memcpy(e[2], shape->axis, sizeof e[2]);
     for (int s = 0; s < SIDES; s++) {
         double(*const own)[3][3] = &t[4 * s];
         double q[4][3];

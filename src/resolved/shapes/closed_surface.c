@@ -332,7 +332,7 @@ static const char *closed_surface_join(struct closed_surface *s, int n)
 /* --- the whole ------------------------------------------------------------ */
 
 /* The corners and the box around them, from the centroid. */
-static void set_frame(struct closed_surface *s, int n)
+static void centre_on_centroid(struct closed_surface *s, int n)
 {
     struct body_outline *const o = &s->outline;
     double(*const corner)[3][3] = s->corner;
@@ -369,7 +369,7 @@ struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
     s->outline.distance = closed_surface_distance;
     s->outline.free = closed_surface_release;
     s->last = alloc_ints(1);
-    set_frame(s, n);
+    centre_on_centroid(s, n);
     s->outline.n_triangles = n;
     s->outline.corner = s->corner;
     *trouble = closed_surface_join(s, n);
