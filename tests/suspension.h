@@ -14,7 +14,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
-#include "coupling/transfer.h"
+#include "coupling/replacement.h"
 #include "dem/population/population.h"
 
 /* A simulation built without a case file: all that the tests vary. */

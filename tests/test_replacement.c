@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/transfer.h"
+#include "coupling/replacement.h"
 
 #include "facts.h"
 #include "suspension.h"

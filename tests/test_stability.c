@@ -2,7 +2,7 @@
 /* The limits of the coupled step: the formulas compared with the program. */
 #include "coupling/coupling.h"
 
-#include "coupling/transfer.h"
+#include "coupling/reaction.h"
 #include "facts.h"
 #include "suspension.h"
 

@@ -6,7 +6,7 @@
 #include <gsl/gsl_poly.h>
 #include <math.h>
 
-#include "coupling/transfer.h"
+#include "coupling/reaction.h"
 
 double stability_longest_step(double eps_f, double tau_p)
 {

@@ -5,7 +5,7 @@
 
 #include "base/vector.h"
 #include "coupling/coupling.h"
-#include "coupling/transfer.h"
+#include "coupling/replacement.h"
 #include "coupling/processes.h"
 #include "dem/clumps.h"
 #include "dem/energy.h"

@@ -3,7 +3,7 @@
  * reaction of the particles on the fluid, and must not ask for it. */
 #include <stdlib.h>
 
-#include "coupling/transfer.h"
+#include "coupling/reaction.h"
 
 int reaction_average(struct simulation *sim)
 {

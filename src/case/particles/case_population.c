@@ -12,7 +12,7 @@
 #include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/number.h"
-#include "coupling/transfer.h"
+#include "coupling/replacement.h"
 #include "dem/population/insertion.h"
 #include "dem/population/population.h"
 #include "case/particles/case_clumps.h"
