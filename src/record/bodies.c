@@ -71,16 +71,16 @@ HISTORY_VALUE(bodies_contacts, bodies_of_run(sim)->dem_report.contacts)
 HISTORY_VALUE(bodies_overlap, bodies_of_run(sim)->dem_report.max_overlap)
 
 static const struct history_column columns[] = {
-    {"force_on_bodies_x [N]", force_x, 0},
-    {"force_on_bodies_y [N]", force_y, 0},
-    {"force_on_bodies_z [N]", force_z, 0},
-    {"mean_flow_x [m/s]", mean_flow_x, 0},
-    {"mean_flow_y [m/s]", mean_flow_y, 0},
-    {"mean_flow_z [m/s]", mean_flow_z, 0},
-    {"held_cells [-]", held_cells, 0},
-    {"contacts_of_bodies [-]", bodies_contacts, 0},
-    {"max_overlap_of_bodies [-]", bodies_overlap, 0},
-    {NULL, NULL, 0}};
+    {"force_on_bodies_x [N]", force_x, 0, "of the fluid, on all of them"},
+    {"force_on_bodies_y [N]", force_y, 0, "of the fluid, on all of them"},
+    {"force_on_bodies_z [N]", force_z, 0, "of the fluid, on all of them"},
+    {"mean_flow_x [m/s]", mean_flow_x, 0, "mean velocity of all of the box"},
+    {"mean_flow_y [m/s]", mean_flow_y, 0, "mean velocity of all of the box"},
+    {"mean_flow_z [m/s]", mean_flow_z, 0, "mean velocity of all of the box"},
+    {"held_cells [-]", held_cells, 0, "cells whose velocity is that of a body"},
+    {"contacts_of_bodies [-]", bodies_contacts, 0, "that touch"},
+    {"max_overlap_of_bodies [-]", bodies_overlap, 0, "largest of the step"},
+    {NULL, NULL, 0, NULL}};
 
 /* Of the particles on the bodies, mean of the last step. */
 static double pushed(const struct simulation *sim, int k)
@@ -103,16 +103,20 @@ static double stuck(const struct simulation *sim)
 }
 
 static const struct history_column columns_among[] = {
-    {"force_of_grains_x [N]", push_x, 0},
-    {"force_of_grains_y [N]", push_y, 0},
-    {"force_of_grains_z [N]", push_z, 0},
-    {"closed_cells_with_solids [-]", stuck, 0},
-    {NULL, NULL, 0}};
+    {"force_of_grains_x [N]", push_x, 0,
+     "of the grains on the bodies, mean of the step"},
+    {"force_of_grains_y [N]", push_y, 0,
+     "of the grains on the bodies, mean of the step"},
+    {"force_of_grains_z [N]", push_z, 0,
+     "of the grains on the bodies, mean of the step"},
+    {"closed_cells_with_solids [-]", stuck, 0,
+     "cells within a body whose solids found no open cell"},
+    {NULL, NULL, 0, NULL}};
 
 HISTORY_VALUE(left, bodies_of_run(sim)->exit->n_gone)
 
 static const struct history_column columns_left[] = {
-    {"bodies_left [-]", left, 0}, {NULL, NULL, 0}};
+    {"bodies_left [-]", left, 0, "that left the box"}, {NULL, NULL, 0, NULL}};
 
 /* --- files ---------------------------------------------------------------- */
 

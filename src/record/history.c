@@ -240,13 +240,15 @@ enum {
  * of each, called by its line, and then the table of them. */
 #define COLUMN_AT(line) column_##line
 #define COLUMN_OF(line) COLUMN_AT(line)
-#define COLUMN(needs, title, value) HISTORY_VALUE(COLUMN_OF(__LINE__), value)
+#define COLUMN(needs, title, what, value)                                      \
+    HISTORY_VALUE(COLUMN_OF(__LINE__), value)
 #include "record/history.def"
 #undef COLUMN
-#define COLUMN(needs, title, value) {title, COLUMN_OF(__LINE__), needs},
+#define COLUMN(needs, title, what, value)                                      \
+    {title, COLUMN_OF(__LINE__), needs, what},
 const struct history_column history_columns[] = {
 #include "record/history.def"
-    {NULL, NULL, 0}};
+    {NULL, NULL, 0, NULL}};
 
 /* 1 if the pressure has a mean gradient, given or adapted. */
 static int is_driven(const struct fluid *fl)

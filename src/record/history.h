@@ -13,7 +13,8 @@
 struct history_column {
     const char *name; /* with its unit: "pressure_drop [Pa]" */
     double (*value)(const struct simulation *sim);
-    int needs; /* HISTORY_... */
+    int needs;        /* HISTORY_... */
+    const char *what; /* it is */
 };
 
 enum {

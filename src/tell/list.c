@@ -17,6 +17,10 @@
 #include "case/models.h"
 #include "base/text.h"
 #include "case/schema.h"
+#include "coupling/effect.h"
+#include "coupling/effects.h"
+#include "record/history.h"
+#include "record/recorder_part.h"
 
 void list_kinds(void)
 {
@@ -30,6 +34,7 @@ void list_kinds(void)
         putchar('\n');
     }
     printf("%-14s every key of a case file\n", "keys");
+    printf("%-14s the columns of history.csv\n", "columns");
     printf("%-14s the cases that come with the program\n", "cases");
 }
 
@@ -121,6 +126,44 @@ int list_keys(const char *part)
     return 0;
 }
 
+/* What a case must have for a column, in the order of the bits of needs. */
+static const char *const column_needs[] = {"fluid",
+                                           "particles",
+                                           "exchange",
+                                           "a mean flow",
+                                           "fluid.cfl",
+                                           "insertion or removal",
+                                           "effects.energy_budget",
+                                           "particles.parcel",
+                                           "particles.parcel or clumps"};
+
+static void print_column(const struct history_column *c, const char *of)
+{
+    const char *also = of;
+
+    printf("%s", c->name);
+    for (int i = 0; c->needs >> i > 0; i++)
+        if (c->needs >> i & 1) also = column_needs[i];
+    printf("%s%s\n    %s\n", also[0] != '\0' ? "; needs " : "", also, c->what);
+}
+
+/* The columns of history.csv, in its order. */
+static int list_columns(void)
+{
+    for (const struct history_column *c = history_columns; c->name; c++)
+        print_column(c, "");
+    for (int i = 0; recorder_parts[i] != NULL; i++)
+        for (const struct history_column *c = recorder_parts[i]->columns;
+             c != NULL && c->name != NULL; c++)
+            print_column(c, "bodies");
+    for (int i = 0; effects[i] != NULL; i++)
+        for (int k = 0; effects[i]->columns && effects[i]->columns->names[k];
+             k++)
+            printf("%s; needs effects.%s\n", effects[i]->columns->names[k],
+                   effects[i]->name);
+    return 0;
+}
+
 static int unknown_kind(const char *name)
 {
     struct nearest n;
@@ -129,6 +172,7 @@ static int unknown_kind(const char *name)
     for (const struct kind *const *k = models_kinds; *k != NULL; k++)
         nearest_offer(&n, (*k)->name);
     nearest_offer(&n, "keys");
+    nearest_offer(&n, "columns");
     nearest_offer(&n, "cases");
     if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no kind of model %s; did you mean %s?\n", name,
@@ -146,6 +190,7 @@ int list_models(const char *name)
     struct model m;
 
     if (strcmp(name, "keys") == 0) return list_keys(NULL);
+    if (strcmp(name, "columns") == 0) return list_columns();
     if (kind == NULL) return unknown_kind(name);
     printf("%s, chosen by %s\n", kind->what, kind->key);
     for (int i = 0; kind->model(i, &m); i++)
@@ -359,7 +404,7 @@ static int list_wrong_word(const char *word)
 {
     fprintf(stderr,
             "winnow: %s: one argument too many\n"
-            "winnow list [KIND] | keys [PART] | cases\n",
+            "winnow list [KIND] | keys [PART] | columns | cases\n",
             word);
     return 2;
 }
@@ -378,9 +423,10 @@ static int list_act(const struct command_line *l)
 
 const struct command list_command = {
     "list",
-    "[KIND] | keys [PART] | cases",
+    "[KIND] | keys [PART] | columns | cases",
     "the models of a kind with their keys; or the keys of a part of a case; or "
-    "the cases that come with the program",
+    "the columns of history.csv with their units; or the cases that come with "
+    "the program",
     "",
     0,
     2,
