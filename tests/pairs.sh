@@ -61,6 +61,7 @@ generate() {
     for array in c p f m; do
         cat "$work/$array/list" && mv "$work/$array"/*-* "$work"
     done >"$work/list"
+    awk -v "winnow=$winnow" -f "$parts/tried.awk" "$parts/untried.txt" "$work"/*.cfg "$work"/*.set
 }
 
 # With two threads, stopped on the way and resumed with a later end; in one piece

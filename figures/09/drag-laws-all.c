@@ -2,8 +2,9 @@
 /* drag-laws-all.c -- the drag of all laws over that of Beetstra's, against the
  * fluid fraction, at two Reynolds numbers of the superficial slip.
  *
- * Prints the names, "tenneti_100" of Tenneti's law at Re = 100, then a row a fluid fraction: its value, and for each
- * Reynolds number each law, "?" outside of the range of its data. */
+ * Prints the names, "tenneti_100" of Tenneti's law at Re = 100, then a row a
+ * fluid fraction: its value, and for each Reynolds number each law, "?" outside
+ * of the range of its data. */
 #include "coupling/drag.h"
 
 #include <stdio.h>

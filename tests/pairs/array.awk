@@ -48,10 +48,18 @@ function enter(k, v, by,    i, other) {
     }
 }
 
+# The values of a choice; "on" is all but off.
+function these(name, values, v,    i, n) {
+    if (values != "on") return split(values, v, " ")
+    for (i = 1; i <= n_values[number[name]]; i++)
+        if (value[number[name], i] != "off") v[++n] = value[number[name], i]
+    return n
+}
+
 function apart(a, as, b, bs, why,    x, y, i, j, n, m) {
     if (!(a in number) || !(b in number)) return
-    n = split(as, x, " ")
-    m = split(bs, y, " ")
+    n = these(a, as, x)
+    m = these(b, bs, y)
     for (i = 1; i <= n; i++)
         for (j = 1; j <= m; j++)
             if ((a, x[i]) in index_of && (b, y[j]) in index_of)

@@ -50,9 +50,9 @@ function side(name, what) { put("  " name " = " what ";") }
 
 # 1 if the flow is driven at side number k.
 function acts(k) {
-    return (is("drive", "wall") && k == 6) || (k == 3 && \
-        is("drive", "through parabola formula ramp")) || \
-        (k == 4 && is("drive", "through parabola formula ramp outlet"))
+    return (is("drive", "wall turning") && k == 6) || (k == 3 && \
+        is("drive", "through parabola formula table ramp pressure")) || \
+        (k == 4 && is("drive", "through parabola formula table ramp pressure outlet"))
 }
 
 function put_sides(    i, k, name, what, ends) {
@@ -63,13 +63,18 @@ function put_sides(    i, k, name, what, ends) {
         what = is("sides", "slip") || (is("sides", "mixed") && k % 2) ? \
             "\"slip\"" : "\"no-slip\""
         if (is("drive", "wall") && k == 6) what = "{ wall = [0.1, 0.0, 0.0]; }"
+        if (is("drive", "turning") && k == 6) # about an axis across it
+            what = "{ rotation = [0.0, 0.0, 10.0]; centre = " at(0.5, 0.5, 0.0) "; }"
+        if (is("drive", "pressure") && k == 3) what = "{ pressure = 1.0; }"
+        if (is("drive", "table") && k == 3)
+            what = "{ inlet = 0.2; profile = \"table\"; table = ((0.0, 1.0), (0.012, 0.5)); along = [1.0, 0.0, 0.0]; }"
         if (is("drive", "through parabola formula") && k == 3)
             what = "{ inlet = 0.2;" (is("drive", "parabola") ? \
                 " profile = \"parabola\";" : is("drive", "formula") ? \
                 " profile = \"formula\"; formula = \"1+0.5*sin(300*x+900*t)\";" : "") " }"
         if (is("drive", "ramp") && k == 3)
             what = "{ inlet = ((0.0, 0.0), (1e-3, 0.3), (2e-3, 0.1)); }"
-        if (is("drive", "through parabola formula ramp outlet") && k == 4)
+        if (is("drive", "through parabola formula table ramp pressure outlet") && k == 4)
             what = "{ outlet = 0.0; }"
         side(name[k], what)
     }
@@ -92,7 +97,7 @@ function put_fluid(    i, d) {
 
 function material(density) {
     return density (is("particles.contact", "hertz") ? " young = 1e5; poisson = 0.3;" : \
-        " stiffness = 20.0;") " restitution = 0.8; friction = 0.3;" \
+        " stiffness = 20.0;" (is("materials", "several") ? " tangential_ratio = 0.4;" : "")) " restitution = 0.8; friction = 0.3;" \
         (on("rolling") ? " rolling_friction = 0.1;" : "")
 }
 
@@ -102,6 +107,9 @@ function put_bodies(    where) { # above the particles, where there are any
     if (is("bodies", "cylinder"))
         put("  cylinders = ({ position = " at(0.5, where, 0.5) "; diameter = " (letter != "f" ? "0.003" : "0.005") ";" \
             " length = 0.03; axis = [1.0, 0.0, 1.0]; });")
+    else if (is("bodies", "box"))
+        put("  boxes = ({ position = " at(0.5, where, 0.5) "; size = [0.005, 0.005, 0.006]; rotation = [0.3, 0.0, 0.5];" \
+            " motion = \"spring\"; spring = [1.0, 0.0, 1.0]; density = 2500; velocity = [0.1, 0.0, 0.0]; });")
     else if (is("bodies", "clump"))
         put("  clumps = ({ file = \"pair.spheres\"; position = " at(0.5, where, 0.5) "; density = 2500; spin = [0.0, 1.0, 2.0]; });")
     else if (is("bodies", "surface solid"))
@@ -121,11 +129,12 @@ function put_materials() {
     if (!is("cohesion", "electrostatic all")) charge = ""
     put("  grains = {" material(" density = 1000;") charge " };")
     if (is("materials", "one")) return
-    put("  materials = ( { name = \"felt\";" material(" density = 2000;") " } );")
+    put("  materials = ( { name = \"felt\";" material(" density = 2000;") charge " } );")
     if (is("materials", "wall")) put("  walls = { material = \"felt\"; };")
     if (is("materials", "pairs"))
         put("  pairs = ( { between = \"grains\"; and = \"felt\"; restitution = 0.5;" \
-            " friction = 0.1; } );")
+            " friction = 0.1;" (on("rolling") ? " rolling_friction = 0.2;" : "") \
+            (is("particles.contact", "linear") ? " stiffness = 15.0; tangential_ratio = 0.3;" : "") " } );")
 }
 
 # Each diameter about that of a grain. (A parcel is l grains wide, and has the
@@ -182,7 +191,7 @@ function put_particles_there() {
     if (is("count", "settled"))
         put("  bed = { count = " 40 * l ^ 3 "; " sized() " settle = 0.01; jitter = 1.0; };")
     if (is("count", "crowd"))
-        put("  bed = { count = " 1100 * l ^ 3 "; " sized() " settle = 0.0; };")
+        put("  bed = { count = " 1100 * l ^ 3 "; " sized() " seed = 2; settle = 0.0; };")
 }
 
 function place(a, b, c,    w) {
@@ -207,7 +216,8 @@ function put_insert() {
     }
     put("  insert = ( { " sized() " velocity = [0.0, -0.2, 0.0];" \
         " from = " at(0.1, 0.75, 0.1) "; to = " vec(0.9 * size[1], 0.97 * size[2], 0.9 * size[3]) "; " \
-        (is("insert", "once") ? "count = " 5 * l ^ 3 ";" : "count = " 50 * l ^ 3 "; rate = " real(4000 * l ^ 3) ";") \
+        (is("insert", "once") ? "count = " 5 * l ^ 3 ";" : \
+         is("insert", "mass") ? "count = " 50 * l ^ 3 "; mass_rate = 2e-3; seed = 2;" : "count = " 50 * l ^ 3 "; rate = " real(4000 * l ^ 3) ";") \
         (is("insert", "late") ? " start = 1e-3;" : "") \
         (is("materials", "several") ? " material = \"felt\";" : "") " } );")
 }
@@ -236,13 +246,13 @@ function put_surface() {
     if (is("surface", "plane"))
         put("shape = \"plane\"; point = " vec(0, 0.99 * size[2], 0) "; normal = [0.0, -2.0, 0.0];")
     if (is("surface", "cylinder"))
-        put("shape = \"cylinder\"; particles = \"outside\"; radius = 2e-4; point = " at(0.5, 0.6, 0.5) ";")
+        put("shape = \"cylinder\"; particles = \"outside\"; radius = 2e-4; axis = [0.0, 0.0, 2.0]; point = " at(0.5, 0.6, 0.5) ";")
     if (is("surface", "stl moving turning loaded"))
         put("shape = \"stl\"; file = \"sheet.stl\"; scale = 1e-3; point = " at(0.5, 0.6, 0.5) ";")
     if (is("surface", "moving"))
-        put("amplitude = [0.0, 2e-4, 0.0]; frequency = 100.0; from = 2e-4;")
+        put("velocity = [0.01, 0.0, 0.0]; amplitude = [0.0, 2e-4, 0.0]; frequency = 100.0; from = 2e-4;")
     if (is("surface", "turning"))
-        put("spin = [0.0, 10.0, 0.0]; until = 1e-3;")
+        put("spin = [0.0, 10.0, 0.0]; centre = " at(0.5, 0.6, 0.5) "; until = 1e-3;")
     if (is("surface", "loaded"))
         put("load = [0.0, -1e-3, 0.0]; load_speed = 0.02;")
     if (is("surface", "cylinder stl turning loaded"))
@@ -280,6 +290,7 @@ function put_averaging() {
     # What the iterations leave is a share of k u, and exchange_residual a share
     # of k (u - v), which was seen to be twenty times less.
     if (is("averaging.method", "diffusion")) put("  tolerance = 1e-8;")
+    if (on("effects.saffman") && on("effects.magnus")) put("  gradient_bandwidth = 0.005;")
     put("};")
 }
 
@@ -290,22 +301,26 @@ function put_exchange(    n) {
     put("exchange = { drag = \"" v["drag"] "\"; };")
 }
 
+function put_attraction(name, asks,    n, group) {
+    if (!is("cohesion", name " all")) return
+    n = split(effect("effects." name, asks), group, " ")
+    put("  " name " = " group[is("cohesion", "all") ? n : 2] ";")
+}
+
 function put_effects() {
     put("effects = {")
     if (is("gravity", "down")) put("  gravity = [0.0, -9.81, 0.0];")
     if (is("gravity", "oblique")) put("  gravity = [3.0, -8.0, 2.0];")
-    if (is("cohesion", "electrostatic all")) put("  electrostatic = { range = 5e-4; };")
-    if (is("cohesion", "van_der_waals all"))
-        put("  van_der_waals = { hamaker = 1e-19; range = 1e-5; };")
-    if (is("cohesion", "capillary all"))
-        put("  capillary = { tension = 0.01; range = 5e-5; };")
+    put_attraction("electrostatic", "range=5e-4;")
+    put_attraction("van_der_waals", "hamaker=1e-19;range=1e-5;")
+    put_attraction("capillary", "tension=0.01;range=5e-5;")
     put("};")
 }
 
 # Each direction of a profile, and each of its two places.
 function course(i) {
     if (i == 1) return "z = " 0.4 * size[3]
-    if (i == 2) return "height = 1e-3"
+    if (i == 2) return "height = 1e-3; measured = ((0.001, 0.5), (0.002, 0.6))"
     if (i == 3) return "along = \"y\"; z = " 0.4 * size[3]
     if (i == 4) return "along = \"y\"; x = " 0.4 * size[1]
     if (i == 5) return "along = \"z\"; x = " 0.4 * size[1]
@@ -330,7 +345,8 @@ function put_output(    h, p, i, n, f) {
         put("  );")
     }
     if (on("forces"))
-        put("  forces = ( { name = \"walls\"; }" \
+        put("  forces = ( { name = \"walls\"; velocity = 0.2; area = 1e-4; length = 0.012; " \
+            "drag = [0.0, 1.0, 0.0]; lift = [1.0, 0.0, 0.0]; axis = [0.0, 1.0, 1.0]; }" \
             (on("surface") ? ", { surfaces = \"extra\"; centre = " at(0.1, 0.2, 0.3) "; }" : "") \
             " ); walls = true;")
     if (on("contacts")) put("  contacts = true;")
@@ -339,7 +355,7 @@ function put_output(    h, p, i, n, f) {
             (letter == "c" ? " fluid_force" : "") "\";")
     if (on("statistics"))
         put("  statistics = { from = " 3 * step "; blocks = 2;" \
-            (letter == "c" ? " lags = " 4 * step ";" : "") " };")
+            (letter == "c" ? " lags = " 4 * step "; plateau = " step ";" : "") " };")
     put("};")
 }
 

@@ -11,7 +11,7 @@
 BEGIN {
     choice("cpf", "mesh", "box graded sheared thin dual cyclic slanted")
     choice("cpf", "periodic", "none x y z xz xyz")
-    choice("cf", "drive", "closed wall through parabola formula ramp outlet gradient flow")
+    choice("cf", "drive", "closed wall turning through parabola formula table ramp pressure outlet gradient flow")
     choice("cf", "sides", "no-slip slip mixed")
     choice("cfm", "medium", "air liquid")
     choice("cfm", "fluid.time", values_of("fluid.time"))
@@ -20,9 +20,13 @@ BEGIN {
     choice("cfm", "fluid.piso_tolerance", "1e-3 0.0")
     choice("cfm", "fluid.outer_correctors", "0 2")
     choice("f", "fluid.cfl", "off 0.5")
+    choice("cf", "fluid.tolerance", "1e-8 1e-10")
     choice("c", "bodies", "none fixed free moving cylinder surface solid")
-    choice("f", "bodies", "none fixed free moving cylinder surface solid clump")
+    choice("f", "bodies", "none fixed free moving cylinder surface solid clump box")
     choice("m", "bodies", "none free")
+    choice("f", "bodies.stiffness", "off 500.0")
+    for (k = split("restitution friction roughness", word, " "); k > 0; k--)
+        choice("f", "bodies." word[k], values_of("bodies." word[k]))
     choice("cpm", "count", "none one few sixty settled crowd")
     choice("cpm", "parcel", "none " values_of("particles.parcel.restitution"))
     choice("p", "clumps", "none egg")
@@ -30,7 +34,7 @@ BEGIN {
     choice("cpm", "materials", "one wall several pairs")
     choice("cpm", "rolling", "off on")
     choice("cpm", "cohesion", "none electrostatic van_der_waals capillary all")
-    choice("cpm", "insert", "none once rate late file moved")
+    choice("cpm", "insert", "none once rate mass late file moved")
     choice("cp", "sinks", "none bottom left region both")
     choice("m", "sinks", "none region")
     choice("cp", "driven", "none line swing circle")
@@ -38,21 +42,22 @@ BEGIN {
     choice("cm", "particles.integrator", values_of("particles.integrator", "heun adaptive-heun"))
     choice("p", "particles.integrator", values_of("particles.integrator"))
     choice("cpm", "particles.list", values_of("particles.list"))
-    choice("cpm", "effects.particle_stress", "off {pressure=10.0;}")
-    choice("cpm", "effects.collision_damping", "off {restitution=0.9;}")
+    choice("p", "particles.skin", "off 3e-4")
+    choice("cpm", "effects.particle_stress", effect("effects.particle_stress", "pressure=10.0;"))
+    choice("cpm", "effects.collision_damping", effect("effects.collision_damping", "restitution=0.9;"))
     choice("cp", "gravity", "down none oblique")
-    choice("cpm", "effects.energy_budget", "off {}")
+    choice("cpm", "effects.energy_budget", effect("effects.energy_budget", ""))
     choice("cm", "width", "bandwidth delta_05 cells grains regions")
     choice("cm", "averaging.steps", "1 3")
     choice("cm", "averaging.cap", "off 0.6")
     choice("cm", "drag", "syamlal-obrien gidaspow schiller-naumann beetstra another")
     choice("cm", "exchange.substeps", "auto 1 3 1000")
     choice("c", "exchange.coupling", values_of("exchange.coupling"))
-    choice("cm", "effects.lubrication", "off {roughness=1e-6;range=1e-4;}")
-    choice("c", "effects.time_average", "off {time=1e-3;}")
-    choice("cm", "effects.stochastic_drag", "off {sigma_low=3.0;sigma_high=1.0;Re_high=100.0;time=1e-3;}")
-    choice("cm", "effects.bubbles", "off {height=0.004;threshold=0.7;}")
-    choice("cpm", "effects.mixing", "off {sample=0.004;direction=[1.0,1.0,0.0];}")
+    choice("cm", "effects.lubrication", effect("effects.lubrication", "roughness=1e-6;range=1e-4;"))
+    choice("c", "effects.time_average", effect("effects.time_average", "time=1e-3;"))
+    choice("cm", "effects.stochastic_drag", effect("effects.stochastic_drag", "sigma_low=3.0;sigma_high=1.0;Re_high=100.0;time=1e-3;"))
+    choice("cm", "effects.bubbles", effect("effects.bubbles", "height=0.004;"))
+    choice("cpm", "effects.mixing", effect("effects.mixing", "sample=0.004;direction=[1.0,1.0,0.0];"))
     choice("cpf", "history", "each second never")
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")
@@ -79,13 +84,13 @@ BEGIN {
     apart("drive", "gradient flow", "periodic", "none",
           "x is not periodic, so no mean flow can be driven along it")
     apart("drive", "gradient flow", "mesh", "dual slanted", "")
-    apart("drive", "through parabola formula ramp outlet", "periodic", "y xyz",
+    apart("drive", "through parabola formula table ramp pressure outlet", "periodic", "y xyz",
           "y is periodic, so the fluid has no")
-    apart("drive", "wall", "periodic", "z xz xyz",
+    apart("drive", "wall turning", "periodic", "z xz xyz",
           "z is periodic, so the fluid has no")
     apart("drive", "parabola", "mesh", "sheared dual cyclic slanted",
           "only the inlet of a plain box can have a parabola")
-    apart("effects.pressure_gradient", "{}", "effects.whole_drag", "{}", "takes the place of")
+    apart("effects.pressure_gradient", "on", "effects.whole_drag", "on", "takes the place of")
     # Particles go round along an axis; an oblique box does so in x and z.
     if (letter != "f")
         apart("mesh", "sheared", "periodic", "y xyz",
@@ -110,6 +115,7 @@ BEGIN {
           "slanted", "does not support surfaces")
     # A sheared box has walls of its own only where it is not periodic.
     apart("particles.list", "link-cells all-pairs none", "mesh", "sheared")
+    apart("particles.list", "link-cells all-pairs none", "particles.skin", "3e-4", "")
     # A parcel loses no more than all of the energy of an impact.
     apart("parcel", "dissipation", "materials", "pairs",
           "parcels of 2 diameters cannot lose as much as grains of e = 0.5")
@@ -126,38 +132,39 @@ BEGIN {
     # Without contacts nothing comes to rest, and no pair is close.
     apart("particles.list", "none", "count", "settled",
           "no bed comes to rest without contacts|does not support")
-    apart("particles.list", "none", "effects.lubrication", "{roughness=1e-6;range=1e-4;}",
+    apart("particles.list", "none", "effects.lubrication", "on",
           "does not support forces between particles at a distance")
     apart("particles.list", "none", "cohesion", "electrostatic van_der_waals capillary all",
           "does not support forces between particles at a distance")
     # A stress stands for contacts, and collisions go with it. They know what the loop
     # without contacts knows.
-    n_stress = split("effects.particle_stress {pressure=10.0;} effects.collision_damping " \
-                     "{restitution=0.9;} effects.collision_isotropy {}", stress, " ")
-    for (k = 1; k < n_stress; k += 2) {
-        apart(stress[k], stress[k + 1], "particles.list", "verlet link-cells all-pairs", \
+    n_stress = split("effects.particle_stress effects.collision_damping effects.collision_isotropy", \
+                     stress, " ")
+    for (k = 1; k <= n_stress; k++) {
+        apart(stress[k], "on", "particles.list", "verlet link-cells all-pairs", \
               k == 1 ? "it takes the place of contacts|does not support|no bed comes to rest" : "")
-        apart(stress[k], stress[k + 1], "mesh", "dual cyclic", \
+        apart(stress[k], "on", "particles.skin", "3e-4", "")
+        apart(stress[k], "on", "mesh", "dual cyclic", \
               k == 1 ? "it is computed on plain boxes" : "")
-        apart(stress[k], stress[k + 1], "mesh", "sheared slanted", "")
-        apart(stress[k], stress[k + 1], "materials", "wall several pairs", \
+        apart(stress[k], "on", "mesh", "sheared slanted", "")
+        apart(stress[k], "on", "materials", "wall several pairs", \
               k == 1 ? "all materials must have the same density" : "")
-        apart(stress[k], stress[k + 1], "effects.virtual_mass", "{}", \
+        apart(stress[k], "on", "effects.virtual_mass", "on", \
               k == 1 ? "leave out the effects with an added mass" : "")
-        apart(stress[k], stress[k + 1], "effects.basset", "{}", "")
-        apart(stress[k], stress[k + 1], "particles.integrator", "heun adaptive-heun", "")
-        apart(stress[k], stress[k + 1], "driven", "line swing circle", "")
-        apart(stress[k], stress[k + 1], "surface",
+        apart(stress[k], "on", "effects.basset", "on", "")
+        apart(stress[k], "on", "particles.integrator", "heun adaptive-heun", "")
+        apart(stress[k], "on", "driven", "line swing circle", "")
+        apart(stress[k], "on", "surface",
               "plane cylinder stl moving turning loaded", "")
-        apart(stress[k], stress[k + 1], "count", "settled", "")
-        apart(stress[k], stress[k + 1], "effects.energy_budget", "{}", \
+        apart(stress[k], "on", "count", "settled", "")
+        apart(stress[k], "on", "effects.energy_budget", "on", \
               k == 1 ? "does not know its work" : "")
-        apart(stress[k], stress[k + 1], "clumps", "egg", "")
-        apart(stress[k], stress[k + 1], "cohesion", "electrostatic van_der_waals capillary all", "")
-        apart(stress[k], stress[k + 1], "effects.lubrication", "{roughness=1e-6;range=1e-4;}", "")
-        apart(stress[k], stress[k + 1], "bodies", "fixed free moving cylinder surface solid", "")
+        apart(stress[k], "on", "clumps", "egg", "")
+        apart(stress[k], "on", "cohesion", "electrostatic van_der_waals capillary all", "")
+        apart(stress[k], "on", "effects.lubrication", "on", "")
+        apart(stress[k], "on", "bodies", "fixed free moving cylinder surface solid", "")
         if (k > 1)
-            apart("effects.particle_stress", "off", stress[k], stress[k + 1],
+            apart("effects.particle_stress", "off", stress[k], "on",
                   "needs effects.particle_stress")
     }
     # Refused where none comes at the start either: a fact of the command line.
@@ -167,12 +174,12 @@ BEGIN {
           "pcm dpvm cube two-grid kernel gaussian",
           "it is a key of images, diffusion")
     # Bodies are held in equal cells of a plain box, and have three at least.
-    apart("bodies", "fixed free moving cylinder surface solid clump", "mesh",
+    apart("bodies", "fixed free moving cylinder surface solid clump box", "mesh",
           "sheared dual cyclic slanted", "held in the cells of a plain box")
-    apart("bodies", "fixed free moving cylinder surface solid clump", "mesh", "graded",
+    apart("bodies", "fixed free moving cylinder surface solid clump box", "mesh", "graded",
           "bodies ask for equal cells")
     apart("bodies", "fixed free moving", "mesh", "thin", "has a diameter of")
-    apart("bodies", "surface solid clump", "mesh", "thin", "has a part of")
+    apart("bodies", "surface solid clump box", "mesh", "thin", "has a part of")
     # Among particles they are surfaces; one that moves changes eps where it is.
     if (letter != "f")
         apart("bodies", "free moving surface solid", "fluid.continuity", "void-rate",
@@ -182,6 +189,6 @@ BEGIN {
     apart("bodies", "fixed free moving cylinder surface solid", "particles.list",
           "link-cells all-pairs none", "does not support surfaces")
     # One-way there are no solids on the mesh.
-    apart("exchange.coupling", "one-way", "effects.time_average", "{time=1e-3;}",
+    apart("exchange.coupling", "one-way", "effects.time_average", "on",
           "one-way there are no averaged fields")
 }

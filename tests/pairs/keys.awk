@@ -1,7 +1,7 @@
 # What `winnow list keys` says of the values of each key: names and true or false; of a
-# number with a default, this and another one; of an effect that asks for nothing, off
-# and on. A key that choices.awk and case.awk do not name is a choice by its path, so that
-# a new key is tested without being told.
+# number with a default, this and another one; of an effect that asks for nothing, off,
+# on, and on with other values of its keys. A key that choices.awk and case.awk do not name
+# is a choice by its path, so that a new key is tested without being told.
 
 # The values of a key whose choice has a name of its own, but for some.
 function values_of(path, but,    n, i, v, kept) {
@@ -19,7 +19,19 @@ function another(d, what,    most) {
     return d == 0 ? "0.1" : sprintf("%g", 2 * d <= most ? 2 * d : d / 2)
 }
 
-function learn(line,    path, what, d) {
+# An effect off, on with what it asks for, and on with another value of its other keys.
+function effect(path, asks,    i, n, part, key, more) {
+    asked[path]
+    n = split(others[path], part, ";")
+    for (i = 1; i < n; i++) {
+        key = part[i]
+        sub(/=.*/, "=", key)
+        if (index(";" asks, ";" key) == 0) more = more part[i] ";"
+    }
+    return "off {" asks "}" (more == "" ? "" : " {" asks more "}")
+}
+
+function learn(line,    path, what, d, part, v) {
     if (line !~ /^[a-z]/) return
     path = what = line
     sub(/ = .*/, "", path)
@@ -40,6 +52,12 @@ function learn(line,    path, what, d) {
         values[path] = what
     } else if (d ~ /^[-+.0-9e]+$/ && what ~ /^a (whole )?number/)
         values[path] = d " " another(d, what)
+    if (split(path, part, ".") == 3 && part[1] == "effects" && d != "" && path in values) {
+        split(values[path], v, " ")
+        what = d == v[1] ? v[2] : v[1]
+        others["effects." part[2]] = others["effects." part[2]] part[3] "=" \
+            (what ~ /^([-+.0-9e]+|true|false)$/ ? what : "\"" what "\"") ";"
+    }
 }
 
 BEGIN {
@@ -58,7 +76,7 @@ function learn_others(    i, path, part, of) {
             told ~ "[^a-z_.]" part[2] "[^a-z_]") continue
         of = part[1] != "output" ? arrays[part[1]] : needs[path] == "particles" ? "cp" : \
             needs[path] == "fluid" ? "cf" : "cpf"
-        choice(of, path, values[path])
+        choice(of, path, part[1] == "effects" ? effect(path) : values[path])
     }
 }
 
