@@ -193,8 +193,10 @@ static double any(int i)
 /* A few steps of a flow in which all terms are at work: a bed of any eps,
  * forces and friction that jump, grains that move, from an inlet to an outlet.
  */
+enum way { ALIGNED, BY_VECTORS, BY_LISTS };
+
 static struct fluid *flow(const struct mesh *m, const struct boundary *b,
-                          int shared, int by_lists)
+                          int shared, enum way way)
 {
     const struct fluid_options o = {
         .rho = 1000.0,
@@ -209,9 +211,12 @@ static struct fluid *flow(const struct mesh *m, const struct boundary *b,
         .boundaries = b};
     struct fluid *const fl = fluid_create(m, &o);
     struct face_pieces *const runs = fl->faces->pieces;
+    double *const area = fl->faces->area;
 
     ck_assert_ptr_nonnull(runs);
-    if (by_lists) fl->faces->pieces = NULL;
+    ck_assert_ptr_nonnull(area);
+    if (way == BY_LISTS) fl->faces->pieces = NULL;
+    if (way == BY_VECTORS) fl->faces->area = NULL;
     for (int c = 0; c < m->n_cells; c++)
         fl->eps[c] = 0.7 + 0.2 * any(c);
     fluid_reset_eps_history(fl);
@@ -227,22 +232,24 @@ static struct fluid *flow(const struct mesh *m, const struct boundary *b,
         ck_assert_int_eq(fluid_step(fl), 0);
     }
     fl->faces->pieces = runs;
+    fl->faces->area = area;
     return fl;
 }
 
+static const double U = 0.3, zero = 0.0;
+static const struct box_spec column = {
+    {0.1, 0.2, 0.1}, {10, 9, 8}, {1.0, 2.0, 1.0}, {0, 0, 1}};
+static const struct boundary around[6] = {
+    {.kind = BOUNDARY_NO_SLIP},
+    {.kind = BOUNDARY_SLIP},
+    {.kind = BOUNDARY_INLET, .n_points = 1, .time = &zero, .velocity = &U},
+    {.kind = BOUNDARY_OUTLET}};
+
 START_TEST(a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces)
 {
-    const struct box_spec spec = {
-        {0.1, 0.2, 0.1}, {10, 9, 8}, {1.0, 2.0, 1.0}, {0, 0, 1}};
-    const double U = 0.3, zero = 0.0;
-    struct mesh *const m = mesh_create_box(&spec);
-    struct boundary b[6] = {
-        {.kind = BOUNDARY_NO_SLIP},
-        {.kind = BOUNDARY_SLIP},
-        {.kind = BOUNDARY_INLET, .n_points = 1, .time = &zero, .velocity = &U},
-        {.kind = BOUNDARY_OUTLET}};
-    struct fluid *const runs = flow(m, b, _i, 0), *const lists =
-                                                      flow(m, b, _i, 1);
+    struct mesh *const m = mesh_create_box(&column);
+    struct fluid *const runs = flow(m, around, _i, ALIGNED);
+    struct fluid *const lists = flow(m, around, _i, BY_LISTS);
     double u = 0.0, p = 0.0, phi = 0.0;
     for (int c = 0; c < m->n_cells; c++) {
         u = fmax(u, fabs(runs->u[3 * c + 1]));
@@ -263,6 +270,42 @@ START_TEST(a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces)
 }
 END_TEST
 
+START_TEST(one_component_of_aligned_faces_gives_the_bits_of_three)
+{
+    struct mesh *const m = mesh_create_box(&column);
+    struct fluid *const one = flow(m, around, _i, ALIGNED);
+    struct fluid *const three = flow(m, around, _i, BY_VECTORS);
+
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        ck_assert_double_eq(one->u[i], three->u[i]);
+    for (int c = 0; c < m->n_cells; c++)
+        ck_assert_double_eq(one->p[c], three->p[c]);
+    for (int f = 0; f < m->n_faces; f++)
+        ck_assert_double_eq(one->phi[f], three->phi[f]);
+    fluid_free(one);
+    fluid_free(three);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(faces_that_are_not_normal_to_an_axis_have_all_components)
+{
+    struct mesh *const m = mesh_create_box(&column);
+    struct faces f = {.n_inner = m->n_internal,
+                      .n = m->n_faces,
+                      .owner = m->owner,
+                      .neighbour = m->neighbour,
+                      .S = m->S};
+
+    m->S[3 * (m->n_internal / 2) + 0] = 1e-20; /* of a face across y */
+    faces_divide(&f);
+    ck_assert_ptr_nonnull(f.pieces);
+    ck_assert_int_eq(faces_aligned(&f), 0);
+    faces_release(&f);
+    mesh_free(m);
+}
+END_TEST
+
 FACTS("runs")
 {
     FACT_FOR_EACH(each_face_occurs_once_from_its_owner, 3);
@@ -272,4 +315,6 @@ FACTS("runs")
     FACT(one_number_times_three_is_as_in_a_plain_loop);
     FACT_FOR_EACH(a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces,
                   2);
+    FACT_FOR_EACH(one_component_of_aligned_faces_gives_the_bits_of_three, 2);
+    FACT(faces_that_are_not_normal_to_an_axis_have_all_components);
 }

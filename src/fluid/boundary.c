@@ -61,7 +61,7 @@ static void boundary_velocity_at(const struct fluid *fl,
     const struct mesh *const m = fl->mesh;
     const int c = m->owner[f];
     const double *const S = &m->S[3 * f], *const u = &fl->u[3 * c];
-    const double SS = fl->geometry->SS[f];
+    const double SS = piso_square(fl, f);
 
     if (b->kind == BOUNDARY_SLIP) {
         tangential_part(u, S, SS, to);
@@ -112,7 +112,7 @@ void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
                             int j, int f, double u[3])
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
-    const double *const S = &fl->mesh->S[3 * f], SS = fl->geometry->SS[f];
+    const double *const S = &fl->mesh->S[3 * f], SS = piso_square(fl, f);
     const int c = fl->mesh->owner[f];
     const double *const inside = &fl->u[3 * c];
     const double phi = fl->levels->convecting_flux[f];

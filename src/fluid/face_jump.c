@@ -68,8 +68,7 @@ static inline void split_jump(const struct fluid *fl, int f, int o, int n,
 {
     const struct face_jump *const jump = fl->jump;
     const double j = fl->options.rho * fl->levels->convecting_flux[f] * q /
-                     fl->geometry->SS[f] *
-                     (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
+                     piso_square(fl, f) * (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
 
     jump->owner_part[f] = (1.0 - s) * j;
     jump->neighbour_part[f] = s * j;
@@ -109,7 +108,7 @@ static void inertia_rows(int first, int last, const struct fluid *fl)
     const struct face_jump *const jump = fl->jump;
 
     faces_sum_vectors(fl->faces, first, last, fl->faces->n_inner,
-                      jump->owner_part, 1.0, jump->neighbour_part, fl->mesh->S,
+                      jump->owner_part, 1.0, jump->neighbour_part,
                       jump->inertia);
 }
 
@@ -167,7 +166,7 @@ static inline double gamma_jump_factor(const struct fluid *fl, int f, int o,
 {
     const double w = fl->mesh->w[f];
     const double Sd = vector_dot(&fl->mesh->S[3 * f], &fl->mesh->d[3 * f]);
-    return w * (1.0 - w) * Sd / fl->geometry->SS[f] *
+    return w * (1.0 - w) * Sd / piso_square(fl, f) *
            (1.0 / piso_gamma(fl, o) - 1.0 / piso_gamma(fl, n));
 }
 

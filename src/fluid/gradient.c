@@ -99,7 +99,7 @@ static void gradient_rows(int first, int last, struct fluid *fl)
     double *restrict grad_p = fl->grad_p;
 
     faces_sum_vectors(fl->faces, first, last, fl->faces->n, fl->p_face, -1.0,
-                      fl->p_face, fl->mesh->S, grad_p);
+                      fl->p_face, grad_p);
     for (int c = first; c < last; c++) {
         const double per_V = 1.0 / V[c];
         for (int k = 0; k < 3; k++)

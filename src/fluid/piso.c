@@ -179,7 +179,7 @@ static double fastest_inlet(const struct fluid *fl, double t)
         const int c = m->owner[f];
         const double U =
             boundary_inlet_velocity(b, t) * boundary_inlet_profile(b, j, t);
-        fastest = fmax(fastest, fabs(U) * sqrt(fl->geometry->SS[f]) /
+        fastest = fmax(fastest, fabs(U) * sqrt(piso_square(fl, f)) /
                                     (fl->eps[c] * m->V[c]));
     }
     return fastest;

@@ -5,10 +5,10 @@
 #ifndef FLUID_PISO_H
 #define FLUID_PISO_H
 
+#include "base/vector.h"
 #include "fluid/fluid.h"
 
 struct face_geometry {
-    double *SS;               /* [m^4] S.S of the faces */
     double *face_coefficient; /* [m] S.S / S.d: area over length of the link */
 };
 
@@ -25,6 +25,12 @@ void systems_free(struct fluid *fl);
              b == &(fl)->options.boundaries[i_]; b++)                          \
             for (int j = 0, f = (fl)->mesh->patches[i_].first;                 \
                  j < (fl)->mesh->patches[i_].n; j++, f++)
+
+/* S.S of a face [m^4]. */
+static inline double piso_square(const struct fluid *fl, int f)
+{
+    return vector_dot(&fl->mesh->S[3 * f], &fl->mesh->S[3 * f]);
+}
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
  * [XS11 2.4]. */

@@ -189,6 +189,33 @@ FACE_KERNEL pressure_inner_flux(int f, int o, int n, const void *with)
                                         from_n * vector_dot(&H[3 * n], S));
 }
 
+/* The same where each face is normal to an axis, so that the other components
+ * of H add nothing. */
+static void aligned_fluxes(int first, int last, const struct fluid *fl)
+{
+    const struct pressure_system *const pressure = fl->pressure;
+    const double *restrict per_force = pressure->per_force;
+    struct face_piece p = {0};
+
+    while (faces_next(fl->faces, first, last, &p)) {
+        const double *restrict w = fl->mesh->w + p.face;
+        const double *restrict area = fl->faces->area + p.face;
+        const double *restrict m = pressure->m_face + p.face;
+        const double *restrict known = pressure->explicit_flux + p.face;
+        const double *restrict H = fl->momentum->H + p.axis;
+        double *restrict phi = fl->phi + p.face;
+
+        for (int j = 0; j < p.n; j++) {
+            const int o = p.cell + j, n = p.other + j;
+            const double from_o = (1.0 - w[j]) * per_force[o];
+            const double from_n = w[j] * per_force[n];
+
+            phi[j] = known[j] + m[j] * (from_o * (H[3 * o] * area[j]) +
+                                        from_n * (H[3 * n] * area[j]));
+        }
+    }
+}
+
 /* Sets phi without the part of the pressure. The fluxes of walls and inlets are
  * given. */
 static void predicted_fluxes(struct fluid *fl)
@@ -196,7 +223,10 @@ static void predicted_fluxes(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     struct pressure_system *const pressure = fl->pressure;
 
-    FOR_EACH_FACE(fl->faces, 8, pressure_inner_flux, fl);
+    if (faces_aligned(fl->faces))
+        PARALLEL_RANGES(m->n_internal, 8, aligned_fluxes, fl);
+    else
+        FOR_EACH_FACE(fl->faces, 8, pressure_inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
     if (fl->deferred != NULL) deferred_add_to_fluxes(fl->deferred, fl);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {

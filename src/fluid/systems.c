@@ -152,12 +152,10 @@ static void systems_free_arrays(struct fluid *fl)
 /* Geometric coefficients of each face, computed once. */
 static void create_geometry(struct face_geometry *g, const struct mesh *m)
 {
-    g->SS = alloc_doubles(m->n_faces);
     g->face_coefficient = alloc_doubles(m->n_faces);
     for (int f = 0; f < m->n_faces; f++) {
         const double *const S = &m->S[3 * f];
-        g->SS[f] = vector_dot(S, S);
-        g->face_coefficient[f] = g->SS[f] / vector_dot(S, &m->d[3 * f]);
+        g->face_coefficient[f] = vector_dot(S, S) / vector_dot(S, &m->d[3 * f]);
     }
 }
 
@@ -171,7 +169,8 @@ static struct faces *systems_faces_of(const struct mesh *m)
                         .neighbour = m->neighbour,
                         .cell_start = m->cell_start,
                         .cell_face = m->cell_face,
-                        .out = m->out};
+                        .out = m->out,
+                        .S = m->S};
     faces_divide(f);
     return f;
 }
@@ -218,7 +217,6 @@ void systems_free(struct fluid *fl)
     free(fl->pressure);
     free(fl->jump);
     free(fl->levels);
-    free(fl->geometry->SS);
     free(fl->geometry->face_coefficient);
     free(fl->geometry);
 }

@@ -24,7 +24,7 @@ static void add_slip_residual(const struct fluid *fl, double *right)
         const double D = fl->options.mu * fl->geometry->face_coefficient[f];
         for (int k = 0; k < 3; k++)
             right[3 * c + k] -=
-                D * S[k] * (Su - S[k] * u[k]) / fl->geometry->SS[f];
+                D * S[k] * (Su - S[k] * u[k]) / piso_square(fl, f);
     }
 }
 

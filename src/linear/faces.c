@@ -7,11 +7,6 @@
 #include "base/alloc.h"
 #include "linear/reduce.h"
 
-void faces_divide(struct faces *f)
-{
-    f->pieces = faces_find_pieces(f->n_inner, f->n, f->owner, f->neighbour);
-}
-
 int faces_next(const struct faces *f, int first, int last, struct face_piece *p)
 {
     if (f->pieces != NULL)
@@ -27,13 +22,17 @@ int faces_next(const struct faces *f, int first, int last, struct face_piece *p)
 void faces_release(struct faces *f)
 {
     faces_free_pieces(f->pieces);
+    free(f->area);
     f->pieces = NULL;
+    f->area = NULL;
 }
 
 static void sum_by_lists(const struct faces *fs, int first, int last, int n,
                          const double *a, double sign, const double *b,
-                         const double *S, double *sum)
+                         double *sum)
 {
+    const double *const S = fs->S;
+
     for (int c = first; c < last; c++) {
         double x = 0.0, y = 0.0, z = 0.0;
 
@@ -51,30 +50,61 @@ static void sum_by_lists(const struct faces *fs, int first, int last, int n,
     }
 }
 
-static void sum_by_pieces(const struct face_pieces *r, int first, int last,
-                          int n, const double *a, double sign, const double *b,
-                          const double *S, double *sum)
+static void sum_by_pieces(const struct faces *fs, int first, int last, int n,
+                          const double *a, double sign, const double *b,
+                          double *sum)
 {
     struct face_piece p = {0};
 
     for (int i = 3 * first; i < 3 * last; i++)
         sum[i] = 0.0;
-    while (faces_next_of_cells(r, first, last, &p) && p.face < n) {
+    while (faces_next_of_cells(fs->pieces, first, last, &p) && p.face < n) {
         const int leaves = p.out > 0.0;
 
         vec3_add(p.n, leaves ? 1.0 : sign, (leaves ? a : b) + p.face,
-                 S + 3L * p.face, sum + 3L * p.cell);
+                 fs->S + 3L * p.face, sum + 3L * p.cell);
     }
+}
+
+/* The same sums of at most PARALLEL_RANGES_BLOCK cells, each component in a row
+ * of its own. */
+static void sum_aligned(const struct faces *fs, int first, int last, int n,
+                        const double *a, double sign, const double *b,
+                        double *sum)
+{
+    double part[3][PARALLEL_RANGES_BLOCK] = {{0.0}};
+    struct face_piece p = {0};
+
+    while (faces_next_of_cells(fs->pieces, first, last, &p) && p.face < n) {
+        const int leaves = p.out > 0.0;
+        const double *restrict at = (leaves ? a : b) + p.face;
+        const double *restrict area = fs->area + p.face;
+        const double factor = leaves ? 1.0 : sign;
+        double *restrict to = part[p.axis] + (p.cell - first);
+
+        for (int j = 0; j < p.n; j++)
+            to[j] += factor * at[j] * area[j];
+    }
+    for (int c = first; c < last; c++)
+        for (int k = 0; k < 3; k++)
+            sum[3L * c + k] = part[k][c - first];
 }
 
 void faces_sum_vectors(const struct faces *f, int first, int last, int n,
                        const double *a, double sign, const double *b,
-                       const double *S, double *sum)
+                       double *sum)
 {
     if (f->pieces == NULL)
-        sum_by_lists(f, first, last, n, a, sign, b, S, sum);
+        sum_by_lists(f, first, last, n, a, sign, b, sum);
+    else if (!faces_aligned(f))
+        sum_by_pieces(f, first, last, n, a, sign, b, sum);
     else
-        sum_by_pieces(f->pieces, first, last, n, a, sign, b, S, sum);
+        for (int end; first < last; first = end) {
+            end = last - first < PARALLEL_RANGES_BLOCK
+                      ? last
+                      : first + PARALLEL_RANGES_BLOCK;
+            sum_aligned(f, first, end, n, a, sign, b, sum);
+        }
 }
 
 /* --- contiguous ranges of faces between contiguous ranges of cells
@@ -102,6 +132,7 @@ struct face_pieces {
             end; /* its contiguous ranges, with ascending faces and owners */
         int distance; /* from owner to neighbour */
         int boundary; /* 1: no neighbours */
+        int axis;     /* [-] of the area vectors, where all have one */
     } group[GROUPS];
     struct contiguous_range *range;
 };
@@ -202,6 +233,7 @@ int faces_next_of_cells(const struct face_pieces *r, int first, int last,
         p->cell += shift;
         p->other = inward ? p->cell - d : p->cell + d;
         p->out = inward ? -1.0 : 1.0;
+        p->axis = r->group[g].axis;
         return 1;
     }
     return 0;
@@ -221,6 +253,7 @@ int faces_next_of_faces(const struct face_pieces *r, int first, int last,
         faces_cut(&r->range[p->range++], first, last, 1, p);
         p->other = p->cell + r->group[g].distance;
         p->out = 1.0;
+        p->axis = r->group[g].axis;
         return 1;
     }
     return 0;
@@ -251,4 +284,46 @@ struct face_pieces *faces_find_pieces(int n_inner, int n, const int *owner,
     }
     faces_free_pieces(r);
     return NULL;
+}
+
+/* The axis of an area vector, or -1. */
+static int axis_of(const double S[3])
+{
+    for (int k = 0; k < 3; k++)
+        if (S[(k + 1) % 3] == 0.0 && S[(k + 2) % 3] == 0.0) return k;
+    return -1;
+}
+
+/* Whether all faces of a contiguous range are normal to an axis. */
+static int normal_to(const struct contiguous_range *run, const double *S,
+                     int axis)
+{
+    for (int f = run->face; f < run->face + run->n; f++)
+        if (axis_of(S + 3L * f) != axis) return 0;
+    return axis >= 0;
+}
+
+/* The areas, if each group of pieces is normal to an axis. */
+static void find_areas(struct faces *f)
+{
+    struct face_pieces *const r = f->pieces;
+
+    for (int g = 0; g < r->n_groups; g++) {
+        const struct contiguous_range *const run = r->range;
+        const int begin = r->group[g].first, end = r->group[g].end;
+
+        r->group[g].axis = axis_of(f->S + 3L * run[begin].face);
+        for (int i = begin; i < end; i++)
+            if (!normal_to(&run[i], f->S, r->group[g].axis)) return;
+    }
+    f->area = alloc_doubles(f->n);
+    for (struct face_piece p = {0}; faces_next_of_faces(r, 0, f->n, &p);)
+        for (int i = p.face; i < p.face + p.n; i++)
+            f->area[i] = f->S[3L * i + p.axis];
+}
+
+void faces_divide(struct faces *f)
+{
+    f->pieces = faces_find_pieces(f->n_inner, f->n, f->owner, f->neighbour);
+    if (f->pieces != NULL && f->S != NULL) find_areas(f);
 }

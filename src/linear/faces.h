@@ -28,6 +28,7 @@ struct face_piece {
     double out;
     const int *owner, *neighbour; /* [-] of a list of faces, in the place of
                                      cell and other; NULL */
+    int axis;                     /* [-] of the area vectors, or 0 */
     int group, range;             /* where the next piece is searched */
 };
 
@@ -54,8 +55,17 @@ struct faces {
     const int *owner, *neighbour;      /* [-] n, n_inner */
     const int *cell_start, *cell_face; /* [-] the faces of each cell */
     const double *out;          /* [-] 1: cell_face[a] leaves the cell, or -1 */
+    const double *S;            /* [m^2] area vectors, 3 a face; or NULL */
     struct face_pieces *pieces; /* NULL: loops follow the lists */
+    double *area; /* [m^2] where each piece is normal to its axis, that
+                     component of S; else NULL */
 };
+
+/* 1 if a loop may read `area` in the place of S: a third of the bytes. */
+static inline int faces_aligned(const struct faces *f)
+{
+    return f->pieces != NULL && f->area != NULL;
+}
 
 /* The next piece of the inner faces first .. last - 1, as next_of_faces:
  * without pieces all of them are one, a list. */
@@ -70,7 +80,7 @@ void faces_release(struct faces *f);
  * a[f] S[3 f + k] if c is the owner, sign b[f] S[3 f + k] if the neighbour. */
 void faces_sum_vectors(const struct faces *f, int first, int last, int n,
                        const double *a, double sign, const double *b,
-                       const double *S, double *sum);
+                       double *sum);
 
 /* --- face loops ----------------------------------------------------------- */
 

@@ -37,7 +37,7 @@ static void oblique_part(const struct fluid *fl, int f, double oblique[3])
 
     mesh_oblique_part(fl->mesh, f, oblique);
     const double square =
-        vector_dot(oblique, oblique) / (max * max * fl->geometry->SS[f]);
+        vector_dot(oblique, oblique) / (max * max * piso_square(fl, f));
     for (int k = 0; k < 3 && square > 1.0; k++)
         oblique[k] /= sqrt(square);
 }
