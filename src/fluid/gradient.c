@@ -107,6 +107,45 @@ static void gradient_rows(int first, int last, struct fluid *fl)
     }
 }
 
+/* The same of a block where nothing else needs the pressures of the inner
+ * faces: they are computed for both cells, and not stored. */
+static void linear_block(int first, int last, const struct fluid *fl)
+{
+    const struct faces *const faces = fl->faces;
+    double sum[3][PARALLEL_RANGES_BLOCK] = {{0.0}};
+    struct face_piece p = {0};
+
+    while (faces_next_of_cells(faces->pieces, first, last, &p)) {
+        const int leaves = p.out > 0.0;
+        const double *restrict w = fl->mesh->w + p.face;
+        const double *restrict area = faces->area + p.face;
+        const double *restrict own = fl->p + (leaves ? p.cell : p.other);
+        const double *restrict next = fl->p + (leaves ? p.other : p.cell);
+        double *restrict to = sum[p.axis] + (p.cell - first);
+
+        for (int j = 0; j < p.n && p.face < faces->n_inner; j++)
+            to[j] += p.out * (w[j] * own[j] + (1.0 - w[j]) * next[j]) * area[j];
+        for (int j = 0; j < p.n && p.face >= faces->n_inner; j++)
+            to[j] += fl->p_face[p.face + j] * area[j];
+    }
+    for (int c = first; c < last; c++) {
+        const double per_V = 1.0 / fl->mesh->V[c];
+        for (int k = 0; k < 3; k++)
+            fl->grad_p[3 * c + k] =
+                sum[k][c - first] * per_V + fl->mean_gradient[k];
+    }
+}
+
+static void linear_rows(int first, int last, const struct fluid *fl)
+{
+    for (int end; first < last; first = end) {
+        end = last - first < PARALLEL_RANGES_BLOCK
+                  ? last
+                  : first + PARALLEL_RANGES_BLOCK;
+        linear_block(first, end, fl);
+    }
+}
+
 void gradient_of_faces(struct fluid *fl)
 {
     PARALLEL_BLOCKS(fl->mesh->n_cells, 12, gradient_rows, fl);
@@ -116,9 +155,13 @@ void gradient_of_faces(struct fluid *fl)
  * [Pa/m]. */
 void gradient_update(struct fluid *fl)
 {
-    inner_pressures(fl);
+    const int alone = piso_alone(fl) && faces_aligned(fl->faces);
+
+    if (!alone) inner_pressures(fl);
     boundary_pressures(fl);
-    if (fl->deferred != NULL)
+    if (alone)
+        PARALLEL_RANGES(fl->mesh->n_cells, 12, linear_rows, fl);
+    else if (fl->deferred != NULL)
         deferred_set_gradient(fl->deferred, fl);
     else
         gradient_of_faces(fl);

@@ -22,25 +22,35 @@
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
 
-/* Sets the two coefficients of each face, from the weights of the scheme. */
+/* Sets the two coefficients of each face, from the weights of the scheme. Where
+ * nothing else needs the weights they are known for one block at a time. */
 static void face_coefficients(int first, int last, struct fluid *fl)
 {
     const struct fluid_options *const o = &fl->options;
-    const double *restrict flux = fl->levels->convecting_flux;
-    const double *restrict coefficient = fl->geometry->face_coefficient;
-    double *restrict weight = fl->momentum->owner_weight;
-    double *restrict upper = fl->momentum->matrix->upper;
-    double *restrict lower = fl->momentum->matrix->lower;
-    const struct convection_faces faces = {last - first, flux + first,
-                                           fl->mesh->w + first, o->blend};
+    double *const all = fl->momentum->owner_weight;
+    double own[PARALLEL_RANGES_BLOCK];
 
-    o->convection->owner_weights(&faces, weight + first);
-    if (piso_nondissipative(fl)) face_jump_bias_upwind(first, last, fl);
-    for (int f = first; f < last; f++) {
-        const double flow = o->rho * flux[f]; /* [kg/s] */
-        const double D = o->mu * coefficient[f];
-        upper[f] = flow * (1.0 - weight[f]) - D;
-        lower[f] = -flow * weight[f] - D;
+    for (int end; first < last; first = end) {
+        const int n = last - first < PARALLEL_RANGES_BLOCK
+                          ? last - first
+                          : PARALLEL_RANGES_BLOCK;
+        const double *restrict flux = fl->levels->convecting_flux + first;
+        const double *restrict coefficient =
+            fl->geometry->face_coefficient + first;
+        double *restrict weight = all != NULL ? all + first : own;
+        double *restrict upper = fl->momentum->matrix->upper + first;
+        double *restrict lower = fl->momentum->matrix->lower + first;
+        const struct convection_faces faces = {n, flux, fl->mesh->w + first,
+                                               o->blend};
+        end = first + n;
+        o->convection->owner_weights(&faces, weight);
+        if (piso_nondissipative(fl)) face_jump_bias_upwind(first, end, fl);
+        for (int i = 0; i < n; i++) {
+            const double flow = o->rho * flux[i]; /* [kg/s] */
+            const double D = o->mu * coefficient[i];
+            upper[i] = flow * (1.0 - weight[i]) - D;
+            lower[i] = -flow * weight[i] - D;
+        }
     }
 }
 

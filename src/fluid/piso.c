@@ -20,14 +20,27 @@ static void count_relabelled(struct fluid *fl)
         fl->relabelled[k] += scale * sum[k];
 }
 
+/* The sum of zeros; it is not a number where a pressure or velocity is none. */
+static double zeros(int first, int last, const struct fluid *fl)
+{
+    const double *restrict p = fl->p, *restrict u = fl->u;
+    double sum = 0.0;
+
+#pragma omp simd reduction(+ : sum)
+    for (int c = first; c < last; c++)
+        sum += 0.0 * p[c];
+#pragma omp simd reduction(+ : sum)
+    for (int i = 3 * first; i < 3 * last; i++)
+        sum += 0.0 * u[i];
+    return sum;
+}
+
 /* Whether every pressure and velocity is a finite number. */
 static int all_finite(const struct fluid *fl)
 {
-    double sum = 0.0; /* of zeros; or it is not a number */
+    double sum;
 
-    for (int c = 0; c < fl->mesh->n_cells; c++)
-        sum += 0.0 *
-               (fl->p[c] + fl->u[3 * c] + fl->u[3 * c + 1] + fl->u[3 * c + 2]);
+    PARALLEL_SUM(sum, fl->mesh->n_cells, 4, zeros, fl);
     return sum == 0.0;
 }
 

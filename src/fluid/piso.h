@@ -45,6 +45,14 @@ static inline int piso_nondissipative(const struct fluid *fl)
     return fl->options.coupled && !fl->options.convection->damps;
 }
 
+/* 1 if nothing but the equations of a step reads the fluxes and pressures of
+ * the inner faces between its corrections. */
+static inline int piso_alone(const struct fluid *fl)
+{
+    return !fl->options.coupled && fl->deferred == NULL &&
+           fl->immersed == NULL && fl->options.shared == NULL;
+}
+
 /* What the time derivative takes from the previous steps.
  *
  *   (now eps_new u - old eps_old u_n + older eps_older u_nm1) rho V / dt

@@ -332,6 +332,6 @@ struct solve_report pressure_correct(struct fluid *fl)
         shared != NULL ? shared->pressure(shared->parts, fl, relative, absolute)
                        : cg_solve(pressure->matrix, pressure->divergence, fl->p,
                                   relative, absolute, 500, pressure->cg);
-    add_pressure_fluxes(fl);
+    if (last || !piso_alone(fl)) add_pressure_fluxes(fl);
     return report;
 }

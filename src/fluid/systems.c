@@ -49,6 +49,7 @@ enum need {
     SMOOTH,     /* which also shares the pressure gradient with particles */
     SLIP_WALLS, /* at least one */
     TWO_STEPS,  /* in a two-step scheme */
+    WEIGHTS,    /* where a force at a face follows the convecting velocity */
     OWN_FLUX,   /* if momentum is not convected by the last step's flux */
     NEEDS
 };
@@ -88,7 +89,7 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->momentum->residual, 3, CELL, ALWAYS},
         {&fl->momentum->slip, 3, CELL, SLIP_WALLS},
         {&fl->momentum->slip_implicit, 3, CELL, SLIP_WALLS},
-        {&fl->momentum->owner_weight, 1, INNER_FACE, ALWAYS},
+        {&fl->momentum->owner_weight, 1, INNER_FACE, WEIGHTS},
         {&fl->pressure->per_force, 1, CELL, ALWAYS},
         {&fl->pressure->resistance, 1, CELL, ALWAYS},
         {&fl->pressure->per_flux, 1, CELL, ALWAYS},
@@ -131,6 +132,7 @@ static void allocate_arrays(struct fluid *fl)
                                [SMOOTH] = biased && o->pressure_shared,
                                [SLIP_WALLS] = systems_has(fl, BOUNDARY_SLIP),
                                [TWO_STEPS] = two_steps(o),
+                               [WEIGHTS] = o->coupled || fl->deferred != NULL,
                                [OWN_FLUX] = ddt_uses_new_time(o)};
     struct array list[MOST_ARRAYS];
     const int n = systems_list_arrays(fl, list);
@@ -192,8 +194,8 @@ void systems_create(struct fluid *fl)
         fl->pressure->matrix =
             preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
                                   fl->geometry->face_coefficient, m->d, m->V);
-    allocate_arrays(fl);
     fl->deferred = deferred_create(fl);
+    allocate_arrays(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->matrix->diagonals = fl->momentum->diag3 != NULL ? 3 : 1;
