@@ -48,6 +48,7 @@ run: ## install what is missing, build, run the Mueller fluidized bed (a minute 
 
 check: ## install what is missing, build, run every test
 	sh .ci/install check
+	$(MAKE) $(CORES) $B/winnow
 	OMP_NUM_THREADS=1 $(IN_MEMORY) $(MAKE) $(CORES) -k --output-sync checks
 
 check-slow: ## what check has no time for: every test under sanitizers, every command of the book (three quarters of an hour)
@@ -70,8 +71,9 @@ faults-slow: $B/winnow
 commands-slow: $B/winnow $B/tests/test_impacts $(STEPS)
 	@sh tests/commands.sh $B whole
 
-# Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions-today results pairs facts style faults parcels kills steps-check cli free study \
+# Side by side, what takes longest first; with -k all that is wrong is said. (What waits for
+# a program begins when all is compiled that waits for none: so the program is there before.)
+checks: results pairs solutions-today facts style faults parcels kills steps-check cli free study \
         vtk tools commands text
 	@echo "all checks hold"
 # What this shows only sanitizers can see: check-slow runs it.
