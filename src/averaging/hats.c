@@ -64,8 +64,10 @@ void hats_find(struct hats *h, const struct particles *ps)
     }
 }
 
-/* Corner j of particle i, 0 to 7: its cell, and its share [-]. */
-static inline int hats_corner(const struct hats *h, int i, int j, double *share)
+/* Corner j of particle i, 0 to 7: its cell, and its share [-]; along direction
+ * `whole`, 0 to 2, the share is not divided. */
+static inline int hats_corner(const struct hats *h, int i, int j, int whole,
+                              double *share)
 {
     const int *const n = h->mesh->box.n;
     int at[3];
@@ -74,6 +76,7 @@ static inline int hats_corner(const struct hats *h, int i, int j, double *share)
     for (int k = 0; k < 3; k++) {
         const int other = j >> k & 1;
         at[k] = (other ? h->next : h->cell)[3 * i + k];
+        if (k == whole) continue;
         *share *= other ? h->share[3 * i + k] : 1.0 - h->share[3 * i + k];
     }
     return at[0] + n[0] * (at[1] + n[1] * at[2]);
@@ -87,7 +90,7 @@ void hats_spread(const struct hats *h, int m, const double *q, double *field)
     memset(field, 0, (size_t)(m * n) * sizeof *field);
     for (int i = 0; i < h->n; i++)
         for (int j = 0; j < 8; j++) {
-            const int c = hats_corner(h, i, j, &share);
+            const int c = hats_corner(h, i, j, -1, &share);
             for (int k = 0; k < m; k++)
                 field[m * c + k] += share * q[m * i + k];
         }
@@ -104,11 +107,44 @@ void hats_gather(const struct hats *h, int m, const double *field, double *q)
         for (int k = 0; k < m; k++)
             q[m * i + k] = 0.0;
         for (int j = 0; j < 8; j++) {
-            const int c = hats_corner(h, i, j, &share);
+            const int c = hats_corner(h, i, j, -1, &share);
             for (int k = 0; k < m; k++)
                 q[m * i + k] += share * field[m * c + k];
         }
     }
+}
+
+/* Of the six halves of cell c the one of particle i along k. */
+static inline int hats_half(const struct hats *h, int i, int c, int k)
+{
+    return 6 * c + 2 * k + (h->place[3 * i + k] >= 0.5);
+}
+
+void hats_spread_halves(const struct hats *h, const double *q, double *half)
+{
+    double share;
+
+    memset(half, 0, (size_t)(6 * h->mesh->n_cells) * sizeof *half);
+    for (int i = 0; i < h->n; i++)
+        for (int k = 0; k < 3; k++)
+            for (int j = 0; j < 8; j++) {
+                if (j >> k & 1) continue;
+                const int c = hats_corner(h, i, j, k, &share);
+                half[hats_half(h, i, c, k)] += share * q[i];
+            }
+}
+
+void hats_add_halves(const struct hats *h, const double *half, double *q)
+{
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < h->n; i++)
+        for (int k = 0; k < 3; k++)
+            for (int j = 0; j < 8; j++) {
+                double share;
+                if (j >> k & 1) continue;
+                const int c = hats_corner(h, i, j, k, &share);
+                q[3 * i + k] += share * half[hats_half(h, i, c, k)];
+            }
 }
 
 void hats_moments(const struct hats *h, const struct particles *ps, double *q,

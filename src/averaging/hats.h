@@ -33,6 +33,14 @@ void hats_find(struct hats *h, const struct particles *ps);
 void hats_spread(const struct hats *h, int m, const double *q, double *field);
 void hats_gather(const struct hats *h, int m, const double *field, double *q);
 
+/* The same for the halves of the cells, lower and upper along x, y, z: along
+ * this direction a particle belongs to the half that it is in, across it to
+ * cells as above. Two halves that meet at a face are where the share of one
+ * cell falls and that of the other rises. Sums of one number q a particle, and
+ * to 3 numbers q a particle what it has of its halves. */
+void hats_spread_halves(const struct hats *h, const double *q, double *half);
+void hats_add_halves(const struct hats *h, const double *half, double *q);
+
 /* The moments of the particles' velocities, 6 a cell: eps_s, eps_s u, eps_s
  * u.u, and eps_s over the diameter of the grains; q: 6 a particle. And of one
  * cell the mean square of the deviation from u, of one direction [m^2/s^2]. */

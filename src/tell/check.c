@@ -209,10 +209,6 @@ static void print_stress(const struct settings *s, const struct case_scales *k)
     text_line("way in a step / S_c", way, "-",
               way > 0.2 ? "LONG: cells are filled above the packing"
                         : "at the speed that is assumed");
-    if (!s->has.fluid && !settings_has(s, "effects.collision_damping"))
-        text_line("energy that collisions take", 0.0, "J",
-                  "HEATS: the mesh brings some; a fluid or "
-                  "effects.collision_damping takes it");
     if (weight > 0.0)
         text_line("P_s / weight of the bed", n[1] / weight, "-",
                   n[1] > 1e-4 * weight

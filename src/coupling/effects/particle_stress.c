@@ -10,15 +10,18 @@
  * without flux through walls; eps* and eps^n are spread from the particles,
  * after and before they have moved. It is implicit in tau: under a weight waves
  * of tau run as fast as tau / sqrt(rho P eps^beta), and eps(tau) stays below
- * eps_cp whatever tau is. The acceleration of face f between cells c and n,
+ * eps_cp whatever tau is. The force -(tau_n - tau_c) S_f of face f between
+ * cells c and n goes to the particles between the centres of the two, as
  *
- *   a_f = -(tau_n - tau_c) S_f / (rho (eps_c V_c + eps_n V_n)),
+ *   a_f = -(tau_n - tau_c) S_f / (rho (eps_c V_c + eps_n V_n) / 2).
  *
- * adds up to that of a cell. What the particles gather of it has the sum of
- * tau_n - tau_c over the faces, whatever eps is: momentum is kept to rounding.
- * Their places follow 2 a_f, linear between the faces of a cell, so that each
- * cell gains what the equation says. What was above eps_cp before the step
- * moves places only: else it would become energy.
+ * That is where the shares of c and n change as a particle moves: its work is
+ * what the stress has lost or gained, and a closed gas does not heat. The
+ * particles there have not just the volume of the bracket; what they leave of
+ * the force, or take too much, goes to all of c and n alike. So momentum is
+ * kept to rounding, whatever eps is. Places follow a_f, linear between the
+ * faces of a cell, so that each cell gains what the equation says. What was
+ * above eps_cp before the step moves places only: else it would become energy.
  */
 #include "coupling/effects/forces.h"
 
@@ -47,14 +50,16 @@ struct particle_stress {
     double stiff; /* [Pa/m^2] rho / dt^2 */
     struct preconditioned matrix;
     struct cg_work *cg;
+    double heaviest;           /* [m] on the diagonal: of a thin cell */
     double *g;                 /* [m] S.S / S.d of each inner face */
     double *P;                 /* [Pa] of the law in each cell */
     double *tau, *shift;       /* [Pa] of velocities, and of places */
     double *before, *eps;      /* [-] eps^n and eps* */
     double *wanted, *fraction; /* [-] right-hand side, and eps(tau) */
     double *rhs, *sums, *change;
-    double *face; /* [m/s^2] 2 a_f of the six sides of a cell */
-    double *a;    /* [m/s^2] 3 a cell */
+    double *face; /* [m/s^2] a_f of the six sides of a cell */
+    double *half; /* [m^3] of particles in the six halves of a cell */
+    double *a;    /* [m/s^2] 3 a cell: of what is left of the forces */
     double *q;    /* 6 a particle */
     struct hats *hats;
     int n_cells;
@@ -63,7 +68,7 @@ struct particle_stress {
 };
 
 /* Arrays of the cells, how wide each is. */
-enum { CELL_ARRAYS = 12 };
+enum { CELL_ARRAYS = 13 };
 static void particle_stress_arrays(struct particle_stress *self,
                                    double **at[CELL_ARRAYS],
                                    int width[CELL_ARRAYS])
@@ -71,7 +76,8 @@ static void particle_stress_arrays(struct particle_stress *self,
     double **const all[CELL_ARRAYS] = {
         &self->P,      &self->tau,      &self->shift, &self->before,
         &self->eps,    &self->wanted,   &self->rhs,   &self->sums,
-        &self->change, &self->fraction, &self->a,     &self->face};
+        &self->change, &self->fraction, &self->a,     &self->face,
+        &self->half};
 
     for (int k = 0; k < CELL_ARRAYS; k++) {
         at[k] = all[k];
@@ -101,9 +107,12 @@ static void *particle_stress_create(struct simulation *sim,
     self->g = alloc_doubles(m->n_internal);
     self->q = alloc_doubles(HATS_MOMENTS * ps->capacity);
     self->hats = hats_create(m, ps->capacity);
-    for (int f = 0; f < m->n_internal; f++)
+    self->heaviest = 1e6 * cbrt(m->V[0]);
+    for (int f = 0; f < m->n_internal; f++) {
         self->g[f] = vector_dot(&m->S[3 * f], &m->S[3 * f]) /
                      vector_dot(&m->S[3 * f], &m->d[3 * f]);
+        self->heaviest = fmax(self->heaviest, 1e6 * self->g[f]);
+    }
     self->matrix = preconditioned_create(m->n_cells, m->n_internal, m->owner,
                                          m->neighbour, self->g, m->d, m->V);
     self->cg = cg_work_create(m->n_cells);
@@ -167,20 +176,13 @@ const struct hats *particle_stress_places(const struct simulation *sim,
 
 /* --- tau ------------------------------------------------------------------ */
 
-/* Where eps is less [-], tau' is that of it: else the matrix has numbers of too
- * many sizes. */
-static double particle_stress_thin(const struct particle_stress_law *law)
-{
-    return law->lun ? 1e-6 : pow(1e-6, 1.0 / fmax(1.0, law->exponent - 1.0));
-}
-
 /* Sets eps(tau), what is missing to `wanted` times V rho / dt^2 [Pa m], and the
- * diagonal V rho / (dt^2 tau') [m]; returns the most [-] that is missing in a
- * cell. */
+ * diagonal V rho / (dt^2 tau') [m], which in a thin cell is not more than what
+ * the others do not feel; returns the most [-] that is missing in a cell. */
 static double particle_stress_missing(struct particle_stress *self,
                                       const struct mesh *m, const double *tau)
 {
-    const double stiff = self->stiff, thin = particle_stress_thin(&self->law);
+    const double stiff = self->stiff;
     double most = 0.0;
 
 #pragma omp parallel for schedule(static)
@@ -188,9 +190,10 @@ static double particle_stress_missing(struct particle_stress *self,
         const double eps =
             particle_stress_fraction(&self->law, self->P[c], tau[c]);
         self->fraction[c] = eps;
-        self->sums[c] =
+        self->sums[c] = fmin(
+            self->heaviest,
             stiff * m->V[c] /
-            particle_stress_slope(&self->law, self->P[c], fmax(eps, thin));
+                particle_stress_slope(&self->law, self->P[c], fmax(eps, 1e-9)));
         self->rhs[c] = stiff * m->V[c] * (self->wanted[c] - eps);
     }
     for (int f = 0; f < m->n_internal; f++) {
@@ -210,12 +213,10 @@ static double particle_stress_missing(struct particle_stress *self,
 static void particle_stress_update(struct particle_stress *self,
                                    const struct mesh *m, double *tau)
 {
-    const double thin = particle_stress_thin(&self->law);
-
     for (int c = 0; c < m->n_cells; c++) {
         const double eps = self->fraction[c], change = self->change[c];
         const double by = change * self->sums[c] / (self->stiff * m->V[c]);
-        if (change > 0.0 && eps > thin)
+        if (change > 0.0 && self->sums[c] < self->heaviest)
             tau[c] += change;
         else
             tau[c] = particle_stress(&self->law, self->P[c],
@@ -252,15 +253,17 @@ static void particle_stress_solve(struct particle_stress *self,
 
 /* --- velocities and places ------------------------------------------------ */
 
-/* 2 a_f at the sides of cell c, lower and upper along x, y, z; at a wall that
- * of the other side. */
+/* a_f at the sides of cell c, lower and upper along x, y, z; at a wall that of
+ * the other side. And of what the particles between the centres leave, the
+ * acceleration of the cells. */
 static void particle_stress_sides(const struct particle_stress *self,
                                   const struct mesh *m, const double *tau,
-                                  int c, double side[6])
+                                  int c, double side[6], double left[3])
 {
     int wall[6] = {0};
 
     memset(side, 0, 6 * sizeof *side);
+    memset(left, 0, 3 * sizeof *left);
     for (int j = m->cell_start[c]; j < m->cell_start[c + 1]; j++) {
         const int f = m->cell_face[j], o = m->owner[f];
         const double *const S = &m->S[3 * f];
@@ -268,26 +271,26 @@ static void particle_stress_sides(const struct particle_stress *self,
         const int w = 2 * k + (m->out[j] * S[k] > 0.0);
         wall[w] = f >= m->n_internal;
         if (wall[w]) continue;
-        const int n = m->neighbour[f];
+        const int n = m->neighbour[f], beside = o == c ? n : o;
         const double V = self->eps[o] * m->V[o] + self->eps[n] * m->V[n];
-        if (V > 0.0)
-            side[w] = -2.0 * (tau[n] - tau[o]) * S[k] / (self->rho * V);
+        if (V <= 0.0) continue;
+        side[w] = -2.0 * (tau[n] - tau[o]) * S[k] / (self->rho * V);
+        left[k] +=
+            side[w] *
+            (0.5 -
+             (self->half[6 * c + w] + self->half[6 * beside + (w ^ 1)]) / V);
     }
     for (int w = 0; w < 6; w++)
         if (wall[w]) side[w] = side[w ^ 1];
 }
 
-/* From the stress the acceleration of the cells and their sides. */
 static void particle_stress_accelerate(struct particle_stress *self,
                                        const struct mesh *m, const double *tau)
 {
 #pragma omp parallel for schedule(static)
-    for (int c = 0; c < m->n_cells; c++) {
-        double *const side = &self->face[6 * c];
-        particle_stress_sides(self, m, tau, c, side);
-        for (int k = 0; k < 3; k++)
-            self->a[3 * c + k] = 0.5 * (side[2 * k] + side[2 * k + 1]);
-    }
+    for (int c = 0; c < m->n_cells; c++)
+        particle_stress_sides(self, m, tau, c, &self->face[6 * c],
+                              &self->a[3 * c]);
 }
 
 static void particle_stress_push(struct particle_stress *self,
@@ -297,6 +300,7 @@ static void particle_stress_push(struct particle_stress *self,
     const double dt = sim->dt;
 
     hats_gather(self->hats, 3, self->a, self->q);
+    hats_add_halves(self->hats, self->face, self->q);
     for (int i = 0; i < ps->n; i++) {
         const double *const a = &self->q[3 * i], m = ps->m[i];
         const double F[3] = {m * a[0], m * a[1], m * a[2]};
@@ -356,6 +360,7 @@ static void particle_stress_after(void *memory, struct simulation *sim)
 
     if (sim->particles->n == 0) return;
     particle_stress_spread(self, sim, self->eps);
+    hats_spread_halves(self->hats, self->q, self->half);
     for (int c = 0; c < m->n_cells; c++) {
         const double over = fmax(0.0, self->before[c] - self->law.packing);
         self->wanted[c] = fmax(0.0, self->eps[c] - over);
