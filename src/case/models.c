@@ -24,6 +24,7 @@ const struct kind *const models_kinds[] = {&models_contact,
                                            &models_variation,
                                            &models_interpolation,
                                            &models_drag,
+                                           &models_shape,
                                            &models_treatment,
                                            &models_slip_integration,
                                            &models_form,
@@ -56,6 +57,8 @@ MODELS_KIND(models_interpolation, interpolations, "interpolation",
             "interpolations, from fields to particles",
             "averaging.interpolation", "exchange")
 MODELS_KIND(models_drag, drag_laws, "drag", "drag laws", "exchange.drag", NULL)
+MODELS_KIND(models_shape, drag_shapes, "shape", "shapes of grains in the drag",
+            "exchange.shape", NULL)
 MODELS_KIND(models_treatment, coupling_treatments, "treatment",
             "treatments of the drag in the fluid", "exchange.treatment", NULL)
 MODELS_KIND(models_slip_integration, coupling_slip_integrations,

@@ -24,10 +24,10 @@ struct kind {
 /* All kinds, ended by NULL. */
 extern const struct kind models_contact, models_integrator, models_list,
     case_population_sizes, case_surfaces_kind, models_averaging, models_scheme,
-    models_variation, models_interpolation, models_drag, models_treatment,
-    models_slip_integration, models_form, models_direction, models_time_scheme,
-    models_convection, models_gradient, models_continuity, models_patch,
-    models_profile, models_effect;
+    models_variation, models_interpolation, models_drag, models_shape,
+    models_treatment, models_slip_integration, models_form, models_direction,
+    models_time_scheme, models_convection, models_gradient, models_continuity,
+    models_patch, models_profile, models_effect;
 extern const struct kind case_bodies_method;
 extern const struct kind *const models_kinds[];
 

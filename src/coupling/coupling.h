@@ -49,6 +49,7 @@ extern const struct model *const coupling_directions[];
 
 struct coupling_options {
     const struct drag_law *law;
+    const struct drag_shape *shape;
     enum treatment treatment;
     enum slip_integration slip_integration;
     const struct interpolation *interpolation; /* that of the averaging */

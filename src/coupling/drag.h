@@ -53,6 +53,26 @@ extern const struct drag_law drag_syamlal_obrien, drag_gidaspow,
 extern const struct drag_law *const drag_laws[];
 const struct drag_law *drag_law_named(const char *name);
 
+/* What the shape of a grain changes. With the diameter of Sauter, psi times
+ * that of the sphere of its volume, Ergun's equation holds for a bed of grains
+ * of any shape, but a lone grain has 1/psi^2 of the slow drag of that sphere,
+ * which is too much. factor: the sphericity psi [-], Re with the diameter of
+ * the volume
+ * -> C_d Re / 24 [-] of a lone grain; NULL: none. */
+struct drag_shape {
+    MODEL_MEMBERS;
+    double (*factor)(double psi, double Re);
+};
+extern const struct drag_shape *const drag_shapes[]; /* ended by NULL */
+
+/* Drag of a lone grain over that of the sphere of its volume [-], where both
+ * are of the same fit: those of the laws for shapes are none for spheres. */
+double drag_shape_ratio(const struct drag_shape *shape, double psi, double Re);
+
+/* How far a grain is alone [-]: 0 where Ergun's equation holds, up to eps_f =
+ * 0.8, and 1 without neighbours; linear between, which is our choice. */
+double drag_shape_lone(double eps_f);
+
 /* beta [kg/(m^3 s)] of a mixture of one size [XS11 2.11, LS 5.27]. */
 double drag_beta(const struct drag_law *law, double eps_s, double rho_f,
                  double mu, double d, double u_r);

@@ -31,6 +31,28 @@ static double drag_rate(const struct simulation *sim, int i)
                            slip_speed(sim, i));
 }
 
+/* The balls of clumps that are alone: their body has the drag of the sphere of
+ * its volume times the ratio for its shape. */
+static void shape_drag(const struct simulation *sim, double *k)
+{
+    const struct coupling_options *const o = &sim->coupling->options;
+    const struct fluid_options *const f = &sim->fluid->options;
+    const struct particles *const ps = sim->particles;
+
+#pragma omp parallel for schedule(static) if (ps->n >= TRANSFER_MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double eps = sim->coupling->eps[i], lone = drag_shape_lone(eps);
+        if (!clumps_own(ps, i) || lone == 0.0) continue;
+        const double d = clumps_sphere(ps, i), slip = slip_speed(sim, i);
+        const double psi = clumps_grain(ps, i) / d;
+        const double Re = drag_reynolds(f->rho, f->mu, d, eps * slip);
+        const double alone =
+            particles_volume(ps, i) * drag_shape_ratio(o->shape, psi, Re) *
+            drag_resistance(o->law, eps, f->rho, f->mu, d, slip);
+        k[i] += lone * (alone - k[i]);
+    }
+}
+
 /* k of all particles for their present slip, changed by the effects that do so.
  */
 static void find_drag_rates(struct simulation *sim, double *k)
@@ -40,6 +62,9 @@ static void find_drag_rates(struct simulation *sim, double *k)
 #pragma omp parallel for schedule(static) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++)
         k[i] = drag_rate(sim, i);
+    if (sim->coupling->options.shape != NULL &&
+        sim->coupling->options.shape->factor != NULL)
+        shape_drag(sim, k);
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
         if (e->effect->drag != NULL) e->effect->drag(e->memory, sim, k);

@@ -218,6 +218,12 @@ double clumps_grain(const struct particles *ps, int i)
     return c->scale * ps->clumps->shape[c->shape].sauter;
 }
 
+double clumps_sphere(const struct particles *ps, int i)
+{
+    const struct clump *const c = &ps->clumps->item[ps->clumps->of[ps->id[i]]];
+    return c->scale * clumps_shape_diameter(&ps->clumps->shape[c->shape]);
+}
+
 void clumps_locate(const struct particles *ps)
 {
     for (int i = 0; i < ps->n; i++)

@@ -119,6 +119,9 @@ double clumps_filled(const struct particles *ps, int i);
  * for grains of any shape; else that of a grain. */
 double clumps_grain(const struct particles *ps, int i);
 
+/* The diameter of the sphere of the volume of the clump of ball i [m]. */
+double clumps_sphere(const struct particles *ps, int i);
+
 /* Finds the particles of all balls, after the order of these has changed. */
 void clumps_locate(const struct particles *ps);
 

@@ -13,6 +13,7 @@
 #include "base/number.h"
 #include "base/text.h"
 #include "case/build.h"
+#include "coupling/drag.h"
 #include "dem/population/insertion.h"
 #include "resolved/shapes/shapes.h"
 
@@ -413,6 +414,19 @@ static int pieces_of(const struct clump_shape *s)
     return pieces;
 }
 
+/* The diameter of Sauter has 1/psi^2. */
+static void print_lone_drag(const struct settings *s, double psi)
+{
+    const struct drag_shape *const shape = s->exchange.shape;
+    const int sauter = shape->factor == NULL;
+
+    text_line("drag of a lone one",
+              sauter ? 1.0 / (psi * psi) : drag_shape_ratio(shape, psi, 0.0),
+              "-",
+              sauter ? "slow, over that sphere's: too much; see exchange.shape"
+                     : "slow, over that of the sphere of its volume");
+}
+
 void case_clumps_print(const struct settings *s)
 {
     for (int i = 0; i < s->particles.clumps.n; i++) {
@@ -430,6 +444,7 @@ void case_clumps_print(const struct settings *s)
                  g[0] / (d * d), g[1] / (d * d), g[2] / (d * d));
         text_line("sphericity", one->sauter / d, "-",
                   "surface of that sphere over its own; the drag has that d");
+        if (s->has.exchange) print_lone_drag(s, one->sauter / d);
         text_line("sphere around it", 2.0 * one->reach / d, "-", about);
         const int pieces = pieces_of(one);
         if (pieces > 1)

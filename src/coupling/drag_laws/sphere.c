@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sphere.c -- laws of one sphere, alone or times a power of the fluid fraction,
- * and of a packed bed beside a suspension (drag.h). */
+ * and of a packed bed beside a suspension; and of one grain that is no sphere
+ * (drag.h). */
 #include "coupling/drag.h"
 
 #include <gsl/gsl_math.h>
@@ -226,3 +227,74 @@ const struct drag_law drag_huilin_gidaspow = {
     .Re_max = 2e3,
     .resistance = huilin_gidaspow,
 };
+
+/* --- grains that are no spheres ------------------------------------------- */
+
+/* C_d = 24 / Re (1 + A Re^B) + C / (1 + D / Re), their fit to 506 measurements
+ * of spheres, isometric bodies and discs, times Re / 24 [Haider89]. In slow
+ * flow it is Stokes' law for every shape. */
+static double haider_levenspiel_shape(double psi, double Re)
+{
+    const double p2 = psi * psi, p3 = p2 * psi;
+    const double A = exp(2.3288 - 6.4581 * psi + 2.4486 * p2);
+    const double C = exp(4.905 - 13.8944 * psi + 18.4222 * p2 - 10.2599 * p3);
+    const double D = exp(1.4681 + 12.2584 * psi - 20.7322 * p2 + 15.8855 * p3);
+
+    return 1.0 + A * pow(Re, 0.0964 + 0.5565 * psi) +
+           C * Re * Re / (24.0 * (Re + D));
+}
+
+/* Their C_d times Re / 24 [Hoelzer08]. The sphericities of the areas across and
+ * along the flow are psi, which those of a convex body have in the mean over
+ * all directions. */
+static double hoelzer_sommerfeld_shape(double psi, double Re)
+{
+    const double slow = 24.0 / sqrt(psi), between = 3.0 / pow(psi, 0.75);
+    const double fast = 0.42 * pow(10.0, 0.4 * pow(-log10(psi), 0.2)) / psi;
+
+    return (slow + between * sqrt(Re) + fast * Re) / 24.0;
+}
+
+static const struct drag_shape drag_shape_sauter = {
+    .name = "sauter",
+    .what = "the drag law at six volumes over the surface, alone or in a bed",
+    .equations = "",
+    .function = "clumps_grain",
+};
+
+static const struct drag_shape drag_shape_haider_levenspiel = {
+    .name = "haider-levenspiel",
+    .what = "for a lone grain their C_d of its sphericity over that of a "
+            "sphere; not for Re < 1",
+    .equations = "Haider89",
+    .function = "haider_levenspiel_shape",
+    .factor = haider_levenspiel_shape,
+};
+
+static const struct drag_shape drag_shape_hoelzer_sommerfeld = {
+    .name = "hoelzer-sommerfeld",
+    .what = "for a lone grain their C_d of its sphericity over that of a "
+            "sphere, in slow flow too",
+    .equations = "Hoelzer08",
+    .function = "hoelzer_sommerfeld_shape",
+    .factor = hoelzer_sommerfeld_shape,
+};
+
+const struct drag_shape *const drag_shapes[] = {
+    &drag_shape_sauter, &drag_shape_haider_levenspiel,
+    &drag_shape_hoelzer_sommerfeld, NULL};
+
+double drag_shape_ratio(const struct drag_shape *shape, double psi, double Re)
+{
+    const double most = fmin(Re, 1e9); /* without viscosity too */
+    const double p = fmin(psi, 1.0);   /* a sphere's may be rounded */
+
+    return shape->factor == NULL
+               ? 1.0
+               : shape->factor(p, most) / shape->factor(1.0, most);
+}
+
+double drag_shape_lone(double eps_f)
+{
+    return fmax(0.0, fmin(1.0, (eps_f - 0.8) / 0.2));
+}
