@@ -29,7 +29,7 @@ BEGIN {
         choice("f", "bodies." word[k], values_of("bodies." word[k]))
     choice("cpm", "count", "none one few sixty settled crowd")
     choice("cpm", "parcel", "none " values_of("particles.parcel.restitution"))
-    choice("p", "clumps", "none egg")
+    choice("cpm", "clumps", "none egg")
     choice("cpm", "sizes", "equal uniform normal lognormal discrete table")
     choice("cpm", "materials", "one wall several pairs")
     choice("cpm", "rolling", "off on")
@@ -129,6 +129,17 @@ BEGIN {
     apart("clumps", "egg", "parcel", "kept dissipation", "a ball is no parcel")
     apart("clumps", "egg", "driven", "line swing circle", "the numbers of their balls")
     apart("clumps", "egg", "surface", "cylinder stl turning loaded", "the wear by a clump")
+    apart("clumps", "egg", "bodies", "fixed free moving cylinder surface solid", "bodies.clumps")
+    apart("clumps", "egg", "exchange.slip_integration", "exponential", "force of a fluid on clumps")
+    apart("clumps", "egg", "averaging.method", "dpvm cube", "it divides spheres by the cells")
+    n_forces = split("virtual_mass basset saffman fluid_torque magnus whole_drag", force, " ")
+    for (k = 1; k <= n_forces; k++)
+        apart("clumps", "egg", "effects." force[k], "{}", "that force is known for spheres alone")
+    apart("clumps", "egg", "effects.lubrication", "{roughness=1e-6;range=1e-4;}", "for spheres alone")
+    apart("clumps", "egg", "effects.stochastic_drag",
+          "{sigma_low=3.0;sigma_high=1.0;Re_high=100.0;time=1e-3;}", "for spheres alone")
+    apart("clumps", "none", "exchange.shape", "haider-levenspiel hoelzer-sommerfeld",
+          "exchange.shape needs particles.clumps")
     # Without contacts nothing comes to rest, and no pair is close.
     apart("particles.list", "none", "count", "settled",
           "no bed comes to rest without contacts|does not support")
