@@ -303,6 +303,35 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
+/* What cg_work_lent writes between two solutions. */
+START_TEST(what_is_lent_leaves_the_residual_and_the_next_solution)
+{
+    struct setting s = convection(9, 8, 7, 0.5);
+    const int n = s.b.n;
+    struct bicgstab_work *const w = bicgstab_work_create(n);
+    double *const first = alloc_doubles(3 * n), *const r = alloc_doubles(3 * n);
+    double *space[3];
+
+    bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 50, w);
+    memcpy(first, s.x, 3 * (size_t)n * sizeof *first);
+    memcpy(r, bicgstab_residual(w), 3 * (size_t)n * sizeof *r);
+    bicgstab_lend(w, space);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < n; i++)
+            space[k][i] = 1e9;
+    for (int i = 0; i < 3 * n; i++)
+        ck_assert_double_eq(bicgstab_residual(w)[i], r[i]);
+    memset(s.x, 0, 3 * (size_t)n * sizeof *s.x);
+    bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 50, w);
+    for (int i = 0; i < 3 * n; i++)
+        ck_assert_double_eq(s.x[i], first[i]);
+    free(first);
+    free(r);
+    bicgstab_work_free(w);
+    release(&s);
+}
+END_TEST
+
 FACTS("bicgstab")
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
@@ -317,4 +346,5 @@ FACTS("bicgstab")
     FACT(one_diagonal_for_all_components_gives_the_bits_of_three_equal_ones);
     FACT(limits_and_numbers_that_are_none_are_reported);
     FACT(threads_do_not_change_a_bit);
+    FACT(what_is_lent_leaves_the_residual_and_the_next_solution);
 }

@@ -181,6 +181,7 @@ void systems_create(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const int n = m->n_cells;
+    double *space[3];
 
     fl->momentum = alloc_zeroed(1, sizeof *fl->momentum);
     fl->pressure = alloc_zeroed(1, sizeof *fl->pressure);
@@ -201,8 +202,9 @@ void systems_create(struct fluid *fl)
     fl->momentum->matrix->diagonals = fl->momentum->diag3 != NULL ? 3 : 1;
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = systems_has(fl, BOUNDARY_OUTLET) ? -1 : 0;
-    fl->pressure->cg = cg_work_create(n);
     fl->momentum->bicgstab = bicgstab_work_create(n);
+    bicgstab_lend(fl->momentum->bicgstab, space);
+    fl->pressure->cg = cg_work_lent(n, space);
 }
 
 void systems_free(struct fluid *fl)

@@ -413,6 +413,13 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
     return report;
 }
 
+void bicgstab_lend(const struct bicgstab_work *w, double *space[3])
+{
+    space[0] = w->v;
+    space[1] = w->sh;
+    space[2] = w->t;
+}
+
 const double *bicgstab_residual(const struct bicgstab_work *w)
 {
     return w->r;

@@ -15,25 +15,35 @@
 struct cg_work {
     int n;
     double *r, *p, *q; /* residual, direction, A p */
+    int lent;          /* 1: they are of someone else */
 };
 
-struct cg_work *cg_work_create(int n)
+struct cg_work *cg_work_lent(int n, double *const space[3])
 {
     struct cg_work *const w = alloc_zeroed(1, sizeof *w);
 
-    w->n = n;
-    w->r = alloc_doubles(n);
-    w->p = alloc_doubles(n);
-    w->q = alloc_doubles(n);
+    *w = (struct cg_work){n, space[0], space[1], space[2], 1};
+    return w;
+}
+
+struct cg_work *cg_work_create(int n)
+{
+    double *const own[3] = {alloc_doubles(n), alloc_doubles(n),
+                            alloc_doubles(n)};
+    struct cg_work *const w = cg_work_lent(n, own);
+
+    w->lent = 0;
     return w;
 }
 
 void cg_work_free(struct cg_work *w)
 {
     if (w == NULL) return;
-    free(w->r);
-    free(w->p);
-    free(w->q);
+    if (!w->lent) {
+        free(w->r);
+        free(w->p);
+        free(w->q);
+    }
     free(w);
 }
 

@@ -39,7 +39,7 @@ static void sum_by_lists(const struct faces *fs, int first, int last, int n,
         for (int i = fs->cell_start[c]; i < fs->cell_start[c + 1]; i++) {
             const int f = fs->cell_face[i];
             if (f >= n) continue;
-            const double part = fs->out[i] > 0.0 ? a[f] : sign * b[f];
+            const double part = fs->out[i] > 0 ? a[f] : sign * b[f];
             x += part * S[3 * f];
             y += part * S[3 * f + 1];
             z += part * S[3 * f + 2];

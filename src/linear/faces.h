@@ -54,7 +54,7 @@ struct faces {
     int n_inner, n; /* faces between two cells; with those of the boundary */
     const int *owner, *neighbour;      /* [-] n, n_inner */
     const int *cell_start, *cell_face; /* [-] the faces of each cell */
-    const double *out;          /* [-] 1: cell_face[a] leaves the cell, or -1 */
+    const signed char *out;     /* [-] 1: cell_face[a] leaves the cell, or -1 */
     const double *S;            /* [m^2] area vectors, 3 a face; or NULL */
     struct face_pieces *pieces; /* NULL: loops follow the lists */
     double *area; /* [m^2] where each piece is normal to its axis, that

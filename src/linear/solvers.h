@@ -78,6 +78,8 @@ struct solve_report {
 struct cg_work;
 
 struct cg_work *cg_work_create(int n);
+/* The same in three vectors of n numbers that nothing else uses meanwhile. */
+struct cg_work *cg_work_lent(int n, double *const space[3]);
 void cg_work_free(struct cg_work *w);
 
 /* Solves A x = b from the guess in x. Stops when |b - A x|_2 is at most
@@ -149,6 +151,9 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
                                    double tolerance /* [-] */,
                                    double absolute /* unit of b */,
                                    int max_iterations, struct bicgstab_work *w);
+
+/* Three vectors of 3 n numbers that are free between the solutions. */
+void bicgstab_lend(const struct bicgstab_work *w, double *space[3]);
 
 /* The residual b - A x of the last solution, 3 n numbers, by the recurrence of
  * the iteration. */

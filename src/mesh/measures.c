@@ -175,7 +175,7 @@ static double aspect(const struct mesh *m, int c)
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         const double *const d = &m->d[3 * f];
-        const double own = m->out[a] > 0.0 ? 1.0 - m->w[f] : m->w[f];
+        const double own = m->out[a] > 0 ? 1.0 - m->w[f] : m->w[f];
         const double way = own * vector_length(d);
         least = fmin(least, way);
         most = fmax(most, way);

@@ -158,14 +158,14 @@ void mesh_collect_faces(struct mesh *m)
     for (int c = 0; c < m->n_cells; c++)
         m->cell_start[c + 1] += m->cell_start[c];
     m->cell_face = alloc_ints(m->cell_start[m->n_cells]);
-    m->out = alloc_doubles(m->cell_start[m->n_cells]);
+    m->out = alloc_zeroed((size_t)m->cell_start[m->n_cells], sizeof *m->out);
     for (int f = 0; f < m->n_faces; f++) {
         const int o = m->owner[f];
-        m->out[m->cell_start[o] + fill[o]] = 1.0;
+        m->out[m->cell_start[o] + fill[o]] = 1;
         m->cell_face[m->cell_start[o] + fill[o]++] = f;
         if (f >= m->n_internal) continue;
         const int n = m->neighbour[f];
-        m->out[m->cell_start[n] + fill[n]] = -1.0;
+        m->out[m->cell_start[n] + fill[n]] = -1;
         m->cell_face[m->cell_start[n] + fill[n]++] = f;
     }
     free(fill);

@@ -73,11 +73,12 @@ struct mesh {
     struct patch *patches;
     int *cell_start; /* [-] n_cells + 1; faces of cell c are */
     int *cell_face;  /* [-] cell_face[cell_start[c]] ..., ascending */
-    double *out;     /* [-] beside it: 1 if S points out of the cell, else -1 */
-    struct box box;  /* of a box; else n is 0 */
-    int oblique;     /* 1: some link vector d is not normal to its face */
-    int skewed;      /* 1: some link misses the middle of its face; 2: and some
-                        cell is a tetrahedron */
+    signed char
+        *out;       /* [-] beside it: 1 if S points out of the cell, else -1 */
+    struct box box; /* of a box; else n is 0 */
+    int oblique;    /* 1: some link vector d is not normal to its face */
+    int skewed;     /* 1: some link misses the middle of its face; 2: and some
+                       cell is a tetrahedron */
     double lo[3], hi[3]; /* [m] the smallest box around the mesh */
     int reference_count; /* [-] number of further owners, each of which calls
                             mesh_free */

@@ -259,7 +259,7 @@ static void set_velocity(struct solid_bodies *b, struct fluid *fl)
             for (int a = m->cell_start[l->cell]; a < m->cell_start[l->cell + 1];
                  a++) {
                 const int f = m->cell_face[a];
-                const double share = m->out[a] > 0.0 ? m->w[f] : 1.0 - m->w[f];
+                const double share = m->out[a] > 0 ? m->w[f] : 1.0 - m->w[f];
                 if (f < m->n_internal)
                     fl->phi[f] += share * vector_dot(du, &m->S[3 * f]);
             }

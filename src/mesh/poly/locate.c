@@ -113,7 +113,7 @@ static int go_through(struct walk *w, int a)
     for (int k = 0; k < 3 && crossing != 0; k++)
         w->x[k] += m->out[a] * (crossing > 0 ? m->period[crossing - 1][k]
                                              : -m->period[-crossing - 1][k]);
-    return m->out[a] > 0.0 ? m->neighbour[f] : m->owner[f];
+    return m->out[a] > 0 ? m->neighbour[f] : m->owner[f];
 }
 
 /* 1 if a cell was found. */
@@ -297,7 +297,7 @@ static void set_plane(const struct mesh *m, int a)
 {
     const int f = m->cell_face[a];
     const int crossing =
-        m->periodic_index != NULL && f < m->n_internal && m->out[a] < 0.0
+        m->periodic_index != NULL && f < m->n_internal && m->out[a] < 0
             ? m->periodic_index[f]
             : 0;
     const double *const S = &m->S[3 * f], area = vector_length(S);
