@@ -82,6 +82,12 @@ void dense_solve(const struct dense *D, const double *b, double *x);
 
 enum { SYMMETRIC_BANDS = 6 }; /* at most */
 
+/* Links first, first + 1, ... with successive places in a band or, -1, among
+ * the links of rest; or, -2, each from a cell to itself. */
+struct link_run {
+    int first, n, band, place;
+};
+
 struct symmetric {
     int n, n_links;
     int n_bands, distance[SYMMETRIC_BANDS];
@@ -93,11 +99,10 @@ struct symmetric {
     float *band[SYMMETRIC_BANDS];   /* padded */
     double *exact_diag;             /* the same in double and in the unit of */
     double *exact[SYMMETRIC_BANDS]; /* the matrix; NULL unless exact */
-    int *band_of_link,
-        *index_in_band; /* [-] of link l: its band and place there; or -1 and
-           its link in rest; -2: joins a cell to itself */
-    struct csr *rest;   /* NULL if there is nothing left */
-    int *rest_row;      /* [-] the rows of rest that are not empty, ascending */
+    int n_runs;
+    struct link_run *run; /* ascending; they cover all links */
+    struct csr *rest;     /* NULL if there is nothing left */
+    int *rest_row;  /* [-] the rows of rest that are not empty, ascending */
     int *rest_from; /* [-] n + 1: rest_row[rest_from[i]] is the first >= i */
 };
 

@@ -67,6 +67,23 @@ static void list_rest_rows(struct symmetric *S)
     S->rest_from[S->n] = n;
 }
 
+/* Adds link l to the last run, or as the first of a new one. */
+static void add_to_runs(struct symmetric *S, int *room, struct link_run next)
+{
+    struct link_run *const last = S->run + S->n_runs - 1;
+
+    if (S->n_runs > 0 && last->band == next.band &&
+        (next.band == -2 || last->place + last->n == next.place)) {
+        last->n++;
+        return;
+    }
+    if (S->n_runs == *room) {
+        *room = 2 * *room + 64;
+        S->run = alloc_grown(S->run, S->n_runs, *room, sizeof *S->run);
+    }
+    S->run[S->n_runs++] = next;
+}
+
 /* Assigns each link a place: in a band if it is free, else in the csr matrix of
  * the rest. */
 static void place_links(struct symmetric *S, const int *owner,
@@ -74,24 +91,26 @@ static void place_links(struct symmetric *S, const int *owner,
 {
     int *const own = alloc_ints(S->n_links), *const nei =
                                                  alloc_ints(S->n_links);
-    int n_rest = 0;
+    int n_rest = 0, room = 0;
 
     for (int l = 0; l < S->n_links; l++) {
         const int i = owner[l], j = neighbour[l], low = i < j ? i : j;
+        struct link_run next = {l, 1, 0, low};
         int k = 0;
 
         while (k < S->n_bands && S->distance[k] != abs(j - i))
             k++;
-        S->band_of_link[l] = i == j ? -2 : k < S->n_bands ? k : -1;
-        S->index_in_band[l] = low;
-        if (S->band_of_link[l] >= 0 && S->band[k][low] != 0.0F)
-            S->band_of_link[l] = -1;
-        if (S->band_of_link[l] >= 0) S->band[k][low] = 1.0F;
-        if (S->band_of_link[l] != -1) continue;
-        own[n_rest] = i;
-        nei[n_rest] = j;
-        S->index_in_band[l] = n_rest++;
+        next.band = i == j ? -2 : k < S->n_bands ? k : -1;
+        if (next.band >= 0 && S->band[k][low] != 0.0F) next.band = -1;
+        if (next.band >= 0) S->band[k][low] = 1.0F;
+        if (next.band == -1) {
+            own[n_rest] = i;
+            nei[n_rest] = j;
+            next.place = n_rest++;
+        }
+        add_to_runs(S, &room, next);
     }
+    S->run = alloc_grown(S->run, S->n_runs, S->n_runs, sizeof *S->run);
     if (n_rest > 0) {
         S->rest = csr_create(S->n, n_rest, own, nei);
         list_rest_rows(S);
@@ -122,8 +141,6 @@ static void *symmetric_create(int n, int n_links, const int *owner,
 
     S->n = n;
     S->n_links = n_links;
-    S->band_of_link = alloc_ints(n_links);
-    S->index_in_band = alloc_ints(n_links);
     S->diag = alloc_zeroed((size_t)n, sizeof *S->diag);
     find_bands(S, owner, neighbour);
     S->inverse = symmetric_vector(S);
@@ -150,8 +167,7 @@ static void symmetric_free(void *data)
     csr_free(S->rest);
     free(S->rest_row);
     free(S->rest_from);
-    free(S->band_of_link);
-    free(S->index_in_band);
+    free(S->run);
     free(S->diag);
     symmetric_vector_free(S, S->inverse);
     free(S);
@@ -322,20 +338,47 @@ static double symmetric_multiply(const void *data, const double *x, double *y)
     return xy;
 }
 
+/* The run that contains link l. */
+static int run_of(const struct symmetric *S, int l)
+{
+    int low = 0, high = S->n_runs;
+
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+
+        if (S->run[middle].first <= l)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Writes coefficients g to the places place ... of a band, or of the rest. */
+static void write_run(struct symmetric *S, int n, int band, int place,
+                      const double *g)
+{
+    const struct csr *const R = S->rest;
+
+    for (int i = 0; i < n && band >= 0; i++)
+        S->band[band][place + i] = (float)(-g[i] * S->unit);
+    for (int i = 0; i < n && band >= 0 && S->exact_diag != NULL; i++)
+        S->exact[band][place + i] = -g[i];
+    for (int i = 0; i < n && band == -1; i++)
+        R->a[R->upper[place + i]] = R->a[R->lower[place + i]] = -g[i];
+}
+
 /* Writes the coefficients of links first .. last - 1, each to its own place. */
 static void write_links(int first, int last, struct symmetric *S,
                         const double *g)
 {
-    for (int l = first; l < last; l++) {
-        const int kind = S->band_of_link[l], place = S->index_in_band[l];
+    for (int r = run_of(S, first); first < last; r++) {
+        const struct link_run *const run = &S->run[r];
+        const int skip = first - run->first;
+        const int n = symmetric_lesser(run->n - skip, last - first);
 
-        if (kind >= 0) {
-            S->band[kind][place] = (float)(-g[l] * S->unit);
-            if (S->exact_diag != NULL) S->exact[kind][place] = -g[l];
-        } else if (kind == -1) {
-            S->rest->a[S->rest->upper[place]] = -g[l];
-            S->rest->a[S->rest->lower[place]] = -g[l];
-        }
+        write_run(S, n, run->band, run->place + skip, g + first);
+        first += n;
     }
 }
 
