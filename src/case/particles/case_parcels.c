@@ -313,6 +313,7 @@ void case_parcels_print(const struct settings *s, const struct case_scales *k,
                   s->particles.parcel.made == s->particles.parcel.asked
                       ? "of beds and sources, in whole parcels"
                       : "no whole number of parcels: to the nearest");
+    if (s->particles.list->no_contacts) return;
     text_line("restitution of parcels", case_materials_one(s, 0).restitution,
               "-",
               case_parcels_keep_dissipation(s)
