@@ -69,7 +69,7 @@ static inline void sweep_spare_rows(struct sweep_buffers *c, int p,
     const double apart = box->periodic[0] ? 0.25 * box->length[0] : 2.0;
 
     c->separation[p] = (struct row_place){{apart, 0.0, 0.0}, 0.5 * apart};
-    c->between[p] = (struct row_motion){.per_R = 1.0, .per_m = 1.0};
+    c->between[p] = c->between[0];
 }
 
 /* Fills the rows with contacts first ... first + count - 1: positions and
@@ -229,15 +229,40 @@ SWEEP_STAGE void sweep_clumps(struct sweep_buffers *restrict c,
     }
 }
 
+/* 1 over each of the lanes. Where all are alike, as in a bed of equal spheres,
+ * one division is enough. */
+SWEEP_INLINE void sweep_invert(double *restrict to, const double *restrict from)
+{
+    const double first = 1.0 / from[0];
+    int differ = 0;
+
+#pragma omp simd reduction(| : differ)
+    for (int p = 0; p < SWEEP_LANES; p++)
+        differ |= from[p] != from[0];
+    if (differ) {
+#pragma omp simd
+        for (int p = 0; p < SWEEP_LANES; p++)
+            to[p] = 1.0 / from[p];
+        return;
+    }
+#pragma omp simd
+    for (int p = 0; p < SWEEP_LANES; p++)
+        to[p] = first;
+}
+
 SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                             const struct contact_constants *k,
                             contact_respond respond, int many, int budget)
 {
+    double R_star[SWEEP_LANES], m_star[SWEEP_LANES]; /* [m], [kg] */
+
+    sweep_invert(R_star, c->per_R);
+    sweep_invert(m_star, c->per_m);
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const struct contact_response a =
-            respond(many ? &k[c->material_pair[p]] : k, c->delta[p],
-                    1.0 / c->per_R[p], 1.0 / c->per_m[p]);
+            respond(many ? &k[c->material_pair[p]] : k, c->delta[p], R_star[p],
+                    m_star[p]);
 
         c->elastic[p] = a.elastic;
         if (budget) c->stored[p] = a.stored;
