@@ -40,7 +40,9 @@ function read(section, i) {
   const file = name => (section.querySelector('pre[data-name="' + name + '"]') || {}).textContent || '';
   const history = section.querySelector('pre[data-name="history.csv"]');
   const run = { i, folder: section.dataset.folder, process: +section.dataset.process,
-                text: file('case.cfg'), summary: json(file('summary.json')),
+                text: file('case.cfg'),
+                estimates: new Map(file('estimates').split('\n').map(l => l.split('\t')).map(([k, share, says]) =>
+                  [k, { share: parseFloat(share), says }])), summary: json(file('summary.json')),
                 history: history && table(history.textContent, history.dataset.rows),
                 profiles: [...section.querySelectorAll('pre[data-name^="profiles/"]')].map(e =>
                   ({ name: e.dataset.name.slice(9, -4), ...table(e.textContent) })),
@@ -465,8 +467,9 @@ function figures(parent, run, known) {
     [k, e && e.mean_share, 'at most ' + percent((e || {}).largest_share) + ', in ' + short((s.effect_seconds || {})[k]) + ' s', (e || {}).mean_share]));
   const off = known.filter(k => /^effects\.[a-z_]+$/.test(k.name)).map(k => [k.name.slice(8), k.what])
     .filter(([k]) => !(k in (s.effects || {})) && !new RegExp('^\\s*' + k + '\\s*=', 'm').test(run.text));
-  rows(box, 'Effects that are off; winnow check ' + run.folder + '/case.cfg says what is missed without them',
-       off.map(([k, what]) => [k, 'off', what]));
+  rows(box, 'Effects that are off: share as winnow check ' + run.folder + '/case.cfg estimates it, and what is missed without them',
+       off.map(([k, what]) => [k, run.estimates.get(k) || {}, what]).map(([k, e, what]) =>
+         [k, finite(e.share) ? e.share : 'off', e.says ? e.says + ' (' + what + ')' : what, finite(e.share) ? e.share : 0, /^needed/.test(e.says)]));
   rows(box, 'Means of the second half', flat(s.second_half, ''));
   rows(box, 'The run', flat(s, '').filter(([k]) => !/^(worst|seconds|effects|second_half|effect_seconds)\./.test(k)));
 }

@@ -100,7 +100,7 @@ function picture(svg) {
   for (const g of goal) draw(svg, 'path', { class: 'goal', d: `M${left},${clip(Y.put(g))}H${right}` });
   if (!log && finite(truth)) draw(svg, 'path', { class: 'truth', d: `M${left},${clip(Y.put(truth))}H${right}` });
   draw(svg, 'text', { x: (left + right) / 2, y: h - 8, 'text-anchor': 'middle' }, now.x === 'cost' ? study.cost : 'processor time of a run [s]');
-  draw(svg, 'text', { transform: `translate(14 ${bottom / 2}) rotate(-90)`, 'text-anchor': 'middle' }, log ? m.error + ' [%]' : 'value');
+  draw(svg, 'text', { transform: `translate(14 ${bottom / 2}) rotate(-90)`, 'text-anchor': 'middle' }, log ? m.error + ' [%]' : ['value', m.unit].join(' '));
   lines.forEach((line, i) => {
     const on = all.filter(v => v.line === line), colour = shades[i % 8];
     if (study.along) draw(svg, 'path', { class: 'line', stroke: colour, d: 'M' + on.map(v => X.put(x_of(v)) + ',' + y_at(v)).join('L') });
@@ -176,7 +176,7 @@ function details() {
   row('processor time [s]', near(v.seconds, 4));
   if (!study.processor) row(study.cost, near(v.cost, 4));
   const kept = now.m;
-  measures.forEach((m, i) => { now.m = i; row(m.words, near(of(v).value, 5), m.none ? '' : differs(v)); });
+  measures.forEach((m, i) => { now.m = i; row([m.words, m.unit].join(' '), near(of(v).value, 5), m.none ? '' : differs(v)); });
   now.m = kept;
   for (const r of v.runs) {
     const p = add(card, 'p', null, { className: 'note' });
@@ -208,7 +208,7 @@ function explain() {
 function rows() {
   box.textContent = '';
   const body = add(box, 'table'), head = add(body, 'tr'), m = measures[now.m];
-  for (const h of ['variant', 'processor time [s]', ...(study.processor ? [] : [study.cost]), 'value', m.error, 'order']) add(head, 'th', h);
+  for (const h of ['variant', 'processor time [s]', ...(study.processor ? [] : [study.cost]), ['value', m.unit].join(' '), m.error + ' [%]', 'order']) add(head, 'th', h);
   for (const v of variants) {
     const row = add(body, 'tr', null, { className: v === now.chosen ? 'chosen' : '' });
     add(add(row, 'td'), 'button', v.words || v.label, { onclick: () => choose_variant(v) }).dataset.label = v.label;

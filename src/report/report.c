@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* report.c -- `winnow report`: a run, or several, as one page. */
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
@@ -182,6 +183,60 @@ static void put_profiles(struct page *p, long room)
     free(list);
 }
 
+/* 1 if a word of the case is the name of a key whose value is a file, or it
+ * includes one: such a file may lie outside of the folder. */
+static int may_name_a_file(const char *text)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+
+    if (strstr(text, "@include") != NULL) return 1;
+    case_file_tables(tables);
+    SCHEMA_EACH (key, tables) {
+        const char *const word = strrchr(key->path, '.');
+        if (key->type != KEY_FILE || word == NULL) continue;
+        for (const char *at = text; (at = strstr(at, word + 1)) != NULL; at++)
+            if (at == text || !isalpha((unsigned char)at[-1])) return 1;
+    }
+    return 0;
+}
+
+static void put_estimate(FILE *out, const struct effect_row *r)
+{
+    char verdict[CHECK_VERDICT];
+
+    check_verdict(r, verdict);
+    fprintf(out, "%s\t%.5g\t", r->effect->name, r->estimate.share);
+    text_put(out, verdict, TEXT_XML);
+    fputc('\n', out);
+}
+
+/* What `winnow check` says of the effects of the case: name, share (nan: none
+ * is known), verdict. */
+static void put_estimates(struct page *p, const char *dir)
+{
+    size_t length;
+    char *const text = vtk_read_text(p->folder, "case.cfg", &length);
+    char *const path = file_join(dir, "case.cfg");
+    struct effect_row row[CHECK_EFFECTS];
+    int code;
+    struct settings *const s = text != NULL && !may_name_a_file(text)
+                                   ? case_file_read(path, 0, NULL, &code)
+                                   : NULL;
+
+    fputs("<pre hidden data-name=\"estimates\">\n", p->out);
+    if (s != NULL && s->has.particles) {
+        const struct case_scales in = case_scales_of(s);
+        struct effect_scales k = check_scales(s, &in);
+        const int n = k.force > 0.0 ? check_effect_rows(s, &k, &in, row) : 0;
+        for (int i = 0; i < n; i++)
+            put_estimate(p->out, &row[i]);
+    }
+    fputs("</pre>\n", p->out);
+    settings_free(s);
+    free(path);
+    free(text);
+}
+
 static void page_put_run(struct page *p, const char *dir, long room)
 {
     p->most = ftell(p->out) + room;
@@ -190,6 +245,7 @@ static void page_put_run(struct page *p, const char *dir, long room)
     fprintf(p->out, "\" data-process=\"%ld\">\n", folder_process(dir));
     put_whole(p, "summary.json");
     put_whole(p, "case.cfg");
+    put_estimates(p, dir);
     page_put_table(p, "history.csv", room / 4);
     put_profiles(p, room / 2);
     put_picture(p);

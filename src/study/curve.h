@@ -105,6 +105,9 @@ int measure_parse(struct measure *m, const char *text,
  * nothing there; NULL arrays then. */
 struct curve measure_take(const struct measure *m, const char *folder);
 
+/* Its unit as the table of a run has it, "[m/s]"; "" where there is none. */
+void measure_unit(const struct measure *m, const char *folder, char unit[16]);
+
 /* A table as a run writes it: rows side by side, value[n_columns * row +
  * column], each column's name with its unit: "pressure_drop [Pa]". */
 struct measure_table {

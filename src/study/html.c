@@ -117,8 +117,13 @@ static void html_put_variant(const struct outcomes *o, int v, FILE *out)
 static void html_put_measure(const struct outcomes *o, int m, FILE *out)
 {
     const struct truth *const t = &o->plan->truth[m];
+    char unit[16] = "";
 
+    for (int i = 0; i < o->n_runs && unit[0] == '\0'; i++)
+        if (o->run[i].code == 0)
+            measure_unit(&o->plan->measure[m], o->run[i].folder, unit);
     fputs("<i class=\"measure\" hidden", out);
+    put_data("unit", unit, out);
     put_data("name", o->plan->measure[m].text, out);
     put_made("words", words_measure(&o->plan->measure[m]), out);
     put_data("truth", t->text, out);

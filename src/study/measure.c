@@ -323,6 +323,22 @@ static int table_column(const struct measure_table *t, const char *name)
     return -1;
 }
 
+void measure_unit(const struct measure *m, const char *folder, char unit[16])
+{
+    char *const path = file_join(folder, m->file);
+    struct measure_table *const t = measure_table_read(path, NULL);
+    const int column = t == NULL        ? -1
+                       : m->column >= 0 ? m->column
+                                        : table_column(t, m->name);
+    const char *const at = column >= 0 && column < t->n_columns
+                               ? strrchr(t->name[column], '[')
+                               : NULL;
+
+    snprintf(unit, 16, "%s", at != NULL ? at : "");
+    measure_table_free(t);
+    free(path);
+}
+
 /* --- what was found ------------------------------------------------------- */
 
 static struct curve point(double x, double value, double error)
