@@ -30,7 +30,7 @@ static void stop_particles(struct simulation *sim)
     memset(sim->particles->vz, 0, size);
 }
 
-/* With each law that has a range of eps_f, on spheres that move. */
+/* [SX15 3]: with each law that has a range of eps_f, on spheres that move. */
 START_TEST(ew18_a5_whole_force_is_the_drag_over_the_fluid_fraction)
 {
     static const char *const laws[] = {"syamlal-obrien", "gidaspow", "beetstra",
@@ -58,7 +58,7 @@ END_TEST
 
 /* A gradient drives air through a lattice of spheres until the velocity is
  * steady: eps_f G = n F_d where it is shared, G = n F_d / eps_f where it is
- * not, which is the same equation. 1e-6: the relaxation takes some 30 steps,
+ * not [SX15 2b], which is the same equation. 1e-6: the relaxation takes some 30 steps,
  * and 400 are made. */
 START_TEST(ew18_11_flow_through_an_even_bed_is_that_of_model_a)
 {

@@ -18,7 +18,7 @@ for way in kernel,10,same,1 kernel,10,linear,1 kernel,6,linear,1 kernel,6,linear
     # shellcheck disable=SC2086 # two words or none
     winnow run cases/fluidization-ramp.cfg --quiet -o "$out/$way" \
         -s particles.grains.stiffness=500 -s particles.step=1.2e-5 \
-        -s fluid.bottom.inlet=0.6 -s output.end=0.2 -s particles.bed.seed="$seed" \
+        -s fluid.step=2e-4 -s fluid.bottom.inlet=0.6 -s output.end=0.2 -s particles.bed.seed="$seed" \
         -s averaging.method="$method" -s averaging.interpolation="$seen" \
         $wide >"$out/$way.log" 2>&1
     awk -F, -v method=$method -v b=$b -v seen=$seen -v seed="$seed" '

@@ -1,8 +1,9 @@
 #!/bin/sh
 # XS11 Case 1: drop between the sensors over the velocity of the inlet.
 #
-#   30-ramp.sh series DIR RUN    means over 0.1 s of a run that
-#                                tests/validate/coupling.sh left in DIR
+#   30-ramp.sh series DIR RUN [START]   means over 0.1 s of a run that
+#                                tests/validate/coupling.sh left in DIR, of the
+#                                ramp from START [s] on
 #   30-ramp.sh numbers FILE...   of such series: the plateau, the mean drop from
 #                                1.0 m/s up to 1.5 m/s (or of the last second
 #                                of a run that ends before), and U_mf, where
@@ -11,9 +12,9 @@
 series() {
     printf '# Made by: sh tests/validate/coupling.sh build/winnow ramp; %s\n' "$2"
     echo "# t [s], U [m/s], drop [Pa]"
-    awk -F, 'NR > 2 { k = int($1 / 0.1 + 1e-6); d[k] += $2 - $3; n[k]++; last = k }
+    awk -F, -v start="${3:-0}" 'NR > 2 { k = int($1 / 0.1 + 1e-6); d[k] += $2 - $3; n[k]++; last = k }
         END { for (k = 0; k <= last; k++) if (n[k] > 4) {
-            t = 0.1 * k + 0.055
+            t = start + 0.1 * k + 0.055
             printf "%.3f %.4f %.2f\n", t, t < 15 ? t / 10 : (30 - t) / 10, d[k] / n[k] } }' \
         "$1/$2/probes.csv"
 }

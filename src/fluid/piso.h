@@ -33,7 +33,7 @@ static inline double piso_square(const struct fluid *fl, int f)
 }
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
- * [XS11 2.4]. */
+ * [XS11 2.4, SX15 2b]. */
 static inline double piso_gamma(const struct fluid *fl, int c)
 {
     return fl->options.pressure_shared ? fl->eps[c] : 1.0;

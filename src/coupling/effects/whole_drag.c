@@ -205,7 +205,7 @@ static void whole_drag_drag(void *memory, struct simulation *sim, double *k)
 
     (void)memory;
     for (int i = 0; i < sim->particles->n; i++)
-        k[i] /= eps[i]; /* [EW18 11, A.5] */
+        k[i] /= eps[i]; /* [SX15 3, EW18 11, A.5] */
 }
 
 static void whole_drag_before_particles(void *memory, struct simulation *sim)
@@ -254,7 +254,7 @@ static const struct key whole_drag_keys[] = {
 const struct effect whole_drag_effect = {
     .name = "whole_drag",
     .what = "the drag law as the whole force, without a pressure gradient",
-    .equations = "EW18 11, 12, 13, A.5",
+    .equations = "SX15 2b, SX15 3, EW18 11, 12, 13, A.5",
     .function = "whole_drag_drag",
     .keys = {whole_drag_keys},
     .create = whole_drag_create,
