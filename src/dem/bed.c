@@ -80,30 +80,39 @@ static struct lattice lattice_of(const struct bed_options *bed,
     return l;
 }
 
-/* The next diameter. Sizes and jitter are drawn from two generators, so that
- * one does not depend on the other. */
-static double next_size(const struct bed_options *bed, gsl_rng *random)
+/* The diameter of number i, the next one. Sizes and jitter are drawn from two
+ * generators, so that one does not depend on the other. */
+static double next_size(const struct bed_options *bed, gsl_rng *random, int i)
 {
-    if (bed->sizes == NULL) return bed->diameter;
-    const double d = bed->quantile(bed->sizes, gsl_rng_uniform(random));
-    return bed->clump == NULL ? d : d * clumps_shape_around(bed->clump);
+    const struct clump_shape *const clump = bed->clump;
+    double d = bed->diameter;
+
+    if (bed->sizes != NULL)
+        d = bed->quantile(bed->sizes, gsl_rng_uniform(random));
+    if (clump == NULL) return d;
+    if (bed->sizes != NULL) d *= clumps_shape_around(clump);
+    return d * (clumps_drawn(clump, bed->seed, i)->reach / clump->reach);
 }
 
 struct bed_range bed_range(const struct bed_options *bed)
 {
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
-    struct bed_range r = {bed->diameter, bed->diameter, 0.0};
+    struct bed_range r = {bed->diameter, bed->diameter, bed->diameter, 0.0};
 
     gsl_rng_set(random, (unsigned long)bed->seed);
     for (int i = 0; i < bed->count; i++) {
-        const double d = next_size(bed, random);
+        const double d = next_size(bed, random, i);
+        const struct clump_shape *const clump =
+            clumps_drawn(bed->clump, bed->seed, i);
+        const double ball = clumps_least_ball(clump, d);
         r.min = i == 0 ? d : fmin(r.min, d);
         r.max = i == 0 ? d : fmax(r.max, d);
-        r.volume += M_PI / 6.0 * gsl_pow_3(d);
+        r.ball = i == 0 ? ball : fmin(r.ball, ball);
+        r.volume +=
+            M_PI / 6.0 *
+            gsl_pow_3(clump == NULL ? d : d / clumps_shape_around(clump));
     }
     gsl_rng_free(random);
-    if (bed->clump != NULL)
-        r.volume /= gsl_pow_3(clumps_shape_around(bed->clump));
     return r;
 }
 
@@ -124,7 +133,7 @@ static int fill_lattice(const struct lattice *l, const struct bed_options *bed,
 
     gsl_rng_set(random, (unsigned long)bed->seed);
     gsl_rng_set(sizes, (unsigned long)bed->seed);
-    double d = next_size(bed, sizes);
+    double d = next_size(bed, sizes, 0);
     for (long q = 0; i < bed->count; q++) {
         long site[3];
         double x[3];
@@ -143,7 +152,7 @@ static int fill_lattice(const struct lattice *l, const struct bed_options *bed,
             !region->has_room(region->state, x, 0.5 * d))
             continue;
         put(to, i++, x, d);
-        d = next_size(bed, sizes);
+        d = next_size(bed, sizes, i);
     }
     gsl_rng_free(random);
     gsl_rng_free(sizes);
@@ -187,7 +196,8 @@ static void put_one(void *to, int i, const double x[3], double d)
 {
     static const double rest[3] = {0.0, 0.0, 0.0};
     const struct filling *const f = to;
-    const struct clump_shape *const clump = f->bed->clump;
+    const struct clump_shape *const clump =
+        clumps_drawn(f->bed->clump, f->bed->seed, i);
     double q[4];
 
     if (clump == NULL) {

@@ -39,9 +39,9 @@ struct bed_options {
                           are those of the dem_options */
     double settle;     /* [s] longest time; 0 leaves the lattice */
     struct placement_region region;  /* sites without space stay empty */
-    const struct clump_shape *clump; /* borrowed: of that shape, turned at
-                                        random, and diameters are of spheres
-                                        around them; NULL: spheres */
+    const struct clump_shape *clump; /* borrowed: of that shape or mixture,
+                                        turned at random, and diameters are of
+                                        spheres around them; NULL: spheres */
     struct sizes *sizes; /* borrowed; NULL: all have that diameter */
     /* The diameter [m] below which the fraction p of the spheres is. */
     double (*quantile)(const struct sizes *s, double p);
@@ -94,10 +94,10 @@ void bed_state(struct particles *ps, struct bed_histories *h,
                const struct bed_options *bed, const struct dem_options *dem,
                struct state *s);
 
-/* The smallest and the largest diameter [m] that the seed of the bed draws, and
- * the volume of all spheres [m^3]. */
+/* The smallest and the largest diameter [m] that the seed of the bed draws, the
+ * smallest of a ball, and the volume of all spheres [m^3]. */
 struct bed_range {
-    double min, max, volume;
+    double min, max, ball, volume;
 };
 struct bed_range bed_range(const struct bed_options *bed);
 

@@ -175,12 +175,11 @@ int bed_settling_run(struct particles *ps, const struct bed_options *bed,
     struct dem_options settling = *o;
     struct bed_settling b = {
         .ps = ps, .bed = bed, .material = &o->material, .r = r};
-    double d = bed->diameter, filled = 1.0;
+    const double filled = clumps_least_filled(bed->clump);
+    double d = bed->diameter;
 
     settling.material.restitution = fmin(settling_e, o->material.restitution);
-    if (bed->clump != NULL)
-        d = bed_range(bed).min * clumps_shape_least(bed->clump, &filled) /
-            (2.0 * bed->clump->reach);
+    if (bed->clump != NULL) d = bed_range(bed).ball;
     settling.step = b.step = limits_step(o->law, &o->material, d,
                                          filled * bed->density, settling_speed);
     b.run = dem_create(ps, &settling);

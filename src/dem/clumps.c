@@ -82,16 +82,39 @@ static double filled(const struct clump_shape *s, int k)
            (4.0 / 3.0 * M_PI * gsl_pow_3(s->ball[k].R));
 }
 
-double clumps_shape_least(const struct clump_shape *s, double *least)
+double clumps_least_ball(const struct clump_shape *s, double d)
 {
     double R = HUGE_VAL;
 
-    *least = HUGE_VAL;
-    for (int k = 0; k < s->n; k++) {
+    if (s == NULL) return d;
+    for (int k = 0; k < s->n; k++)
         R = fmin(R, s->ball[k].R);
-        *least = fmin(*least, filled(s, k));
-    }
-    return 2.0 * R;
+    return d * (2.0 * R) / (2.0 * s->reach);
+}
+
+double clumps_least_filled(const struct clump_shape *first)
+{
+    double least = first == NULL ? 1.0 : HUGE_VAL;
+
+    for (const struct clump_shape *s = first; s != NULL; s = s->next)
+        for (int k = 0; k < s->n; k++)
+            least = fmin(least, filled(s, k));
+    return least;
+}
+
+const struct clump_shape *clumps_drawn(const struct clump_shape *first,
+                                       int seed, long i)
+{
+    const struct clump_shape *s = first;
+    double sum = 0.0;
+
+    if (s == NULL || s->next == NULL) return s;
+    for (const struct clump_shape *one = first; one != NULL; one = one->next)
+        sum += one->share;
+    double left = sum * random_uniform((unsigned long)seed, i, 0, 5);
+    while ((left -= s->share) >= 0.0 && s->next != NULL)
+        s = s->next;
+    return s;
 }
 
 /* --- clumps --------------------------------------------------------------- */
@@ -357,6 +380,10 @@ const struct key clumps_keys[] = {
      "", "", OF(clump_setup, half), KEY_GIVEN(clump_setup, has_half)},
     {"particles.clumps.balls", KEY_INT, "-", ">= 2, <= 99", "7",
      "number of balls in an ellipsoid", "", "", OF(clump_setup, balls)},
+    {"particles.clumps.share", KEY_REAL, "-", "> 0", "",
+     "clumps of one name are a mixture: its part of their number, over the sum "
+     "of these",
+     "", "", OF(clump_setup, share)},
     {"particles.place.clump", KEY_TEXT, "", "", "", NAMED, "",
      "particles.clumps", OF(place_setup, clump)},
     {"particles.place.rotation", KEY_VECTOR, "rad", "", "[0.0, 0.0, 0.0]",

@@ -26,10 +26,14 @@ struct clump_ball {
     double share; /* [-] of the mass and the volume */
 };
 
-/* All clumps of one name, which may differ in size. */
+/* All clumps of one name, which may differ in size; or some of a mixture, all
+ * shapes of which have one name. */
 struct clump_shape {
-    const char *name; /* borrowed */
-    int n;            /* [-] balls */
+    const char *name;               /* borrowed */
+    double share;                   /* [-] of the clumps of its name, of any
+                                       sum */
+    const struct clump_shape *next; /* of the same name; NULL: none */
+    int n;                          /* [-] balls */
     struct clump_ball *ball;
     double volume;       /* [m^3] of the union */
     double sauter;       /* [m] six volumes over the surface */
@@ -55,10 +59,20 @@ static inline double clumps_shape_around(const struct clump_shape *s)
     return 2.0 * s->reach / clumps_shape_diameter(s);
 }
 
-/* The smallest ball: its diameter [m], and the volume that its share of the
- * mass would fill over its own [-], the least of all balls. No contact of the
- * clump has a smaller effective mass. */
-double clumps_shape_least(const struct clump_shape *s, double *filled);
+/* The diameter [m] of the smallest ball of one in a sphere of the diameter d
+ * [m]; d without a shape. */
+double clumps_least_ball(const struct clump_shape *s, double d);
+
+/* The volume that a ball's share of the mass would fill over its own [-], the
+ * least of all balls of a mixture; 1 without a shape. No contact has a smaller
+ * effective mass than the smallest ball with so much of its mass. */
+double clumps_least_filled(const struct clump_shape *first);
+
+/* The shape of grain number i of a mixture, by the seed; of one alone itself,
+ * and NULL of NULL. Diameters of a mixture are those of its first shape, and
+ * the others are larger or smaller as they were given. */
+const struct clump_shape *clumps_drawn(const struct clump_shape *first,
+                                       int seed, long i);
 
 /* The keys of a case (particles_setup.h). */
 extern const struct key clumps_keys[];

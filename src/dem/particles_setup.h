@@ -34,6 +34,7 @@ struct pair_setup {
 struct clump_setup {
     const char *name, *file;
     double scale;   /* [-] of the file */
+    double share;   /* [-] of a mixture; 0: none is given */
     double half[3]; /* [m] of an ellipsoid of revolution */
     int has_half, balls;
 };

@@ -40,7 +40,7 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
         const struct bed_range range = bed_range(&b);
         k->particles = number_clamped(
             case_clumps_balls(s, s->particles.bed_clump, b.count), 0, INT_MAX);
-        k->d = case_clumps_ball(s, s->particles.bed_clump, range.min);
+        k->d = range.ball;
         k->d_most = range.max;
         k->volume = range.volume;
         build_particles_free_bed(&b);
@@ -48,7 +48,8 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
     }
     for (int i = 0; i < s->particles.place.n; i++) {
         const struct place_setup *const p = &s->particles.place.item[i];
-        const double d = case_clumps_ball(s, p->clump, p->diameter);
+        const double d =
+            clumps_least_ball(case_clumps_shape(s, p->clump), p->diameter);
 
         k->particles +=
             number_clamped(case_clumps_balls(s, p->clump, 1.0), 1, INT_MAX);
@@ -362,7 +363,9 @@ static double smallest_placed(const struct settings *s, int m)
     for (int i = 0; i < s->particles.place.n; i++) {
         const struct place_setup *const p = &s->particles.place.item[i];
         if (case_materials_number(s, p->material) == m)
-            least = smaller(least, case_clumps_ball(s, p->clump, p->diameter));
+            least =
+                smaller(least, clumps_least_ball(case_clumps_shape(s, p->clump),
+                                                 p->diameter));
     }
     return least;
 }
@@ -374,8 +377,7 @@ static double smallest_of_bed(const struct settings *s, int m)
     struct bed_options b = build_particles_bed(s);
     const struct bed_range range = bed_range(&b);
     build_particles_free_bed(&b);
-    return b.count > 0 ? case_clumps_ball(s, s->particles.bed_clump, range.min)
-                       : 0.0;
+    return b.count > 0 ? range.ball : 0.0;
 }
 
 struct case_limits case_scales_limits(const struct settings *s, int m, double v)

@@ -209,6 +209,17 @@ static int give_diameter(const struct settings *s, const char *key,
     return 0;
 }
 
+static int give_place(const struct settings *s, struct place_setup *one)
+{
+    const struct clump_shape *const shape = case_clumps_shape(s, one->clump);
+    const char *const key = KEY_OF(s, particles.place);
+
+    if (shape != NULL && shape->next != NULL)
+        return settings_wrong(s, key, "%s is a mixture; a place is for one",
+                              one->clump);
+    return give_diameter(s, key, one->clump, NULL, 1, &one->diameter);
+}
+
 static int give_diameters(struct settings *s)
 {
     struct particles_setup *const p = &s->particles;
@@ -216,9 +227,7 @@ static int give_diameters(struct settings *s)
                              p->bed_sizes, 1, &p->bed.diameter);
 
     for (int i = 0; i < p->place.n && code == 0; i++)
-        code =
-            give_diameter(s, KEY_OF(s, particles.place), p->place.item[i].clump,
-                          NULL, 1, &p->place.item[i].diameter);
+        code = give_place(s, &p->place.item[i]);
     for (int i = 0; i < p->insert.n && code == 0; i++) {
         struct insert_setup *const in = &p->insert.item[i];
         if (in->clump != NULL && in->file != NULL)
@@ -231,6 +240,25 @@ static int give_diameters(struct settings *s)
         in->of.clump = case_clumps_shape(s, in->clump);
     }
     return code;
+}
+
+/* Shapes of one name are a mixture. 0, or 2 after a message. */
+static int join_mixture(const struct settings *s, int i)
+{
+    const struct clump_setup *const item = s->particles.clumps.item;
+    struct clump_shape *const shape = s->particles.shapes;
+
+    shape[i].share = item[i].share;
+    for (int j = s->particles.clumps.n - 1; j > i; j--) {
+        if (strcmp(shape[i].name, shape[j].name) != 0) continue;
+        shape[i].next = &shape[j];
+        if (item[i].share == 0.0 || item[j].share == 0.0)
+            return settings_wrong(s, list,
+                                  "two are called %s; expected other names, or "
+                                  "a share of each in a mixture",
+                                  shape[i].name);
+    }
+    return 0;
 }
 
 int case_clumps_make(struct settings *s)
@@ -247,17 +275,20 @@ int case_clumps_make(struct settings *s)
     for (int i = 0; i < p->clumps.n; i++)
         p->shapes[i].name = p->clumps.item[i].name;
     for (int i = 0; i < p->clumps.n && code == 0; i++)
-        code = case_clumps_shape(s, p->shapes[i].name) != &p->shapes[i]
-                   ? settings_wrong(s, list, "two are called %s",
-                                    p->shapes[i].name)
-                   : make_one(s, &p->clumps.item[i], &p->shapes[i], &total);
+        code = make_one(s, &p->clumps.item[i], &p->shapes[i], &total);
+    for (int i = 0; i < p->clumps.n && code == 0; i++)
+        code = join_mixture(s, i);
     return code != 0 ? code : give_diameters(s);
 }
 
 double case_clumps_balls(const struct settings *s, const char *name, double n)
 {
-    const struct clump_shape *const shape = case_clumps_shape(s, name);
-    return shape == NULL ? n : n * shape->n;
+    const struct clump_shape *shape = case_clumps_shape(s, name);
+    int most = shape == NULL;
+
+    for (; shape != NULL; shape = shape->next)
+        most = shape->n > most ? shape->n : most;
+    return n * most;
 }
 
 int case_clumps_origin(const struct settings *s, int i)
@@ -270,24 +301,12 @@ int case_clumps_origin(const struct settings *s, int i)
     }
 }
 
-double case_clumps_ball(const struct settings *s, const char *name, double d)
-{
-    const struct clump_shape *const shape = case_clumps_shape(s, name);
-    double unused;
-
-    return shape == NULL
-               ? d
-               : d * clumps_shape_least(shape, &unused) / (2.0 * shape->reach);
-}
-
 double case_clumps_filled(const struct settings *s)
 {
-    double least = 1.0, one;
+    double least = 1.0;
 
-    for (int i = 0; i < s->particles.clumps.n; i++) {
-        clumps_shape_least(&s->particles.shapes[i], &one);
-        least = fmin(least, one);
-    }
+    for (int i = 0; i < s->particles.clumps.n; i++)
+        least = fmin(least, clumps_least_filled(&s->particles.shapes[i]));
     return least;
 }
 
@@ -439,6 +458,9 @@ void case_clumps_print(const struct settings *s)
                  "of the sphere of its volume, %.6g m^3, by %d balls",
                  one->volume, one->n);
         text_line(one->name, d, "m", about);
+        if (one->share > 0.0)
+            text_line("share", one->share, "-",
+                      "of the number, over the sum for this name");
         snprintf(about, sizeof about,
                  "over that; moments of inertia over m d^2: %.5f, %.5f, %.5f",
                  g[0] / (d * d), g[1] / (d * d), g[2] / (d * d));

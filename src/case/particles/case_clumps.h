@@ -24,16 +24,15 @@ int case_clumps_check(const struct settings *s);
 const struct clump_shape *case_clumps_shape(const struct settings *s,
                                             const char *name);
 
-/* How many particles stand for n grains of that name [-]. */
+/* How many particles stand for n grains of that name, of a mixture at most [-].
+ */
 double case_clumps_balls(const struct settings *s, const char *name, double n);
 
 /* The entry of particles.place that particle i comes from. */
 int case_clumps_origin(const struct settings *s, int i);
 
-/* The diameter of the smallest ball of a clump in a sphere of that diameter
- * [m], or that itself where there is no clump; and the least share of their own
- * volume that balls of the case have a mass for [-]. */
-double case_clumps_ball(const struct settings *s, const char *name, double d);
+/* The least share of their own volume that balls of the case have a mass for
+ * [-]. */
 double case_clumps_filled(const struct settings *s);
 
 /* Particles for so many balls, to which clumps can be added if the case has

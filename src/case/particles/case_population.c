@@ -206,9 +206,9 @@ static int case_population_check_given(const struct settings *s, int i,
     return 0;
 }
 
-/* The diameters that will come: smallest, largest, and volume of all [m^3]. */
+/* What will come: the smallest ball, the widest [m], and the volume [m^3]. */
 struct source_sizes {
-    double min, max, volume;
+    double ball, max, volume;
 };
 
 static struct source_sizes sizes_of_source(const struct insertion_options *o)
@@ -217,7 +217,9 @@ static struct source_sizes sizes_of_source(const struct insertion_options *o)
 
     for (long k = 0; k < o->count; k++) {
         const double d = insertion_diameter(o, k);
-        c.min = k == 0 ? d : fmin(c.min, d);
+        const double ball =
+            clumps_least_ball(clumps_drawn(o->clump, o->seed, k), d);
+        c.ball = k == 0 ? ball : fmin(c.ball, ball);
         c.max = fmax(c.max, d);
         c.volume += M_PI / 6.0 * d * d * d;
     }
@@ -328,9 +330,7 @@ struct case_diameters case_population_diameters(const struct settings *s,
         const struct insert_setup *const in = &s->particles.insert.item[i];
         if (material >= 0 && in->of.material != material) continue;
         const struct source_sizes c = sizes_of_source(&in->of);
-        const double d =
-            case_clumps_ball(s, s->particles.insert.item[i].clump, c.min);
-        all.min = all.min > 0.0 ? fmin(all.min, d) : d;
+        all.min = all.min > 0.0 ? fmin(all.min, c.ball) : c.ball;
         all.max = fmax(all.max, c.max);
     }
     return all;

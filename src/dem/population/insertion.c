@@ -13,7 +13,7 @@
  * free, and a sphere without one is tried again in the next step. */
 enum { ATTEMPTS = 200, AT_ONCE = 4096, MOST_CELLS = 1000 };
 
-/* That of a sphere of the same volume. */
+/* That of a sphere of the same volume; of a mixture that of its first shape. */
 static double insertion_size(const struct insertion_options *o, long k)
 {
     if (o->list != NULL) return o->list[k].d;
@@ -25,7 +25,10 @@ static double insertion_size(const struct insertion_options *o, long k)
 double insertion_diameter(const struct insertion_options *o, long k)
 {
     const double d = insertion_size(o, k);
-    return o->clump == NULL ? d : d * clumps_shape_around(o->clump);
+    return o->clump == NULL ? d
+                            : d * clumps_shape_around(o->clump) *
+                                  (clumps_drawn(o->clump, o->seed, k)->reach /
+                                   o->clump->reach);
 }
 
 void insertion_place(const struct insertion_options *o, long k, long attempt,
@@ -46,8 +49,12 @@ static long insertion_count_by_mass(struct insertion *in, double t)
     const double mass = (t - o->start) * o->mass_rate;
 
     while (in->n_due < o->count && in->mass_due <= mass) {
+        const struct clump_shape *const clump =
+            clumps_drawn(o->clump, o->seed, in->n_due);
         const double d = insertion_size(o, in->n_due++);
-        in->mass_due += o->density * M_PI / 6.0 * d * d * d;
+        in->mass_due +=
+            o->density * M_PI / 6.0 * d * d * d *
+            (clump == NULL ? 1.0 : clump->volume / o->clump->volume);
     }
     return in->n_due;
 }
@@ -234,14 +241,15 @@ static void insertion_put(const struct insertion *in, struct near_particles *c,
 {
     static const double rest[3] = {0.0, 0.0, 0.0};
     const struct insertion_options *const o = &in->options;
+    const struct clump_shape *const clump =
+        clumps_drawn(o->clump, o->seed, in->n_inserted);
     int i = ps->n;
     double q[4];
 
-    if (o->clump != NULL) {
+    if (clump != NULL) {
         clumps_turn_at_random((unsigned long)o->seed, in->n_inserted, q);
-        clumps_add(ps, (int)(o->clump - ps->clumps->shape),
-                   0.5 * d / o->clump->reach, o->density, x, o->velocity, q,
-                   rest);
+        clumps_add(ps, (int)(clump - ps->clumps->shape), 0.5 * d / clump->reach,
+                   o->density, x, o->velocity, q, rest);
     } else {
         particles_add(ps, x, d, o->density);
         ps->vx[i] = o->velocity[0];

@@ -31,8 +31,8 @@ struct insertion_options {
     double velocity[3];  /* [m/s] initial velocity */
     double diameter;     /* [m] of all, unless there are sizes */
     const struct sizes *sizes;       /* borrowed; or NULL */
-    const struct clump_shape *clump; /* borrowed; of that shape, turned at
-                                        random; NULL: spheres */
+    const struct clump_shape *clump; /* borrowed; of that shape or mixture,
+                                        turned at random; NULL: spheres */
     double density;                  /* [kg/m^3] */
     int material;                    /* [-] its number */
     long count;                      /* [-] of spheres in all */
