@@ -10,7 +10,7 @@
 #include "base/alloc.h"
 #include "dem/clumps.h"
 
-enum { MAX_ATTACHED = 128, MAX_WIDTH = 8, OWN = 17 };
+enum { MAX_ATTACHED = 128, OWN = 17 };
 
 /* All arrays that are sorted with the particles; the first OWN are those of
  * struct particles. */
@@ -21,7 +21,7 @@ struct attachments {
         int width; /* [-] numbers a particle */
         const char *name, *unit;
     } row[MAX_ATTACHED];
-    double *copy;  /* of one array, while it is permuted */
+    double *copy;  /* of one column, while it is permuted */
     int *int_copy; /* the same for whole numbers */
 };
 
@@ -42,7 +42,7 @@ struct particles *particles_create(int capacity)
     ps->capacity = capacity;
     ps->id = alloc_ints(capacity);
     ps->attached = alloc_zeroed(1, sizeof *ps->attached);
-    ps->attached->copy = alloc_doubles(MAX_WIDTH * capacity);
+    ps->attached->copy = alloc_doubles(capacity);
     ps->attached->int_copy = alloc_ints(capacity);
     for (int a = 0; a < OWN; a++)
         *own[a] = particles_new_array(ps, named[a][0], named[a][1], 1);
@@ -106,7 +106,7 @@ void particles_attach(struct particles *ps, const char *name, const char *unit,
 {
     struct attachments *const a = ps->attached;
 
-    assert(a->n < MAX_ATTACHED && width <= MAX_WIDTH);
+    assert(a->n < MAX_ATTACHED);
     a->row[a->n++] = (struct attachment){array, width, name, unit};
 }
 
@@ -132,10 +132,12 @@ void particles_detach(struct particles *ps, const double *array)
 static void permute_array(double *array, int width, const int *order, int n,
                           double *copy)
 {
-    memcpy(copy, array, (size_t)n * (size_t)width * sizeof *copy);
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < width; k++)
-            array[width * i + k] = copy[width * order[i] + k];
+    for (int k = 0; k < width; k++) {
+        for (int i = 0; i < n; i++)
+            copy[i] = array[width * order[i] + k];
+        for (int i = 0; i < n; i++)
+            array[width * i + k] = copy[i];
+    }
 }
 
 static void permute_ints(int *array, const int *order, int n, int *copy)

@@ -44,13 +44,14 @@ void chunk_release(struct chunk *s)
     free(s->part);
     free(s->blocks);
     free(s->history);
+    free(s->roll_history);
 }
 
-/* Half as much again as needed, so that no array grows any more after a few
- * rebuilds. */
+/* An eighth more than needed, so that arrays seldom grow after a few rebuilds.
+ */
 static int roomy(int needed)
 {
-    return needed + needed / 2 + 64;
+    return needed + needed / 8 + 64;
 }
 
 void chunk_set_range(struct chunk *s, int number, int count, int n)
@@ -295,6 +296,10 @@ void chunk_reserve_history(struct chunk *s, int n)
         s->history_capacity = roomy(n);
         s->history = alloc_grown(s->history, s->n_history, s->history_capacity,
                                  sizeof *s->history);
+        if (s->has_rolling)
+            s->roll_history =
+                alloc_grown(s->roll_history, s->n_history, s->history_capacity,
+                            sizeof *s->roll_history);
     }
     s->n_history = n;
 }
@@ -305,27 +310,35 @@ static int is_zero(double *const component[3], int q)
            component[2][q] == 0.0;
 }
 
+static int has_history(const struct chunk *s, int q)
+{
+    const struct chunk_contacts *const c = &s->contacts;
+
+    return !is_zero(c->xi, q) || (s->has_rolling && !is_zero(c->roll_angle, q));
+}
+
 /* The tangential displacement of a touching pair is never exactly 0; a pair
  * with 0 has no history. */
 void chunk_save_history(struct chunk *s)
 {
     const struct chunk_contacts *const c = &s->contacts;
-    const int n = c->n_pairs + c->n_walls;
+    const int all = c->n_pairs + c->n_walls;
+    int n = 0;
 
+    for (int q = 0; q < all; q++)
+        n += has_history(s, q);
     s->n_history = 0;
     chunk_reserve_history(s, n);
-    s->n_history = 0;
-    for (int q = 0; q < n; q++) {
-        if (is_zero(c->xi, q) && (!s->has_rolling || is_zero(c->roll_angle, q)))
-            continue;
-        struct contact_history *const k = &s->history[s->n_history++];
-        *k = (struct contact_history){
+    for (int q = 0, at = 0; q < all; q++) {
+        if (!has_history(s, q)) continue;
+        s->history[at] = (struct contact_history){
             .owner = c->owner[q],
             .partner = q < c->n_pairs ? c->partner[q] : -1 - c->partner[q],
             .xi = {c->xi[0][q], c->xi[1][q], c->xi[2][q]},
         };
         for (int a = 0; s->has_rolling && a < 3; a++)
-            k->roll_angle[a] = c->roll_angle[a][q];
+            s->roll_history[at][a] = c->roll_angle[a][q];
+        at++;
     }
 }
 
@@ -343,7 +356,8 @@ static int first_of_owner(const struct chunk_contacts *c, int first, int last,
     return first;
 }
 
-void chunk_restore_history(struct chunk *s, const struct contact_history *k)
+void chunk_restore_history(struct chunk *s, const struct contact_history *k,
+                           const double *roll)
 {
     struct chunk_contacts *const c = &s->contacts;
     const int wall = k->partner < 0, all = c->n_pairs + c->n_walls;
@@ -356,7 +370,7 @@ void chunk_restore_history(struct chunk *s, const struct contact_history *k)
     if (q == last || c->owner[q] != k->owner) return; /* they have parted */
     for (int a = 0; a < 3; a++) {
         c->xi[a][q] = k->xi[a];
-        if (s->has_rolling) c->roll_angle[a][q] = k->roll_angle[a];
+        if (roll != NULL) c->roll_angle[a][q] = roll[a];
     }
 }
 

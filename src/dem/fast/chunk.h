@@ -40,8 +40,7 @@ struct chunk_contacts {
  * partner = -1 - wall. */
 struct contact_history {
     int owner, partner;
-    double xi[3];         /* [m] */
-    double roll_angle[3]; /* [rad] */
+    double xi[3]; /* [m] */
 };
 
 /* A chunk is processed in blocks of CHUNK_BLOCK particles: first the contacts
@@ -103,6 +102,8 @@ struct chunk {
     struct chunk_block *blocks;
     int n_blocks;
     struct contact_history *history;
+    double (*roll_history)[3]; /* [rad] of each; NULL without rolling friction
+                                */
     int n_history, history_capacity;
     int has_rolling;    /* [-] 1: there is rolling friction */
     int has_budget;     /* [-] 1: of energy */
@@ -152,9 +153,11 @@ void chunk_energy_state(struct chunk_energy *e, struct state *state);
 void chunk_reserve_history(struct chunk *s, int n);
 
 /* Saves the histories of the touching pairs; restores one that chunk s owns
- * now, unless its pair is no contact any more. */
+ * now, unless its pair is no contact any more. `roll` is NULL without rolling
+ * friction. */
 void chunk_save_history(struct chunk *s);
-void chunk_restore_history(struct chunk *s, const struct contact_history *k);
+void chunk_restore_history(struct chunk *s, const struct contact_history *k,
+                           const double *roll);
 
 /* Number of particles at the beginning of chunk s that receive loads from chunk
  * t; n particles in all. */

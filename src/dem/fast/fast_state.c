@@ -125,7 +125,7 @@ static void chunk_state_histories(struct chunk *c, int n_spheres,
     state_indices_of(s, "partner", &all->partner, sizeof *all, n, -WALLS,
                      n_spheres - 1);
     state_reals_of(s, "xi", "m", all->xi, sizeof *all, n, 3);
-    state_reals_of(s, "roll_angle", "rad", all->roll_angle, sizeof *all, n, 3);
+    state_reals(s, "roll_angle", "rad", (double *)c->roll_history, n, 3);
     state_end(s);
 }
 
@@ -202,28 +202,32 @@ void fast_state(struct dem *dem, struct state *s)
     neighbours_state(fast_of(dem)->neighbours, s);
 }
 
+static struct dem_history history_of(const struct chunk *c, int q,
+                                     const int *id)
+{
+    const struct contact_history *const k = &c->history[q];
+    struct dem_history h = {.id = id[k->owner]};
+
+    h.other = k->partner < 0 ? k->partner : id[k->partner];
+    memcpy(h.xi, k->xi, sizeof h.xi);
+    if (c->has_rolling)
+        memcpy(h.roll_angle, c->roll_history[q], sizeof h.roll_angle);
+    return h;
+}
+
 struct dem_history *fast_histories(struct dem *dem, int *n)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct particles *const ps = nb->history_given ? NULL : nb->ps;
-    const int *const id = nb->ps->id;
-    const struct contact_history *const kept =
-        neighbours_contact_history(nb, n);
-    const int more = surface_history_list(nb->surfaces, ps, NULL);
-    struct dem_history *const list =
-        alloc_zeroed((size_t)*n + (size_t)more, sizeof *list);
+    const int own = neighbours_save_histories(nb);
+    struct dem_history *list;
 
-    for (int q = 0; q < *n; q++) {
-        list[q].id = id[kept[q].owner];
-        list[q].other =
-            kept[q].partner < 0 ? kept[q].partner : id[kept[q].partner];
-        for (int k = 0; k < 3; k++) {
-            list[q].xi[k] = kept[q].xi[k];
-            list[q].roll_angle[k] = kept[q].roll_angle[k];
-        }
-    }
-    surface_history_list(nb->surfaces, ps, list + *n);
-    *n += more;
+    *n = own + surface_history_list(nb->surfaces, ps, NULL);
+    list = alloc_zeroed((size_t)*n, sizeof *list);
+    for (int s = 0, at = 0; s < nb->n_chunks; s++)
+        for (int q = 0; q < nb->chunks[s].n_history; q++)
+            list[at++] = history_of(&nb->chunks[s], q, nb->ps->id);
+    surface_history_list(nb->surfaces, ps, list + own);
     return list;
 }
 
@@ -232,15 +236,15 @@ void fast_restore_histories(struct dem *dem, const struct dem_history *list,
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const int own = n - surface_history_restore(nb->surfaces, list, n);
-    struct contact_history *const kept = neighbours_restore_history(nb, own);
+    const struct chunk *const kept = neighbours_restore_history(nb, own);
 
     for (int q = 0; q < own; q++) {
-        kept[q].owner = index[list[q].id];
-        kept[q].partner =
-            list[q].other < 0 ? list[q].other : index[list[q].other];
-        for (int k = 0; k < 3; k++) {
-            kept[q].xi[k] = list[q].xi[k];
-            kept[q].roll_angle[k] = list[q].roll_angle[k];
-        }
+        struct contact_history *const k = &kept->history[q];
+        k->owner = index[list[q].id];
+        k->partner = list[q].other < 0 ? list[q].other : index[list[q].other];
+        memcpy(k->xi, list[q].xi, sizeof k->xi);
+        if (kept->has_rolling)
+            memcpy(kept->roll_history[q], list[q].roll_angle,
+                   sizeof *kept->roll_history);
     }
 }

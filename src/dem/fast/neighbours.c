@@ -5,6 +5,7 @@
 #include <omp.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 #include <threads.h>
 
 #include "base/alloc.h"
@@ -131,30 +132,23 @@ void neighbours_begin_run(struct neighbours *nb)
         prescribed_particles_locate(nb->prescribed, nb->ps);
 }
 
-struct contact_history *neighbours_restore_history(struct neighbours *nb, int n)
+struct chunk *neighbours_restore_history(struct neighbours *nb, int n)
 {
     for (int s = 0; s < nb->n_chunks; s++)
         chunk_reserve_history(&nb->chunks[s], s == 0 ? n : 0);
     nb->stale = nb->history_given = 1;
-    return nb->chunks[0].history;
+    return &nb->chunks[0];
 }
 
-const struct contact_history *neighbours_contact_history(struct neighbours *nb,
-                                                         int *n)
+int neighbours_save_histories(struct neighbours *nb)
 {
-    struct chunk *const all = &nb->chunks[0];
+    int n = 0;
 
-    *n = 0;
     for (int s = 0; s < nb->n_chunks; s++) {
         if (!nb->history_given) chunk_save_history(&nb->chunks[s]);
-        *n += nb->chunks[s].n_history;
+        n += nb->chunks[s].n_history;
     }
-    int at = all->n_history;
-    chunk_reserve_history(all, *n);
-    for (int s = 1; s < nb->n_chunks; s++)
-        for (int q = 0; q < nb->chunks[s].n_history; q++)
-            all->history[at++] = nb->chunks[s].history[q];
-    return all->history;
+    return n;
 }
 
 void neighbours_load(struct neighbours *nb)
@@ -291,27 +285,30 @@ static void neighbours_sort(struct neighbours *nb)
     nb->rebuilds++;
 }
 
-/* Restores the history of a pair with the new indices. If the other particle
- * owns the pair now, n and xi change sign. */
-static void restore_history(struct neighbours *nb,
-                            const struct contact_history *old)
+/* Restores a history with the new indices. If the other particle owns the pair
+ * now, n, xi and theta change sign. */
+static void restore_history(struct neighbours *nb, const struct chunk *from,
+                            int q)
 {
-    struct contact_history k = *old;
+    struct contact_history k = from->history[q];
+    double roll[3] = {0.0, 0.0, 0.0};
 
-    k.owner = nb->rank[old->owner];
-    if (old->partner >= 0) {
-        k.partner = nb->rank[old->partner];
+    if (from->has_rolling) memcpy(roll, from->roll_history[q], sizeof roll);
+    k.owner = nb->rank[k.owner];
+    if (k.partner >= 0) {
+        k.partner = nb->rank[k.partner];
         if (!grid_owns(nb->grid, k.owner, k.partner, nb->rows->n)) {
             const int swap = k.owner;
             k.owner = k.partner;
             k.partner = swap;
             for (int a = 0; a < 3; a++) {
                 k.xi[a] = -k.xi[a];
-                k.roll_angle[a] = -k.roll_angle[a];
+                roll[a] = -roll[a];
             }
         }
     }
-    chunk_restore_history(neighbours_chunk_of(nb, k.owner), &k);
+    chunk_restore_history(neighbours_chunk_of(nb, k.owner), &k,
+                          from->has_rolling ? roll : NULL);
 }
 
 /* Sorts the particles and builds all neighbour lists; displacements are
@@ -366,7 +363,7 @@ static void choose_contacts(struct neighbours *nb, int rebuilt, double least)
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++)
         for (int q = 0; q < nb->chunks[s].n_history; q++)
-            restore_history(nb, &nb->chunks[s].history[q]);
+            restore_history(nb, &nb->chunks[s], q);
 }
 
 double neighbours_refresh(struct neighbours *nb, double least, double time)

@@ -131,12 +131,12 @@ static inline struct chunk *neighbours_chunk_of(const struct neighbours *nb,
 /* Waits for all threads of the team. */
 void neighbours_barrier(const struct neighbours *nb);
 
-/* The histories of all touching pairs, collected from the chunks; or space for
- * the `n` histories with which the next run starts. Borrowed. */
-const struct contact_history *neighbours_contact_history(struct neighbours *nb,
-                                                         int *n);
-struct contact_history *neighbours_restore_history(struct neighbours *nb,
-                                                   int n);
+/* Saves the histories of all touching pairs in their chunks; their number. */
+int neighbours_save_histories(struct neighbours *nb);
+
+/* The chunk with space for the `n` histories with which the next run starts.
+ * Borrowed. */
+struct chunk *neighbours_restore_history(struct neighbours *nb, int n);
 
 /* Before a team starts. */
 void neighbours_begin_run(struct neighbours *nb);
