@@ -155,10 +155,12 @@ struct effect_scales {
     double length;   /* [m] over which the velocity changes by that */
     double shear;    /* [1/s] of the stream */
     double spin;     /* [rad/s] of a particle against the fluid */
+    double rolls;    /* [-] mean of slip times spin over that of these */
     double tau;      /* [s] relaxation time */
     double meetings; /* [1/s] of a particle with others */
     double acceleration; /* [m/s^2] of the slip, in the mean */
     double fluctuation;  /* [m/s^2] of the slip besides, in a crowd */
+    double slows;        /* [m/s^2] of the fluid of a jet, in the mean of all */
     double changes;      /* [m/s^2] of the stream that comes in, in the mean */
     double time;         /* [s] that the slip has had to develop, or takes to
                             die out */

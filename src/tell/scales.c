@@ -139,8 +139,8 @@ static double averaged(const struct settings *s, double load, double eps_s)
 /* A bed in a stream that goes against its fall: fluidized, or at rest. In it
  * the velocity of the fluid changes with that of the grains, over no less than
  * a few cells and the width over which they are averaged; and particles behind
- * a bubble fall for the time of a diameter. In a bed at rest the slip changes
- * only when the stream begins. */
+ * a bubble fall for the time of a diameter. The stream changes, too, as it
+ * begins; in a bed at rest the slip does so only then. */
 static void bed_scales(const struct settings *s, struct effect_scales *k,
                        const struct case_scales *in, double load)
 {
@@ -165,7 +165,8 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
     k->spin = spun * k->slip / k->d;
     k->time = sqrt(k->d / k->gravity);
     k->acceleration = stirred * k->slip / k->time * fabs(k->rho_s - k->rho_f) /
-                      (k->rho_s + 0.5 * k->rho_f);
+                          (k->rho_s + 0.5 * k->rho_f) +
+                      k->changes;
 }
 
 /* A bed that lies there as the run begins; a lattice does, too. */
@@ -259,9 +260,12 @@ static void crowd_scales(struct effect_scales *k, double way)
 
 /* Grains that a stream moves along their bed, as its drag is above their
  * weight, are stopped by others and start again: their slip changes by itself
- * within tau. They spin as in a bed, but all the same way: they roll. */
-static void swept_scales(struct effect_scales *k)
+ * within tau. They spin as in a bed, but all the same way: they roll, once they
+ * have been taken along, and as fast as the stream is in the mean. */
+static void swept_scales(struct effect_scales *k, const struct case_scales *in)
 {
+    const double x = k->end / k->tau;
+
     k->acceleration = k->changes;
     /* The pressure of the others carries its part, too. */
     const double carried = 0.99 * (1.0 - k->passed) * k->weight;
@@ -269,6 +273,7 @@ static void swept_scales(struct effect_scales *k)
     k->time = k->tau;
     k->turns = 1;
     k->spin = spun * k->slip / k->d;
+    k->rolls = in->square * (1.0 + expm1(-x) / x);
     k->acceleration += k->slip / k->tau;
 }
 
@@ -292,7 +297,7 @@ static void pack(const struct settings *s, struct effect_scales *k,
                (is_laid(s, k) || way < falls_with(s, k, k->eps_s) * in->end ||
                 (in->way > 0.0 && in->way < in->inlet * in->end));
     if (k->rests) k->eps_s = CHECK_PACKED;
-    if (k->rests && in->inlet > 0.0) swept_scales(k);
+    if (k->rests && in->inlet > 0.0) swept_scales(k, in);
     if (!is_laid(s, k)) crowd_scales(k, ends ? way : HUGE_VAL);
 }
 
@@ -323,12 +328,22 @@ static double drag_at(const struct settings *s, const struct effect_scales *k,
 
 /* A grain in a jet of the speed U sees it change over the length L, in T = L/U
  * if it goes along, U T/(tau + T), and its slip is the part U tau/(tau + T)
- * that it lacks: U/T of both. The share up/U of them is in the jet. */
-static void jet_scales(struct effect_scales *k, double up, double jet)
+ * that it lacks: U/T of both. The share up/U of them is in the jet. The jet
+ * itself loses what it brings, rho up (U - up) over the section, to an eddy as
+ * wide as the box; and more of it near its inlet, where a low bed is. */
+static void jet_scales(const struct settings *s, struct effect_scales *k,
+                       const struct case_scales *in, double load)
 {
-    const double T = k->length / jet;
+    const double T = k->length / in->jet;
+    const int up = vector_axis(s->effects.gravity);
+    double lo[3], hi[3], wide = 0.0;
 
-    k->acceleration += up * k->tau / ((k->tau + T) * (k->tau + T));
+    case_mesh_ends(s, lo, hi);
+    for (int i = 0; i < 3; i++)
+        if (i != up) wide = fmax(wide, hi[i] - lo[i]);
+    const double high = (hi[up] - lo[up]) * fmin(1.0, load / k->eps_s);
+    k->acceleration += in->up * k->tau / ((k->tau + T) * (k->tau + T));
+    k->slows = in->up * (in->jet - in->up) / fmin(wide, high + k->length);
 }
 
 static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
@@ -357,7 +372,7 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     settle_time(s, k);
     k->held = is_held(s, in);
     if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);
-    if (lifts && k->carried && in->jet > 0.0) jet_scales(k, in->up, in->jet);
+    if (lifts && k->carried && in->jet > 0.0) jet_scales(s, k, in, load);
 }
 
 struct effect_scales check_scales(const struct settings *s,
@@ -372,6 +387,7 @@ struct effect_scales check_scales(const struct settings *s,
                  ? cbrt(6.0 / M_PI * in->volume / in->particles) / in->across
                  : p.d,
         .end = in->end,
+        .rolls = 1.0,
         .gravity = vector_length(s->effects.gravity)};
 
     k.weight = k.rho_s * scales_volume(&k) * k.gravity;

@@ -43,6 +43,7 @@ struct attempt {
     char dir[NAME];        /* of the runs; "" if there is none */
     double seconds;        /* [s] of a run */
     double end;            /* [s] of the case */
+    double jet;            /* [Pa] that a jet brings; 0: there is none */
     int has_file;          /* [-] 1: the case names a file for its bed */
     _Atomic pid_t process; /* the one that runs; 0: none */
     int n;                 /* [-] effects that are tried */
@@ -55,6 +56,7 @@ struct attempt {
 struct outcome {
     int code;
     double speed, drop, time; /* [m/s], [Pa], [s] */
+    double drop_of;           /* [Pa] of which its change is told */
     double share[CHECK_EFFECTS];
 };
 
@@ -189,6 +191,7 @@ static struct outcome try_run(struct attempt *a, int without,
     o.code = try_start(a, w->word);
     o.speed = read_summary_number(dir, "second_half.particle_velocity_rms");
     o.drop = read_summary_number(dir, "second_half.mean_pressure_drop");
+    o.drop_of = fmax(fabs(o.drop), a->jet);
     o.time = read_summary_number(dir, "seconds.processor");
     for (int i = 0; i < a->n; i++) {
         snprintf(path, sizeof path, "effects.%s.mean_share",
@@ -232,6 +235,8 @@ static void try_candidates(struct attempt *a, const struct settings *s)
 {
     const struct case_scales in = case_scales_of(s);
     struct effect_scales k = check_scales(s, &in);
+
+    a->jet = k.rho_f * in.up * in.jet;
     struct effect_row all[CHECK_EFFECTS];
     const int n = k.force > 0.0 ? check_effect_rows(s, &k, &in, all) : 0;
 
@@ -252,9 +257,21 @@ static void try_candidates(struct attempt *a, const struct settings *s)
 }
 
 /* [%]; nan: it has no such number. */
-static double change(double without, double with)
+static double change(double without, double with, double of)
 {
-    return with != 0.0 ? 100.0 * (without - with) / fabs(with) : NAN;
+    return of != 0.0 ? 100.0 * (without - with) / fabs(of) : NAN;
+}
+
+static double change_of_speed(const struct outcome *without,
+                              const struct outcome *with)
+{
+    return change(without->speed, with->speed, with->speed);
+}
+
+static double change_of_drop(const struct outcome *without,
+                             const struct outcome *with)
+{
+    return change(without->drop, with->drop, with->drop_of);
 }
 
 static void put_change(char cell[32], double change)
@@ -272,9 +289,9 @@ static void try_row(const char *name, const char *estimate, double measured,
     if (measured > 0.0) /* of a force */
         snprintf(cell[1], sizeof cell[1], "%.3g", 100.0 * measured);
     if (without->code == 0) {
-        put_change(cell[2], change(without->speed, with->speed));
-        put_change(cell[3], change(without->drop, with->drop));
-        put_change(cell[4], change(with->time, without->time));
+        put_change(cell[2], change_of_speed(without, with));
+        put_change(cell[3], change_of_drop(without, with));
+        put_change(cell[4], change(with->time, without->time, without->time));
     }
     printf("  %-18s %9s %9s %9s %9s %9s  %s\n", name, estimate, cell[1],
            cell[2], cell[3], cell[4],
@@ -321,11 +338,11 @@ static int is_chance(const struct chances *c, const struct outcome *without,
     double speed = 0.0, drop = 0.0; /* [%] the largest by chance */
 
     for (int i = 0; i < c->n && c->of[i].code == 0; i++) {
-        speed = fmax(speed, fabs(change(c->of[i].speed, with->speed)));
-        drop = fmax(drop, fabs(change(c->of[i].drop, with->drop)));
+        speed = fmax(speed, fabs(change_of_speed(&c->of[i], with)));
+        drop = fmax(drop, fabs(change_of_drop(&c->of[i], with)));
     }
-    return !(fabs(change(without->speed, with->speed)) > speed) &&
-           !(fabs(change(without->drop, with->drop)) > drop);
+    return !(fabs(change_of_speed(without, with)) > speed) &&
+           !(fabs(change_of_drop(without, with)) > drop);
 }
 
 static void try_rows(struct attempt *a, const struct settings *s,
@@ -351,6 +368,10 @@ static void try_rows(struct attempt *a, const struct settings *s,
     }
     for (int i = 0; i < c.n; i++)
         try_row(c.name[i], "-", NAN, &c.of[i], with, "all on");
+    if (a->jet > fabs(with->drop))
+        printf("  the drop, %.3g Pa, is a difference of larger ones: its "
+               "changes are in %% of the\n  %.3g Pa that the jet brings\n",
+               with->drop, a->jet);
 }
 
 static int try_table(struct attempt *a, const struct settings *s)

@@ -123,6 +123,24 @@ static double changes_of(const struct key_series *x, double end)
     return sum;
 }
 
+/* The mean square of a series up to its end over that of its largest [-]. */
+static double inlet_square(const struct key_series *x, double end)
+{
+    double most = fabs(x->value[0]), sum = 0.0, v = x->value[0];
+    double rest = end;
+
+    for (int j = 1; j < x->n; j++) {
+        const double T = x->at[j] - x->at[j - 1], lasts = fmin(T, rest);
+        const double to = v + lasts / T * (x->value[j] - v);
+        sum += lasts * (v * v + v * to + to * to) / 3.0;
+        rest -= lasts;
+        v = x->value[j];
+        most = fmax(most, fabs(v));
+    }
+    sum += rest * v * v;
+    return most > 0.0 ? sum / (end * most * most) : 1.0;
+}
+
 /* The largest in time, in the mean over its side: where a jet comes through a
  * slot, the grains beside it are not struck at the speed of the jet. */
 static void stream_scales(const struct settings *s, const struct mesh *m,
@@ -141,6 +159,7 @@ static void stream_scales(const struct settings *s, const struct mesh *m,
         for (int a = 0; a < 3; a++)
             k->way += fabs(e[a]) * (m->hi[a] - m->lo[a]);
         k->changes = fmax(k->changes, mean * changes_of(&o->inlet, k->end));
+        k->square = fmax(k->square, inlet_square(&o->inlet, k->end));
         for (int j = 0; j < o->inlet.n; j++) {
             add_stream(s, o->inlet.value[j] * mean,
                        share_of_section(s, m, &m->patches[i]), e, k);
@@ -152,6 +171,7 @@ static void stream_scales(const struct settings *s, const struct mesh *m,
     for (int i = 0; i < 3 && U > 0.0; i++)
         e[i] = s->fluid.mean_flow[i] / U;
     if (U > 0.0) add_stream(s, U, 1.0, e, k);
+    if (U > 0.0) k->square = 1.0;
     k->changes = fmax(k->changes, U); /* it is there from the first step on */
 }
 

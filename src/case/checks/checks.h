@@ -85,6 +85,7 @@ struct case_scales {
     double way;        /* [m] through the mesh from an inlet */
     double jet;        /* [m/s] the fastest in an inlet that is not even */
     double changes;    /* [m/s] of inlet in the run, from rest, ups and downs */
+    double square;     /* [-] mean square of inlet over that of the largest */
     double impact;     /* [m/s] speed of collisions that is assumed */
     double end;        /* [s] */
 };

@@ -294,7 +294,7 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
 }
 
 /* A force of random direction adds to another one, on average, half the square
- * of its share. In a jet all spin alike. */
+ * of its share. In a jet all spin alike, and what is missed is missed there. */
 static struct effect_estimate magnus_estimate(const struct effect_scales *k)
 {
     const double Re = k->rho_f * k->slip * k->d / k->mu;
@@ -302,10 +302,14 @@ static struct effect_estimate magnus_estimate(const struct effect_scales *k)
     const double F =
         spin_force(k->rho_f, spin_lift_coefficient(Re, Re_r), k->d, k->slip);
     struct effect_estimate e =
-        effects_estimate(Re > 0.0 && Re_r > 0.0 ? F / k->force : 0.0,
+        effects_estimate(Re > 0.0 && Re_r > 0.0 ? k->rolls * F / k->force : 0.0,
                          k->stirred ? "collisions turn it any way" : "");
 
-    if (k->stirred) e.loss = e.share * (k->jet + 0.5 * e.share);
+    if (k->stirred) e.loss = 0.5 * e.share * e.share;
+    if (k->jet > 0.0) {
+        e.loss = fmin(1.0, e.share + e.loss / k->jet);
+        e.of = "the force on a grain in the jet";
+    }
     return e;
 }
 
@@ -378,7 +382,6 @@ fluid_torque_estimate(const struct effect_scales *k)
 
     e.share *= lost;
     e.loss *= lost;
-    e.of = "the lift by spin";
     snprintf(e.remark, sizeof e.remark,
              lost > 0.0 ? "slows a spin by %.2g %%, and so the lift"
                         : "no spin",

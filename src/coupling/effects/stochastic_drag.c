@@ -204,7 +204,7 @@ static const char *stochastic_drag_wrong(const double *parameters,
  * part that lasts: the fluctuation does so for T, about d / u, and a grain
  * answers within tau. Where the case gives no sigma, it is that of EW18's
  * liquid bed, whose Re_p went from 3 to 10.5; beyond the data, of either, the
- * drag is its bound. */
+ * drag is its bound, with that of a stream that takes the grains along. */
 static struct effect_estimate
 stochastic_drag_estimate(const struct effect_scales *k)
 {
@@ -213,12 +213,15 @@ stochastic_drag_estimate(const struct effect_scales *k)
     const struct stochastic_drag_sigma s = n != NULL ? sigma_of(n) : bed;
     const double Re = coefficient_reynolds(eps, k->rho_f, k->mu, k->d, k->slip);
     const double T = k->slip > 0.0 ? k->d / (eps * k->slip) : 0.0;
+    const double most =
+        k->drag + M_PI / 6.0 * gsl_pow_3(k->d) * k->rho_s * k->changes;
     const double F = M_PI / 8.0 * k->rho_f * gsl_pow_2(k->d * eps * k->slip) *
                      stochastic_drag_sigma(&s, Re);
     const int no_data = /* to a tenth, as Re is an estimate */
         s.low != s.high && (Re < 0.9 * s.Re_low || Re > 1.1 * s.Re_high);
     struct effect_estimate e = effects_estimate(
-        (no_data ? k->drag : sqrt(2.0 / M_PI) * fmin(F, k->drag)) / k->force,
+        no_data ? fmin(1.0, most / k->force)
+                : sqrt(2.0 / M_PI) * fmin(F, k->drag) / k->force,
         "");
 
     if (n == NULL && (!k->partners || k->eps_s < 0.01 || !k->carried))

@@ -150,7 +150,8 @@ static void virtual_mass_state(void *memory, struct state *s)
 }
 
 /* A slip that is driven begins with a start, in which the fluid that goes along
- * takes its part of the push for as long as the slip grows. */
+ * takes its part of the push for as long as the slip grows. What the fluid of a
+ * jet loses of its speed acts on the share of the grains that is in it. */
 static struct effect_estimate
 virtual_mass_estimate(const struct effect_scales *k)
 {
@@ -158,9 +159,14 @@ virtual_mass_estimate(const struct effect_scales *k)
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
 
     const double ratio = C * k->rho_f / k->rho_s, part = ratio / (1.0 + ratio);
+    const double each = C * k->rho_f * V / k->force;
     struct effect_estimate e = effects_estimate(
-        C * k->rho_f * V * (k->acceleration + k->fluctuation) / k->force, "");
+        each * (k->acceleration + k->fluctuation + k->slows), "");
 
+    if (k->slows > 0.0) {
+        e.loss += each * k->slows * (1.0 / k->jet - 1.0);
+        e.of = "the force on a grain in the jet";
+    }
     if (part > 0.05 && k->tau > 0.0 && !k->decays)
         snprintf(e.remark, sizeof e.remark,
                  "%.2g %% of the push in the first %.2g s", 100.0 * part,
