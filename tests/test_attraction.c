@@ -65,7 +65,7 @@ static double pull_between(const struct attraction *a, double gap, double d_i,
 
 /* Two charges of 1 nC, 1 cm apart in vacuum: 8.98755e-5 N, from Coulomb's
  * constant 8.98755e9 N m^2/C^2; in a medium of eps_r = 2 half of it. */
-START_TEST(ls_4_13_like_charges_repel_with_coulombs_constant)
+FACT(ls_4_13_like_charges_repel_with_coulombs_constant)
 {
     const double F = electrostatic_force(1e-9, 1e-9, 1.0, 0.01);
 
@@ -73,9 +73,8 @@ START_TEST(ls_4_13_like_charges_repel_with_coulombs_constant)
     ck_assert_double_eq_tol(electrostatic_force(1e-9, -1e-9, 2.0, 0.01) / F,
                             -0.5, 1e-14);
 }
-END_TEST
 
-START_TEST(ls_4_13_unlike_spheres_are_drawn_together_by_their_materials)
+FACT(ls_4_13_unlike_spheres_are_drawn_together_by_their_materials)
 {
     const double charge[] = {1e-10, -3e-10};
     const struct material other = {.stiffness = 1e4, .restitution = 1.0};
@@ -99,13 +98,12 @@ START_TEST(ls_4_13_unlike_spheres_are_drawn_together_by_their_materials)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* Unlike charges circle around each other: w^2 = k q^2/(mu r^3) with the
  * reduced mass mu. After one turn of 4000 steps they are back where they were
  * within a 1000th of the distance. With 1/l instead of 1/l^2, or m for mu, they
  * would be far from there. */
-START_TEST(ls_4_13_unlike_charges_circle_as_keplers_planets)
+FACT(ls_4_13_unlike_charges_circle_as_keplers_planets)
 {
     const double charge[] = {1e-10, -1e-10}, l = 5.0 * d;
     const struct material other = {.stiffness = 1e4, .restitution = 1.0};
@@ -133,12 +131,11 @@ START_TEST(ls_4_13_unlike_charges_circle_as_keplers_planets)
     ck_assert_double_eq_tol(ps->y[i] / l, 0.0, 1e-3);
     particles_free(ps);
 }
-END_TEST
 
 /* --- [LS 4.14] ------------------------------------------------------------ */
 
 /* A = 1e-19 J, 1 mm spheres, 1 nm: 1e-19/(12e-18) 0.5e-3 = 4.1667e-6 N. */
-START_TEST(ls_4_14_van_der_waals_by_hand)
+FACT(ls_4_14_van_der_waals_by_hand)
 {
     const double D = van_der_waals_diameter(1e-3, 1e-3);
 
@@ -149,14 +146,13 @@ START_TEST(ls_4_14_van_der_waals_by_hand)
                                 van_der_waals_force(1e-19, D, 1e-9),
                             0.25, 1e-14);
 }
-END_TEST
 
 static const struct attraction sticky = {
     .law = &van_der_waals, .range = 1e-4, .strength = 1e-12, .closest = 1e-6};
 
 /* The force attracts, ends at its range, and is constant below the closest gap,
  * also where the spheres overlap. */
-START_TEST(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further)
+FACT(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further)
 {
     const double D = van_der_waals_diameter(d, 3.0 * d);
     const double F = van_der_waals_force(1e-12, D, 1e-6);
@@ -172,12 +168,11 @@ START_TEST(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further)
     ck_assert_double_eq(pull_between(&soft, 1.01e-4, d, 3.0 * d), 0.0);
     ck_assert_double_gt(pull_between(&soft, 0.99e-4, d, 3.0 * d), 0.0);
 }
-END_TEST
 
 /* The energy of two spheres is -A D/(12 l): from rest at a gap of 20 um they
  * have at 10 um what the difference leaves them. 0.2 % is for the step in
  * which they pass 10 um. */
-START_TEST(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well)
+FACT(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well)
 {
     struct particles *const ps = pair_apart(2e-5, d, d);
     const struct dem_options o = with(&sticky, 1e-6);
@@ -197,11 +192,10 @@ START_TEST(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A sphere of infinite radius is a wall, D_i D_j/(D_i + D_j) -> D_i; and all
  * six walls pull outward. */
-START_TEST(ls_4_14_a_wall_is_a_sphere_of_infinite_radius)
+FACT(ls_4_14_a_wall_is_a_sphere_of_infinite_radius)
 {
     const double F = van_der_waals_force(1e-12, d, 1e-5);
 
@@ -221,13 +215,12 @@ START_TEST(ls_4_14_a_wall_is_a_sphere_of_infinite_radius)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* --- [LS 4.15] ------------------------------------------------------------ */
 
 /* Water, 0.072 N/m, on spheres of 1 mm: 2 pi 0.5e-3 0.072 = 2.2619e-4 N, that
  * is 22 times the weight of a grain of sand of that size. */
-START_TEST(ls_4_15_a_bridge_of_water_by_hand)
+FACT(ls_4_15_a_bridge_of_water_by_hand)
 {
     const double R = capillary_mean(0.5e-3, 0.5e-3);
 
@@ -235,11 +228,10 @@ START_TEST(ls_4_15_a_bridge_of_water_by_hand)
                             1e-7);
     ck_assert_double_eq(R, capillary_harmonic_mean(0.5e-3, 0.5e-3));
 }
-END_TEST
 
 /* [LS 4.15]'s mean grows with the larger sphere for ever; Derjaguin's tends to
  * twice the smaller radius, as for a wall. */
-START_TEST(ls_4_15_unequal_spheres_tell_the_two_means_apart)
+FACT(ls_4_15_unequal_spheres_tell_the_two_means_apart)
 {
     ck_assert_double_eq_tol(capillary_mean(1.0, 30.0), 15.5, 1e-14);
     ck_assert_double_eq_tol(capillary_harmonic_mean(1.0, 30.0), 60.0 / 31.0,
@@ -252,11 +244,10 @@ START_TEST(ls_4_15_unequal_spheres_tell_the_two_means_apart)
     a.harmonic = 1;
     ck_assert_double_eq_tol(pull_between(&a, 5e-5, d, 3.0 * d) / F, 0.75, 1e-9);
 }
-END_TEST
 
 /* A wet grain hangs under the ceiling: the contact force there is the pull of
  * the bridge less the weight of the grain. A drier one falls. */
-START_TEST(ls_4_15_a_wet_grain_hangs_under_the_ceiling)
+FACT(ls_4_15_a_wet_grain_hangs_under_the_ceiling)
 {
     for (int wet = 0; wet < 2; wet++) {
         const double weight = 2000.0 * M_PI / 6.0 * d * d * d * 9.81;
@@ -278,11 +269,10 @@ START_TEST(ls_4_15_a_wet_grain_hangs_under_the_ceiling)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* To part, two grains must climb out of a well of depth F times the range: a
  * little slower and they return, a little faster and they separate. */
-START_TEST(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge)
+FACT(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge)
 {
     const double range = 2e-4;
     const struct attraction a = {
@@ -306,7 +296,6 @@ START_TEST(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* --- all of them ---------------------------------------------------------- */
 
@@ -340,7 +329,7 @@ static struct particles *cloud(int threads, double skin, int periodic)
     return ps;
 }
 
-START_TEST(attractions_have_the_same_bits_for_any_number_of_threads)
+FACT(attractions_have_the_same_bits_for_any_number_of_threads)
 {
     struct particles *const a = cloud(1, 0.0, 0), *const b = cloud(2, 0.0, 0);
     const size_t size = (size_t)a->n * sizeof(double);
@@ -350,11 +339,10 @@ START_TEST(attractions_have_the_same_bits_for_any_number_of_threads)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
 /* A longer list must give the same pairs: only the order of sums differs. Pairs
  * within the range that the list lacks would change positions by 1e-6 m. */
-START_TEST(attractions_do_not_depend_on_the_skin)
+FACT(attractions_do_not_depend_on_the_skin)
 {
     struct particles *const a = cloud(1, 0.0, 0), *const b = cloud(1, 5e-4, 0);
 
@@ -366,11 +354,10 @@ START_TEST(attractions_do_not_depend_on_the_skin)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
 /* A pair across a periodic end has the same force as in the middle of the box,
  * up to the rounding of positions. */
-START_TEST(attractions_reach_through_the_seam)
+FACT(attractions_reach_through_the_seam)
 {
     double F[2];
 
@@ -388,11 +375,10 @@ START_TEST(attractions_reach_through_the_seam)
     ck_assert_double_lt(F[0], 0.0);
     ck_assert_double_eq_tol(F[1] / F[0], 1.0, 1e-10);
 }
-END_TEST
 
 /* Equal and opposite, through all seams: the sum of the momenta is that of the
  * start, to rounding of the 2744 of them. */
-START_TEST(attractions_keep_the_momentum_of_a_periodic_box)
+FACT(attractions_keep_the_momentum_of_a_periodic_box)
 {
     struct particles *const a = spheres_cloud(14, d, 0.5, 1.55e-3, 0.5, 5);
     struct particles *const b = cloud(1, 0.0, 1);
@@ -407,24 +393,8 @@ START_TEST(attractions_keep_the_momentum_of_a_periodic_box)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
-FACTS("attraction")
+FACTS
 {
     omp_set_num_threads(1);
-    FACT(ls_4_13_like_charges_repel_with_coulombs_constant);
-    FACT(ls_4_13_unlike_spheres_are_drawn_together_by_their_materials);
-    FACT(ls_4_13_unlike_charges_circle_as_keplers_planets);
-    FACT(ls_4_14_van_der_waals_by_hand);
-    FACT(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further);
-    FACT(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well);
-    FACT(ls_4_14_a_wall_is_a_sphere_of_infinite_radius);
-    FACT(ls_4_15_a_bridge_of_water_by_hand);
-    FACT(ls_4_15_unequal_spheres_tell_the_two_means_apart);
-    FACT(ls_4_15_a_wet_grain_hangs_under_the_ceiling);
-    FACT(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge);
-    FACT(attractions_have_the_same_bits_for_any_number_of_threads);
-    FACT(attractions_do_not_depend_on_the_skin);
-    FACT(attractions_reach_through_the_seam);
-    FACT(attractions_keep_the_momentum_of_a_periodic_box);
 }

@@ -70,7 +70,7 @@ static const struct {
 };
 enum { WAYS = sizeof ways / sizeof *ways, ALL = WAYS * CLOUD_SHAPES };
 
-START_TEST(every_method_is_in_the_table)
+FACT(every_method_is_in_the_table)
 {
     for (int i = 0; averaging_methods[i] != NULL; i++) {
         int found = 0;
@@ -79,7 +79,6 @@ START_TEST(every_method_is_in_the_table)
         ck_assert_msg(found > 0, "%s", averaging_methods[i]->name);
     }
 }
-END_TEST
 
 /* A mesh, a cloud in it, an averaging method, and M fields. */
 struct scene {
@@ -116,7 +115,7 @@ static void scene_free(struct scene *s)
  * 2, and a thousandth at most is beyond its reach, if it has one. Of the
  * polynomial b_G is rounded to 0.4 b, 2 % above its own; a cell adds 2 %, the
  * cut-off at 3 b takes none. */
-START_TEST(a_method_has_the_variance_and_the_reach_that_it_says)
+FACT(a_method_has_the_variance_and_the_reach_that_it_says)
 {
     static const struct box_spec box = {
         {1.0, 1.0, 1.0}, {24, 24, 24}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -152,7 +151,6 @@ START_TEST(a_method_has_the_variance_and_the_reach_that_it_says)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* The three amounts of [SX15 A.1]: volume, momentum over density, a force. */
 static void fill_amounts(struct scene *s)
@@ -193,27 +191,24 @@ static void check_conserved(int i, int first, int last)
     scene_free(&s);
 }
 
-START_TEST(sx15_a_1a_volume_is_conserved)
+FACT_FOR_EACH(sx15_a_1a_volume_is_conserved, ALL)
 {
     check_conserved(_i, 0, 0);
 }
-END_TEST
 
-START_TEST(sx15_a_1b_momentum_is_conserved)
+FACT_FOR_EACH(sx15_a_1b_momentum_is_conserved, ALL)
 {
     check_conserved(_i, 1, 3);
 }
-END_TEST
 
-START_TEST(sx15_a_1c_the_fluid_gets_what_the_particles_get)
+FACT_FOR_EACH(sx15_a_1c_the_fluid_gets_what_the_particles_get, ALL)
 {
     check_conserved(_i, 4, 7);
 }
-END_TEST
 
 /* Spheres of 2.5 cells, on all the corners, edges, faces; a body reaches over
  * the walls, across a period, and over cells smaller than itself. */
-START_TEST(weights_of_large_particles_sum_to_one_too)
+FACT_FOR_EACH(weights_of_large_particles_sum_to_one_too, ALL)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
 
@@ -226,12 +221,11 @@ START_TEST(weights_of_large_particles_sum_to_one_too)
         ck_assert_double_lt(lost_share(&s, k), 2e-14);
     scene_free(&s);
 }
-END_TEST
 
 /* Half-solved, the fields are wrong in shape but not in sum: the solver starts
  * from the old field and is preconditioned by V. With the diagonal of the
  * matrix instead, this graded mesh would lose 1e-4 and more. */
-START_TEST(sx15_a_5_the_sum_is_kept_however_early_the_solver_stops)
+FACT_FOR_EACH(sx15_a_5_the_sum_is_kept_however_early_the_solver_stops, 2)
 {
     static const char *const scheme[] = {"crank-nicolson", "implicit-euler"};
     const struct averaging_options o = {
@@ -249,11 +243,10 @@ START_TEST(sx15_a_5_the_sum_is_kept_however_early_the_solver_stops)
         ck_assert_double_lt(lost_share(&s, k), 2e-14);
     scene_free(&s);
 }
-END_TEST
 
 /* For the kernel: the weights of both directions are the same [XS11 3.12].
  * Rounding again; CG adds its tolerance of 1e-13 times the condition. */
-START_TEST(gathering_is_the_adjoint_of_spreading)
+FACT_FOR_EACH(gathering_is_the_adjoint_of_spreading, ALL)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
     double *const f = alloc_doubles(M * s.mesh->n_cells);
@@ -275,10 +268,9 @@ START_TEST(gathering_is_the_adjoint_of_spreading)
     free(g);
     scene_free(&s);
 }
-END_TEST
 
 /* Weights that sum to one, matrices without row sums. */
-START_TEST(constants_are_gathered_as_they_are)
+FACT_FOR_EACH(constants_are_gathered_as_they_are, ALL)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
 
@@ -289,7 +281,6 @@ START_TEST(constants_are_gathered_as_they_are)
         ck_assert_double_eq_tol(s.q[e] / (0.5 + e % M), 1.0, 1e-13);
     scene_free(&s);
 }
-END_TEST
 
 static void spread_and_gather(struct scene *s, int threads, double *f,
                               double *g)
@@ -302,7 +293,7 @@ static void spread_and_gather(struct scene *s, int threads, double *f,
 }
 
 /* Enough cells and particles for a second thread to be used. */
-START_TEST(one_thread_and_two_give_the_same_bits)
+FACT_FOR_EACH(one_thread_and_two_give_the_same_bits, WAYS)
 {
     enum { MANY = 1500 };
     const struct box_spec spec = {
@@ -330,7 +321,6 @@ START_TEST(one_thread_and_two_give_the_same_bits)
     free(g2);
     scene_free(&s);
 }
-END_TEST
 
 /* The first m numbers of each row of M, row after row. */
 static void narrow(int rows, int m, const double *wide, double *to)
@@ -352,7 +342,7 @@ static double largest_difference(int rows, int m, const double *wide,
 /* The number of interleaved fields must not change the results, only the speed.
  * Of order 1 / V = 1000; CG stops when the last field has converged, hence its
  * tolerance. */
-START_TEST(fewer_fields_side_by_side_give_the_same)
+FACT_FOR_EACH(fewer_fields_side_by_side_give_the_same, ALL)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
     const int n = s.mesh->n_cells;
@@ -376,11 +366,10 @@ START_TEST(fewer_fields_side_by_side_give_the_same)
     free(field);
     scene_free(&s);
 }
-END_TEST
 
 /* Diffusion only averages: no cell has more than the fullest of pcm. Others
  * may: a cell between full ones gets a part of each. None goes below zero. */
-START_TEST(solids_stay_between_zero_and_the_fullest_cell)
+FACT_FOR_EACH(solids_stay_between_zero_and_the_fullest_cell, ALL)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
     struct averaging *const pcm = averaging_create(
@@ -402,10 +391,9 @@ START_TEST(solids_stay_between_zero_and_the_fullest_cell)
     averaging_free(pcm);
     scene_free(&s);
 }
-END_TEST
 
 /* All but diffusion, to the last bit. */
-START_TEST(normalised_weights_are_not_negative)
+FACT_FOR_EACH(normalised_weights_are_not_negative, ALL)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
 
@@ -417,10 +405,9 @@ START_TEST(normalised_weights_are_not_negative)
     }
     scene_free(&s);
 }
-END_TEST
 
 /* Graded cells, so that a count of cells is no share of the volume. */
-START_TEST(the_report_gives_the_negative_fraction_of_the_first_field)
+FACT(the_report_gives_the_negative_fraction_of_the_first_field)
 {
     struct scene s = scene_of(0, 4, N);
     double below = 0.0, all = 0.0, lowest = 0.0, highest = 0.0;
@@ -439,9 +426,8 @@ START_TEST(the_report_gives_the_negative_fraction_of_the_first_field)
     ck_assert(r->lowest == lowest && r->highest == highest);
     scene_free(&s);
 }
-END_TEST
 
-START_TEST(no_particles_make_a_field_of_zeros)
+FACT_FOR_EACH(no_particles_make_a_field_of_zeros, ALL)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, 0);
 
@@ -454,14 +440,13 @@ START_TEST(no_particles_make_a_field_of_zeros)
     ck_assert(averaging_report(s.a)->worst.converged);
     scene_free(&s);
 }
-END_TEST
 
 /* Shape 5 is periodic all round with equal cells. The particles move by one
  * cell in x, also over the end; the field must follow. Different coordinates
  * round differently, which 1e-11 of the highest allows for. Only random
  * particles: those on faces may fall on either side. A second grid stays where
  * it is, and what it makes of the particles changes. */
-START_TEST(particles_moved_by_a_cell_move_the_field_by_a_cell)
+FACT_FOR_EACH(particles_moved_by_a_cell_move_the_field_by_a_cell, WAYS)
 {
     struct scene s = scene_of(_i, 5, N);
     const int nx = s.mesh->box.n[0];
@@ -488,9 +473,8 @@ START_TEST(particles_moved_by_a_cell_move_the_field_by_a_cell)
     free(moved);
     scene_free(&s);
 }
-END_TEST
 
-START_TEST(a_particle_outside_the_mesh_is_named)
+FACT_FOR_EACH(a_particle_outside_the_mesh_is_named, WAYS)
 {
     struct scene s = scene_of(_i, 4, N);
 
@@ -507,9 +491,8 @@ START_TEST(a_particle_outside_the_mesh_is_named)
     averaging_spread(s.a, M, s.q, s.field);
     scene_free(&s);
 }
-END_TEST
 
-START_TEST(wrong_options_are_refused)
+FACT_FOR_EACH(wrong_options_are_refused, 8)
 {
     const struct averaging_options wrong[] = {
         {.cap = 1.5},
@@ -530,12 +513,11 @@ START_TEST(wrong_options_are_refused)
     ck_assert_ptr_null(averaging_method_named("no such"));
     scene_free(&s);
 }
-END_TEST
 
 /* x, y and z are alike: with the mesh and the particles turned by a third about
  * the diagonal the field is turned and nothing else. To what the tolerances
  * leave. */
-START_TEST(rotated_particles_give_a_rotated_field)
+FACT_FOR_EACH(rotated_particles_give_a_rotated_field, ALL)
 {
     const int way = _i % WAYS;
     if (ways[way].o.regions.n > 0) return; /* these stay where they are */
@@ -576,29 +558,9 @@ START_TEST(rotated_particles_give_a_rotated_field)
     mesh_free(m);
     scene_free(&s);
 }
-END_TEST
 
-FACTS("averaging")
+FACTS
 {
     setenv("CK_FORK", "no", 1); /* hundreds of small tests */
     omp_set_num_threads(1);     /* on meshes this small threads only wait */
-    FACT(every_method_is_in_the_table);
-    FACT(a_method_has_the_variance_and_the_reach_that_it_says);
-    FACT_FOR_EACH(sx15_a_1a_volume_is_conserved, ALL);
-    FACT_FOR_EACH(sx15_a_1b_momentum_is_conserved, ALL);
-    FACT_FOR_EACH(sx15_a_1c_the_fluid_gets_what_the_particles_get, ALL);
-    FACT_FOR_EACH(sx15_a_5_the_sum_is_kept_however_early_the_solver_stops, 2);
-    FACT(the_report_gives_the_negative_fraction_of_the_first_field);
-    FACT_FOR_EACH(gathering_is_the_adjoint_of_spreading, ALL);
-    FACT_FOR_EACH(constants_are_gathered_as_they_are, ALL);
-    FACT_FOR_EACH(one_thread_and_two_give_the_same_bits, WAYS);
-    FACT_FOR_EACH(fewer_fields_side_by_side_give_the_same, ALL);
-    FACT_FOR_EACH(solids_stay_between_zero_and_the_fullest_cell, ALL);
-    FACT_FOR_EACH(normalised_weights_are_not_negative, ALL);
-    FACT_FOR_EACH(weights_of_large_particles_sum_to_one_too, ALL);
-    FACT_FOR_EACH(no_particles_make_a_field_of_zeros, ALL);
-    FACT_FOR_EACH(particles_moved_by_a_cell_move_the_field_by_a_cell, WAYS);
-    FACT_FOR_EACH(rotated_particles_give_a_rotated_field, ALL);
-    FACT_FOR_EACH(a_particle_outside_the_mesh_is_named, WAYS);
-    FACT_FOR_EACH(wrong_options_are_refused, 8);
 }

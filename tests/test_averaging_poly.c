@@ -90,7 +90,7 @@ static struct particles *everywhere(const struct mesh *m)
 /* Cells of any shape: nothing is lost by any method [SX15 A.1a-A.1c], the way
  * back is the adjoint, and gives a constant back. Rounding of some hundred
  * terms, times a hundred. */
-START_TEST(all_methods_conserve_on_any_mesh)
+FACT_FOR_EACH(all_methods_conserve_on_any_mesh, MESHES *WAYS)
 {
     struct mesh *const m = mesh_named(meshes[_i / WAYS]);
     struct particles *const ps = everywhere(m);
@@ -133,12 +133,11 @@ START_TEST(all_methods_conserve_on_any_mesh)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* What the diffusion leaves out on links that are not normal to their faces:
  * the second moment of a grain's share is b^2 / 2 times D of (4.7), and not the
  * unit. To the tolerance of the series, and what the far walls reflect. */
-START_TEST(a_sheared_box_smears_along_its_diagonal)
+FACT(a_sheared_box_smears_along_its_diagonal)
 {
     const double s = 0.3, b = 3.0;
     const struct box_spec spec = {
@@ -173,12 +172,11 @@ START_TEST(a_sheared_box_smears_along_its_diagonal)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* A kernel that is 1 all over the mesh gives each cell its part of the volume:
  * cells of all sizes, and the mean in all of them. Not round a period, where
  * there is no end to the mesh. */
-START_TEST(a_very_wide_kernel_gives_the_mean_on_any_mesh)
+FACT_FOR_EACH(a_very_wide_kernel_gives_the_mean_on_any_mesh, 10)
 {
     static const char *const closed[] = {"box", "sheared", "shuffled", "dual",
                                          "warped"};
@@ -202,12 +200,4 @@ START_TEST(a_very_wide_kernel_gives_the_mean_on_any_mesh)
     averaging_free(a);
     particles_free(ps);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("averaging_poly")
-{
-    FACT_FOR_EACH(all_methods_conserve_on_any_mesh, MESHES * WAYS);
-    FACT(a_sheared_box_smears_along_its_diagonal);
-    FACT_FOR_EACH(a_very_wide_kernel_gives_the_mean_on_any_mesh, 10);
 }

@@ -62,7 +62,7 @@ static double spread_around(const struct row *r, double x, int first, int last)
 /* Along x the Gaussian has the mean square b^2 / 2, and the mesh keeps it. With
  * "cells", b^2 / 2 - 1/6, which the two times 1/12 of a cell of 1 make good: a
  * grain may be anywhere in its cell, and a value represents all of its cell. */
-START_TEST(the_variance_of_the_cells_is_subtracted)
+FACT(the_variance_of_the_cells_is_subtracted)
 {
     const int cell = 50;
     const double d = 0.1;
@@ -79,10 +79,9 @@ START_TEST(the_variance_of_the_cells_is_subtracted)
     row_free(&a);
     row_free(&b);
 }
-END_TEST
 
 /* Cells of 1, sqrt 3 b wide and a little more: nothing is left to diffuse. */
-START_TEST(in_cells_too_large_it_is_pcm)
+FACT(in_cells_too_large_it_is_pcm)
 {
     const int cell = 5;
     const double d = 0.1;
@@ -93,11 +92,10 @@ START_TEST(in_cells_too_large_it_is_pcm)
         ck_assert(r.field[c] == (c == cell ? 1.0 : 0.0));
     row_free(&r);
 }
-END_TEST
 
 /* Left of x = 50 b is 4, right of it 2: mean squares of 8 and 2, as the blobs
  * are 6 b from the seam. Then a region of 0: a wall to either side. */
-START_TEST(a_region_has_its_own_bandwidth)
+FACT(a_region_has_its_own_bandwidth)
 {
     static const int cell[] = {25, 75};
     static const double d[] = {0.1, 0.1};
@@ -116,13 +114,12 @@ START_TEST(a_region_has_its_own_bandwidth)
         ck_assert(r.field[c] == (c == 75 ? 1.0 : 0.0));
     row_free(&r);
 }
-END_TEST
 
 /* Grains of 1 and 3 mm, as much volume of each: the mean diameter is 2 mm,
  * their bandwidths b / 2 and 3 b / 2. Only the cells with a grain differ in D
  * here, and so the test measures the flux out of these: after a short time each
  * has lost 2 T D, with D = 2 P / (P + 1) of the faces to empty cells. */
-START_TEST(the_bandwidth_follows_the_diameter)
+FACT(the_bandwidth_follows_the_diameter)
 {
     int cell[28];
     double d[28];
@@ -141,11 +138,10 @@ START_TEST(the_bandwidth_follows_the_diameter)
                             1e-3);
     row_free(&r);
 }
-END_TEST
 
 /* The same grains; the largest D is that of a cell with the larger ones alone,
  * times the largest of the regions. */
-START_TEST(no_cell_has_more_than_the_largest_bandwidth)
+FACT_FOR_EACH(no_cell_has_more_than_the_largest_bandwidth, 2)
 {
     static const struct averaging_region wide = {
         {50.0, 0.0, 0.0}, {60.0, 1.0, 1.0}, 0.06};
@@ -170,10 +166,9 @@ START_TEST(no_cell_has_more_than_the_largest_bandwidth)
     r.ps->n = 28;
     row_free(&r);
 }
-END_TEST
 
 /* One size: the mean is a sum over the same numbers, equal to rounding. */
-START_TEST(grains_of_one_size_have_one_bandwidth)
+FACT(grains_of_one_size_have_one_bandwidth)
 {
     int cell[60];
     double d[60];
@@ -193,10 +188,9 @@ START_TEST(grains_of_one_size_have_one_bandwidth)
     row_free(&a);
     row_free(&b);
 }
-END_TEST
 
 /* A bed has grown larger grains since the series was made. */
-START_TEST(a_grain_larger_than_all_before_is_averaged)
+FACT(a_grain_larger_than_all_before_is_averaged)
 {
     static const int cell[] = {10, 20, 30};
     double d[] = {1e-3, 1e-3, 1e-3};
@@ -216,10 +210,9 @@ START_TEST(a_grain_larger_than_all_before_is_averaged)
     ck_assert_double_eq_tol(sum, 3.0, 1e-12);
     row_free(&r);
 }
-END_TEST
 
 /* A bed that is resumed does not know the grains that have left it. */
-START_TEST(grains_that_are_gone_leave_no_trace)
+FACT(grains_that_are_gone_leave_no_trace)
 {
     static const int cell[] = {10, 20, 30};
     static const double d[] = {1e-3, 1e-3, 1e-3};
@@ -239,13 +232,13 @@ START_TEST(grains_that_are_gone_leave_no_trace)
     row_free(&r);
     row_free(&fresh);
 }
-END_TEST
 
 /* What depends on the widths of cells alone goes by directions in a box, and is
  * what the series makes of all of it at once; some links of these boxes are too
  * long to be crossed. */
-START_TEST(
-    by_directions_the_variance_of_the_cells_is_subtracted_as_by_the_series)
+FACT_FOR_EACH(
+    by_directions_the_variance_of_the_cells_is_subtracted_as_by_the_series,
+    2 * CLOUD_SHAPES)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 2]);
     struct particles *const ps = cloud_create(m, 60);
@@ -274,20 +267,4 @@ START_TEST(
     free(field[1]);
     particles_free(ps);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("bandwidth")
-{
-    FACT(the_variance_of_the_cells_is_subtracted);
-    FACT(in_cells_too_large_it_is_pcm);
-    FACT(a_region_has_its_own_bandwidth);
-    FACT(the_bandwidth_follows_the_diameter);
-    FACT_FOR_EACH(no_cell_has_more_than_the_largest_bandwidth, 2);
-    FACT(grains_of_one_size_have_one_bandwidth);
-    FACT(a_grain_larger_than_all_before_is_averaged);
-    FACT(grains_that_are_gone_leave_no_trace);
-    FACT_FOR_EACH(
-        by_directions_the_variance_of_the_cells_is_subtracted_as_by_the_series,
-        2 * CLOUD_SHAPES);
 }

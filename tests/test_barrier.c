@@ -11,7 +11,7 @@ enum { TEAM = 3, ROUNDS = 1000 };
 
 /* Each thread writes its round and reads that of the others after the barrier;
  * the second barrier holds them until all have read. */
-START_TEST(no_thread_passes_the_barrier_before_all_have_arrived)
+FACT(no_thread_passes_the_barrier_before_all_have_arrived)
 {
     struct barrier *const b = barrier_create();
     int at[TEAM] = {0}, behind = 0;
@@ -27,12 +27,11 @@ START_TEST(no_thread_passes_the_barrier_before_all_have_arrived)
     ck_assert_int_eq(behind, 0);
     barrier_free(b);
 }
-END_TEST
 
 /* One thread arrives 50 ms late, five times. The processor time of the other
  * [s] is that of its spinning, five times 0.2 ms, and not the quarter of a
  * second. */
-START_TEST(a_thread_that_waits_long_sleeps)
+FACT(a_thread_that_waits_long_sleeps)
 {
     const struct timespec late = {0, 50000000};
     struct barrier *const b = barrier_create();
@@ -46,11 +45,8 @@ START_TEST(a_thread_that_waits_long_sleeps)
     ck_assert_double_lt((double)(clock() - begin) / CLOCKS_PER_SEC, 0.1);
     barrier_free(b);
 }
-END_TEST
 
-FACTS("barrier")
+FACTS
 {
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(no_thread_passes_the_barrier_before_all_have_arrived);
-    FACT(a_thread_that_waits_long_sleeps);
 }

@@ -13,7 +13,7 @@ static const double tolerances[] = {2e-2, 2e-3, 2e-4, 2e-5};
 /* Between one step and a million the sum differs from 1/sqrt(t) by at most the
  * tolerance. If it were less than a half of that, there would be more terms
  * than needed. */
-START_TEST(ls_5_4_the_sum_of_exponentials_is_one_over_the_root)
+FACT_FOR_EACH(ls_5_4_the_sum_of_exponentials_is_one_over_the_root, 4)
 {
     const double dt = 3e-4, tolerance = tolerances[_i];
     const struct basset_kernel k = basset_kernel_create(dt, tolerance);
@@ -25,16 +25,14 @@ START_TEST(ls_5_4_the_sum_of_exponentials_is_one_over_the_root)
     ck_assert_double_ge(worst, 0.5 * tolerance);
     ck_assert_int_eq(k.n, terms[_i]);
 }
-END_TEST
 
 /* Of a slip that grows at a constant rate the force is 3 d^2 sqrt(pi rho mu t)
  * w'. */
-START_TEST(ls_5_4_force_at_a_constant_rate)
+FACT(ls_5_4_force_at_a_constant_rate)
 {
     ck_assert_double_eq_tol(basset_force(1000.0, 1e-3, 1e-3, 4.0, 0.5),
                             3e-6 * sqrt(M_PI * 4.0) * 0.5, 1e-18);
 }
-END_TEST
 
 /* --- settling from rest -------------------------------------------------- */
 
@@ -107,7 +105,7 @@ static const double ratios[] = {0.1, 0.5, 1.2, 2.65, 8.0};
  * order 1.5, of the first step, in which the slip goes with the root of the
  * time, and order 2. Without the force the error is a quarter of the velocity
  * and more. */
-START_TEST(ls_5_4_settling_from_rest_is_boussinesq_basset_oseen)
+FACT_FOR_EACH(ls_5_4_settling_from_rest_is_boussinesq_basset_oseen, 5)
 {
     const double coarse = settle(ratios[_i], 0.05, 1e-4);
     const double fine = settle(ratios[_i], 0.0125, 1e-4);
@@ -117,7 +115,6 @@ START_TEST(ls_5_4_settling_from_rest_is_boussinesq_basset_oseen)
     ck_assert_double_ge(log2(coarse / fine) / 2.0, 1.65);
     ck_assert_double_ge(without, 0.2);
 }
-END_TEST
 
 /* Half of the space is heavy spheres in gas, which slows down. The largest step
  * by which the mean velocity of the gas goes back again, over its first step
@@ -152,24 +149,13 @@ static double ringing(double virtual_mass, double basset)
  * reaction came a step later, it would throw the gas back by (C + C_B)
  * eps_s/eps_f = 1.3 of the change, less what the drag takes; of the virtual
  * mass alone, 0.25. The fluid resists both in the same step. */
-START_TEST(ls_5_4_gas_in_a_packed_bed_does_not_ring)
+FACT(ls_5_4_gas_in_a_packed_bed_does_not_ring)
 {
     ck_assert_double_lt(ringing(0.9, 2e-2), 0.02);
 }
-END_TEST
 
 /* Alone the virtual mass would throw it back by 0.36 of the change. */
-START_TEST(ls_5_3_gas_in_a_packed_bed_does_not_ring)
+FACT(ls_5_3_gas_in_a_packed_bed_does_not_ring)
 {
     ck_assert_double_lt(ringing(0.9, 0.0), 0.02);
-}
-END_TEST
-
-FACTS("basset")
-{
-    FACT_FOR_EACH(ls_5_4_the_sum_of_exponentials_is_one_over_the_root, 4);
-    FACT(ls_5_4_force_at_a_constant_rate);
-    FACT_FOR_EACH(ls_5_4_settling_from_rest_is_boussinesq_basset_oseen, 5);
-    FACT(ls_5_4_gas_in_a_packed_bed_does_not_ring);
-    FACT(ls_5_3_gas_in_a_packed_bed_does_not_ring);
 }

@@ -71,7 +71,7 @@ static int same(const struct particles *a, const struct particles *b)
 
 /* Poured spheres fill 0.55 to 0.64; in this small box walls take some, and the
  * order that they bring gives a little. */
-START_TEST(bed_settles_to_a_poured_packing)
+FACT(bed_settles_to_a_poured_packing)
 {
     const struct bed_options bed = small_bed();
     struct bed_report r;
@@ -88,12 +88,11 @@ START_TEST(bed_settles_to_a_poured_packing)
         ck_assert_double_gt(ps->y[i], 0.9e-3);
     particles_free(ps);
 }
-END_TEST
 
 /* 0.01 s of the real motion: the floor carries the weight, and no particle
  * rises. The tangential displacements exist from the first step: without them
  * the grains move by 5e-7 m on average, with them by 8e-8 m. */
-START_TEST(bed_stays_at_rest_when_the_run_begins)
+FACT(bed_stays_at_rest_when_the_run_begins)
 {
     char path[64];
     const struct bed_options bed = small_bed();
@@ -118,9 +117,8 @@ START_TEST(bed_stays_at_rest_when_the_run_begins)
     particles_free(at_0);
     particles_free(later);
 }
-END_TEST
 
-START_TEST(bed_follows_from_its_seed)
+FACT(bed_follows_from_its_seed)
 {
     struct bed_options bed = small_bed();
     struct bed_report r;
@@ -136,9 +134,8 @@ START_TEST(bed_follows_from_its_seed)
     particles_free(b);
     particles_free(c);
 }
-END_TEST
 
-START_TEST(bed_from_its_file_goes_on_bit_for_bit)
+FACT(bed_from_its_file_goes_on_bit_for_bit)
 {
     char path[64];
     struct bed_options bed = small_bed();
@@ -156,7 +153,6 @@ START_TEST(bed_from_its_file_goes_on_bit_for_bit)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
 /* From a file that is there. */
 static int load(const char *path, const struct bed_options *bed,
@@ -173,7 +169,7 @@ static int load(const char *path, const struct bed_options *bed,
     return code;
 }
 
-START_TEST(bed_of_another_case_is_refused)
+FACT(bed_of_another_case_is_refused)
 {
     char path[64];
     struct bed_options bed = small_bed();
@@ -197,9 +193,8 @@ START_TEST(bed_of_another_case_is_refused)
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     unlink(path);
 }
-END_TEST
 
-START_TEST(half_a_bed_is_refused)
+FACT(half_a_bed_is_refused)
 {
     char path[64];
     struct bed_options bed = small_bed();
@@ -217,10 +212,9 @@ START_TEST(half_a_bed_is_refused)
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     unlink(path);
 }
-END_TEST
 
 /* Two spheres; saved, an entry of an array changed, and loaded. */
-START_TEST(an_impossible_bed_is_refused)
+FACT_FOR_EACH(an_impossible_bed_is_refused, 10)
 {
     static const struct {
         const char *array;
@@ -269,9 +263,8 @@ START_TEST(an_impossible_bed_is_refused)
     kept_free(kept);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(bed_that_does_not_fit_is_refused)
+FACT(bed_that_does_not_fit_is_refused)
 {
     struct bed_options bed = small_bed();
     const struct dem_options o = small_box();
@@ -285,7 +278,6 @@ START_TEST(bed_that_does_not_fit_is_refused)
     ck_assert_int_eq(ps->n, 0);
     particles_free(ps);
 }
-END_TEST
 
 /* Half of the mass of 1 mm, half of 2 mm. By number it would be 8 of 9 small;
  * of 120 the share has a standard deviation of 0.03. */
@@ -303,7 +295,7 @@ static struct sizes *two_sizes(void)
  * small ones for settling is removed again, also after sorting. The weight
  * would otherwise be 18 % too large; a bed just settled still oscillates by up
  * to 7 %. */
-START_TEST(bed_of_two_sizes_settles_and_each_has_its_mass)
+FACT(bed_of_two_sizes_settles_and_each_has_its_mass)
 {
     struct sizes *const sizes = two_sizes();
     struct bed_options bed = small_bed();
@@ -335,9 +327,8 @@ START_TEST(bed_of_two_sizes_settles_and_each_has_its_mass)
     particles_free(ps);
     sizes_free(sizes);
 }
-END_TEST
 
-START_TEST(bed_of_other_sizes_is_refused)
+FACT(bed_of_other_sizes_is_refused)
 {
     char path[64];
     struct sizes *const sizes = two_sizes();
@@ -357,10 +348,9 @@ START_TEST(bed_of_other_sizes_is_refused)
     unlink(path);
     sizes_free(sizes);
 }
-END_TEST
 
 /* In 2D, in any direction, and without particles. */
-START_TEST(lattice_begins_where_gravity_points)
+FACT(lattice_begins_where_gravity_points)
 {
     struct bed_options bed = small_bed();
     struct dem_options o = small_box();
@@ -381,7 +371,6 @@ START_TEST(lattice_begins_where_gravity_points)
     ck_assert_int_eq(ps->n, 40);
     particles_free(ps);
 }
-END_TEST
 
 /* Stops the settling before look number `stop`, and saves the bed. */
 struct stopper {
@@ -430,7 +419,7 @@ static void assert_goes_on(struct bed_options *bed, int stop,
 
 /* Of two sizes, so that masses are added; stopped on the way with the material
  * that dissipates, and in the last look, which has the real one. */
-START_TEST(a_bed_that_is_stopped_settles_on_to_the_same_bits)
+FACT(a_bed_that_is_stopped_settles_on_to_the_same_bits)
 {
     struct sizes *const sizes = two_sizes();
     struct bed_options bed = small_bed();
@@ -450,10 +439,9 @@ START_TEST(a_bed_that_is_stopped_settles_on_to_the_same_bits)
     particles_free(whole);
     sizes_free(sizes);
 }
-END_TEST
 
 /* Another bit of a number makes another bed, which may be possible. */
-START_TEST(a_bed_file_with_another_bit_is_refused)
+FACT(a_bed_file_with_another_bit_is_refused)
 {
     struct bed_options bed = small_bed();
     const struct dem_options o = small_box();
@@ -475,22 +463,8 @@ START_TEST(a_bed_file_with_another_bit_is_refused)
     ck_assert_msg(strstr(said, path) != NULL, "%s", said);
     unlink(path);
 }
-END_TEST
 
-FACTS("bed")
+FACTS
 {
     tcase_set_timeout(facts, 60);
-    FACT(a_bed_that_is_stopped_settles_on_to_the_same_bits);
-    FACT(a_bed_file_with_another_bit_is_refused);
-    FACT(bed_settles_to_a_poured_packing);
-    FACT(bed_stays_at_rest_when_the_run_begins);
-    FACT(bed_follows_from_its_seed);
-    FACT(bed_from_its_file_goes_on_bit_for_bit);
-    FACT(bed_of_another_case_is_refused);
-    FACT(half_a_bed_is_refused);
-    FACT_FOR_EACH(an_impossible_bed_is_refused, 10);
-    FACT(bed_that_does_not_fit_is_refused);
-    FACT(bed_of_two_sizes_settles_and_each_has_its_mass);
-    FACT(bed_of_other_sizes_is_refused);
-    FACT(lattice_begins_where_gravity_points);
 }

@@ -84,7 +84,7 @@ static double residual(const struct setting *s, int k)
 
 /* No eigenvalue is below 0.2, so the error is at most some 5 |r|, |r| some
  * 1e-12 |b| = 1e-11, and the matrix is close enough to normal for that. */
-START_TEST(each_component_is_solved_as_by_elimination)
+FACT(each_component_is_solved_as_by_elimination)
 {
     struct setting s = convection(6, 5, 4, 3.0);
     const size_t n = (size_t)s.b.n;
@@ -110,10 +110,9 @@ START_TEST(each_component_is_solved_as_by_elimination)
     gsl_vector_free(x);
     release(&s);
 }
-END_TEST
 
 /* The recurrence drifts from the true residual by rounding only. */
-START_TEST(the_worst_true_residual_is_the_one_reported)
+FACT(the_worst_true_residual_is_the_one_reported)
 {
     struct setting s = convection(20, 20, 5, 1.0);
     const double scale = sqrt(dot_plain(3 * s.b.n, s.rhs, s.rhs));
@@ -127,9 +126,8 @@ START_TEST(the_worst_true_residual_is_the_one_reported)
     ck_assert_double_eq_tol(most / scale, r.after, 1e-13);
     release(&s);
 }
-END_TEST
 
-START_TEST(a_good_guess_costs_nothing)
+FACT(a_good_guess_costs_nothing)
 {
     struct setting s = convection(7, 7, 7, 2.0);
     double *const exact = noise_vector(3 * s.b.n, 5);
@@ -145,10 +143,9 @@ START_TEST(a_good_guess_costs_nothing)
     free(exact);
     release(&s);
 }
-END_TEST
 
 /* As in a flow that is almost two-dimensional. */
-START_TEST(a_converged_component_is_not_changed_while_the_others_iterate)
+FACT(a_converged_component_is_not_changed_while_the_others_iterate)
 {
     struct setting s = convection(12, 12, 12, 2.0);
 
@@ -166,9 +163,8 @@ START_TEST(a_converged_component_is_not_changed_while_the_others_iterate)
     }
     release(&s);
 }
-END_TEST
 
-START_TEST(without_a_right_hand_side_the_solution_is_zero)
+FACT(without_a_right_hand_side_the_solution_is_zero)
 {
     struct setting s = convection(3, 3, 3, 1.0);
 
@@ -190,11 +186,10 @@ START_TEST(without_a_right_hand_side_the_solution_is_zero)
     bicgstab_work_free(w);
     release(&s);
 }
-END_TEST
 
 /* The squares of this residual are no normal numbers any more: an iteration
  * would divide what has lost its digits. */
-START_TEST(a_residual_whose_square_underflows_counts_as_solved)
+FACT(a_residual_whose_square_underflows_counts_as_solved)
 {
     struct setting s = convection(8, 8, 4, 0.5);
 
@@ -207,11 +202,10 @@ START_TEST(a_residual_whose_square_underflows_counts_as_solved)
     ck_assert_int_eq(r.iterations, 0);
     release(&s);
 }
-END_TEST
 
 /* A = (1 -3; 1 1) turns b = (1 1) into something square to it: no step can be
  * made from zero. From elsewhere the same system is solved: x = 1, y = 0. */
-START_TEST(a_breakdown_is_reported)
+FACT(a_breakdown_is_reported)
 {
     const int own = 0, nei = 1;
     struct ldu *const A = ldu_create(2, 1, &own, &nei, NULL);
@@ -240,10 +234,9 @@ START_TEST(a_breakdown_is_reported)
     bicgstab_work_free(w);
     ldu_free(A);
 }
-END_TEST
 
 /* By pieces, and by lists in a box of rows that are too short. */
-START_TEST(one_diagonal_for_all_components_gives_the_bits_of_three_equal_ones)
+FACT(one_diagonal_for_all_components_gives_the_bits_of_three_equal_ones)
 {
     for (int width = 2; width <= 20; width += 18) {
         struct setting s = convection(width, 9, 7, 0.7);
@@ -264,9 +257,8 @@ START_TEST(one_diagonal_for_all_components_gives_the_bits_of_three_equal_ones)
         release(&s);
     }
 }
-END_TEST
 
-START_TEST(limits_and_numbers_that_are_none_are_reported)
+FACT(limits_and_numbers_that_are_none_are_reported)
 {
     struct setting s = convection(12, 12, 12, 2.0);
     struct solve_report r = solve(&s, 1e-12, 0.0, 2);
@@ -281,9 +273,8 @@ START_TEST(limits_and_numbers_that_are_none_are_reported)
     ck_assert(solve(&s, 1e-6, 0.0, 50).converged);
     release(&s);
 }
-END_TEST
 
-START_TEST(threads_do_not_change_a_bit)
+FACT(threads_do_not_change_a_bit)
 {
     double *first = NULL;
 
@@ -301,10 +292,9 @@ START_TEST(threads_do_not_change_a_bit)
     }
     free(first);
 }
-END_TEST
 
 /* What cg_work_lent writes between two solutions. */
-START_TEST(what_is_lent_leaves_the_residual_and_the_next_solution)
+FACT(what_is_lent_leaves_the_residual_and_the_next_solution)
 {
     struct setting s = convection(9, 8, 7, 0.5);
     const int n = s.b.n;
@@ -330,21 +320,9 @@ START_TEST(what_is_lent_leaves_the_residual_and_the_next_solution)
     bicgstab_work_free(w);
     release(&s);
 }
-END_TEST
 
-FACTS("bicgstab")
+FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(each_component_is_solved_as_by_elimination);
-    FACT(the_worst_true_residual_is_the_one_reported);
-    FACT(a_good_guess_costs_nothing);
-    FACT(a_converged_component_is_not_changed_while_the_others_iterate);
-    FACT(without_a_right_hand_side_the_solution_is_zero);
-    FACT(a_residual_whose_square_underflows_counts_as_solved);
-    FACT(a_breakdown_is_reported);
-    FACT(one_diagonal_for_all_components_gives_the_bits_of_three_equal_ones);
-    FACT(limits_and_numbers_that_are_none_are_reported);
-    FACT(threads_do_not_change_a_bit);
-    FACT(what_is_lent_leaves_the_residual_and_the_next_solution);
 }

@@ -29,28 +29,26 @@ static double error_of(int count, int times)
 /* The spread of 8 block means is itself known to a quarter, and the largest of
  * three estimates is taken: 0.7 to 1.8 is what chance does here. A variance in
  * place of its root, or a missing m - 1 of 8, is outside. */
-START_TEST(independent_samples_have_the_error_of_their_number)
+FACT(independent_samples_have_the_error_of_their_number)
 {
     const double error = error_of(4096, 1) * sqrt(4096.0);
 
     ck_assert_double_gt(error, 0.7);
     ck_assert_double_lt(error, 1.8);
 }
-END_TEST
 
 /* As rows they would promise a tenth of it. */
-START_TEST(a_sample_that_is_repeated_tells_nothing_new)
+FACT(a_sample_that_is_repeated_tells_nothing_new)
 {
     const double error = error_of(4096, 100) * sqrt(4096.0);
 
     ck_assert_double_gt(error, 0.7);
     ck_assert_double_lt(error, 1.8);
 }
-END_TEST
 
 /* Of 0, 1, ..., m - 1, whose variance is (m^2 - 1) / 12: by blocks of one,
  * m = 8, exactly sqrt((64 - 1) / 12 / 7). Tolerance: rounding. */
-START_TEST(eight_blocks_have_the_error_of_12_6)
+FACT(eight_blocks_have_the_error_of_12_6)
 {
     struct mean_blocks *const b = mean_blocks_create(1);
 
@@ -62,11 +60,10 @@ START_TEST(eight_blocks_have_the_error_of_12_6)
                             1e-14);
     mean_blocks_free(b);
 }
-END_TEST
 
 /* 64 steps of a staircase: blocks are joined twice, to 16 of 4 steps, and the
  * largest error is that of 8 of 8, means 3.5, 11.5, ...: 8 times that above. */
-START_TEST(neighbours_are_joined_when_there_is_no_more_room)
+FACT(neighbours_are_joined_when_there_is_no_more_room)
 {
     struct mean_blocks *const b = mean_blocks_create(2);
 
@@ -77,11 +74,10 @@ START_TEST(neighbours_are_joined_when_there_is_no_more_room)
     ck_assert_double_eq(mean_blocks_error(b, 0), 0.0);
     mean_blocks_free(b);
 }
-END_TEST
 
 /* A block of no weight has no mean; the others have the error that they have
  * without it, but for m of m (m - 1), which counts it: 16 blocks, 8 empty. */
-START_TEST(a_block_without_weight_counts_for_nothing)
+FACT(a_block_without_weight_counts_for_nothing)
 {
     const double nothing = 0.0, nowhere = NAN;
     struct mean_blocks *const b = mean_blocks_create(1);
@@ -94,14 +90,4 @@ START_TEST(a_block_without_weight_counts_for_nothing)
     ck_assert_double_ge(mean_blocks_error(b, 0), expected * (1.0 - 1e-14));
     ck_assert(!isnan(mean_blocks_error(b, 0)));
     mean_blocks_free(b);
-}
-END_TEST
-
-FACTS("block_means")
-{
-    FACT(independent_samples_have_the_error_of_their_number);
-    FACT(a_sample_that_is_repeated_tells_nothing_new);
-    FACT(eight_blocks_have_the_error_of_12_6);
-    FACT(neighbours_are_joined_when_there_is_no_more_room);
-    FACT(a_block_without_weight_counts_for_nothing);
 }

@@ -86,7 +86,7 @@ enum { N_AVERAGES = sizeof averages / sizeof averages[0] };
  */
 
 /* Without mirrors 8 % of the volume is within the body by the diffusion. */
-START_TEST(sx15_a1_a_body_loses_no_volume_and_has_none_in_it)
+FACT_FOR_EACH(sx15_a1_a_body_loses_no_volume_and_has_none_in_it, N_AVERAGES)
 {
     struct simulation *const sim = build(averages[_i], "");
     const struct solid_bodies *const b = bodies_of(sim);
@@ -107,11 +107,10 @@ START_TEST(sx15_a1_a_body_loses_no_volume_and_has_none_in_it)
     ck_assert_double_eq_tol(sum / (500.0 * V_p), 1.0, 1e-12);
     release(sim);
 }
-END_TEST
 
 /* Sum over the particles of q gather(f) = sum over the cells of V f spread(q).
  */
-START_TEST(sx15_a1_spread_and_gather_stay_adjoint_around_a_body)
+FACT_FOR_EACH(sx15_a1_spread_and_gather_stay_adjoint_around_a_body, N_AVERAGES)
 {
     struct simulation *const sim = build(averages[_i], "");
     const int n = sim->particles->n, cells = sim->mesh->n_cells;
@@ -135,11 +134,10 @@ START_TEST(sx15_a1_spread_and_gather_stay_adjoint_around_a_body)
     free(q), free(f), free(g), free(s);
     release(sim);
 }
-END_TEST
 
 /* A field that is the same everywhere out of the body is so at the grains
  * beside it, whatever it is inside. */
-START_TEST(xs11_3_9_nothing_of_a_body_is_interpolated_to_grains)
+FACT_FOR_EACH(xs11_3_9_nothing_of_a_body_is_interpolated_to_grains, N_AVERAGES)
 {
     struct simulation *const sim = build(averages[_i], "");
     const struct solid_bodies *const b = bodies_of(sim);
@@ -157,7 +155,6 @@ START_TEST(xs11_3_9_nothing_of_a_body_is_interpolated_to_grains)
     free(f), free(g);
     release(sim);
 }
-END_TEST
 
 /* --- momentum ---------------------------------------------------------------
  */
@@ -165,7 +162,7 @@ END_TEST
 /* A sphere, and a box that turns. The fluid is solved to 1e-10 of what flows,
  * of 2e-4 N s; that the loads of the last particle step have been paid by half
  * only would be 1e-8. */
-START_TEST(momentum_of_grains_bodies_and_fluid_is_constant)
+FACT_FOR_EACH(momentum_of_grains_bodies_and_fluid_is_constant, N_AVERAGES + 1)
 {
     struct simulation *const sim = _i < N_AVERAGES
                                        ? build(averages[_i], "")
@@ -187,13 +184,12 @@ START_TEST(momentum_of_grains_bodies_and_fluid_is_constant)
     ck_assert_double_ge(pushed, 1e-3 * scale); /* they did touch */
     release(sim);
 }
-END_TEST
 
 /* Where grains were put in or taken out, all loads are found anew before the
  * next step, with velocities that have changed since. A body that goes without
  * the difference is off by 7e-12 N s in these 20 steps; 1e-17 is what rounding
  * and the fluid's solution leave. */
-START_TEST(momentum_is_constant_where_the_loads_are_found_anew)
+FACT(momentum_is_constant_where_the_loads_are_found_anew)
 {
     struct simulation *const sim = build(averages[0], "");
     double before[3], after[3], scale = 0.0;
@@ -211,13 +207,12 @@ START_TEST(momentum_is_constant_where_the_loads_are_found_anew)
                                 1e-9 * scale);
     release(sim);
 }
-END_TEST
 
 /* --- contacts ----------------------------------------------------------------
  */
 
 /* A grain that falls on a fixed body stays on it, at rest on its top. */
-START_TEST(grains_do_not_enter_a_body)
+FACT(grains_do_not_enter_a_body)
 {
     struct simulation *const sim = build(averages[2], "");
     const struct solid_bodies *const b = bodies_of(sim);
@@ -237,19 +232,8 @@ START_TEST(grains_do_not_enter_a_body)
                         1e-3); /* through the seam */
     release(sim);
 }
-END_TEST
 
-FACTS("bodies_among_grains")
+FACTS
 {
     tcase_set_timeout(facts, 60);
-    FACT_FOR_EACH(sx15_a1_a_body_loses_no_volume_and_has_none_in_it,
-                  N_AVERAGES);
-    FACT_FOR_EACH(sx15_a1_spread_and_gather_stay_adjoint_around_a_body,
-                  N_AVERAGES);
-    FACT_FOR_EACH(xs11_3_9_nothing_of_a_body_is_interpolated_to_grains,
-                  N_AVERAGES);
-    FACT_FOR_EACH(momentum_of_grains_bodies_and_fluid_is_constant,
-                  N_AVERAGES + 1);
-    FACT(momentum_is_constant_where_the_loads_are_found_anew);
-    FACT(grains_do_not_enter_a_body);
 }

@@ -6,7 +6,7 @@
 
 /* Far from everything it is Stokes' force, at a small gap R/z, twice as much as
  * between two; in between his table, where the distance is cosh 1, 2, 3 R. */
-START_TEST(brenner61_the_exact_force_has_its_limits)
+FACT(brenner61_the_exact_force_has_its_limits)
 {
     ck_assert_double_eq_tol(brenner_force(1e3, 0), 1.0, 2e-3);
     ck_assert_double_eq_tol(brenner_force(cosh(1.0) - 1.0, 0), 3.0361, 1e-4);
@@ -15,7 +15,6 @@ START_TEST(brenner61_the_exact_force_has_its_limits)
     ck_assert_double_eq_tol(brenner_force(1e-3, 0) / 1e3, 1.0, 4e-3);
     ck_assert_double_eq_tol(brenner_force(1e-3, 1) / 500.0, 1.0, 1e-2);
 }
-END_TEST
 
 /* One sphere above a floor, or two, with z/h between: the force of mesh and
  * film over the exact one. */
@@ -31,22 +30,13 @@ static double force_over_exact(double z_over_h, int of_two)
 
 /* Gaps of 1, 1/2, 1/4, 1/8 of a cell. The mesh alone has 0.9, 0.7, 0.4 and 0.24
  * of the force. A film that began at two cells would make it 1.3 of it. */
-START_TEST(cox67_mesh_and_film_have_the_force_of_a_sphere_at_a_wall)
+FACT_FOR_EACH(cox67_mesh_and_film_have_the_force_of_a_sphere_at_a_wall, 4)
 {
     ck_assert_double_eq_tol(force_over_exact(exp2(-_i), 0), 1.0, 0.12);
 }
-END_TEST
 
 /* Likewise, with the gap across the cells. */
-START_TEST(cox67_mesh_and_film_have_the_force_of_two_spheres)
+FACT_FOR_EACH(cox67_mesh_and_film_have_the_force_of_two_spheres, 2)
 {
     ck_assert_double_eq_tol(force_over_exact(exp2(-2 * _i), 1), 1.0, 0.15);
-}
-END_TEST
-
-FACTS("body_gaps")
-{
-    FACT(brenner61_the_exact_force_has_its_limits);
-    FACT_FOR_EACH(cox67_mesh_and_film_have_the_force_of_a_sphere_at_a_wall, 4);
-    FACT_FOR_EACH(cox67_mesh_and_film_have_the_force_of_two_spheres, 2);
 }

@@ -11,7 +11,7 @@
 /* Exact added masses of a sphere, and across a disc that is thin: 8/3 rho R^3
  * [Lamb32], which is 0.85 R/t of the volume. One estimate for all shapes is
  * not less, and less than half as much again. */
-START_TEST(ew18_2_an_estimate_of_the_added_mass_is_on_the_safe_side)
+FACT(ew18_2_an_estimate_of_the_added_mass_is_on_the_safe_side)
 {
     const double R = 0.5, t = 0.05, V = M_PI * R * R * t;
     const double disc = 8.0 / 3.0 * R * R * R / V;
@@ -21,7 +21,6 @@ START_TEST(ew18_2_an_estimate_of_the_added_mass_is_on_the_safe_side)
     ck_assert_double_gt(body_numbers_added_mass(V, t), disc);
     ck_assert_double_lt(body_numbers_added_mass(V, t), 1.5 * disc);
 }
-END_TEST
 
 static struct body_shape block(const struct body_shape *shape)
 {
@@ -58,7 +57,7 @@ static void fill(struct pool *p, int scene)
 /* What is left of a kick changes slowly after 30 steps. With the other sign in
  * each step it would be in the second difference, which is 4 times as large as
  * it; where a clump turns into other cells that is up to 0.02 of the kick. */
-START_TEST(ew18_2_no_body_swings_from_step_to_step)
+FACT_FOR_EACH(ew18_2_no_body_swings_from_step_to_step, SCENES)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {14, 14, 14},
@@ -84,12 +83,11 @@ START_TEST(ew18_2_no_body_swings_from_step_to_step)
     ck_assert_double_lt(fabs(v[3] - 2.0 * v[2] + v[1]), 0.03 * kick);
     pool_free(&p);
 }
-END_TEST
 
 /* What turns with the sphere are the cells inside. Were the share of viscosity
  * in those around it taken for more of them, the sphere, which is a tenth of
  * that, would turn at 200 rad/s and the other way after as long as this. */
-START_TEST(ew18_3_a_light_sphere_in_a_thick_fluid_does_not_spin_up)
+FACT(ew18_3_a_light_sphere_in_a_thick_fluid_does_not_spin_up)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {12, 12, 12},
@@ -110,12 +108,11 @@ START_TEST(ew18_3_a_light_sphere_in_a_thick_fluid_does_not_spin_up)
     ck_assert_double_lt(fabs(p.bodies->ps->wz[0]), 0.02);
     pool_free(&p);
 }
-END_TEST
 
 /* A sphere in the middle of a closed one of the radius R_2, whose velocity
  * potential is that of a dipole in a uniform flow, has the added mass (R_2^3 +
  * 2 R^3)/(R_2^3 - R^3) times 1/2 [Lamb32]. */
-START_TEST(lamb32_neighbours_multiply_the_added_mass)
+FACT(lamb32_neighbours_multiply_the_added_mass)
 {
     const double R = 0.3, R_2 = 0.4, phi = pow(R / R_2, 3.0);
     /* u_r = -U cos(theta) (a + b/r^3) is U cos(theta) at R, 0 at R_2 */
@@ -127,13 +124,12 @@ START_TEST(lamb32_neighbours_multiply_the_added_mass)
                             1e-14);
     ck_assert_double_eq(body_numbers_crowding(0.0), 1.0);
 }
-END_TEST
 
 /* 32 spheres in a periodic cube, face-centred, a seventh of the diameter apart,
  * of a twentieth of the fluid's density, every other one the other way. By the
  * bound for two bodies C_v would be 1.6, and after forty steps they would be
  * seven times as fast as at first. */
-START_TEST(ew18_2_a_crowd_of_light_spheres_loses_its_agitation)
+FACT(ew18_2_a_crowd_of_light_spheres_loses_its_agitation)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {18, 18, 18},
@@ -164,13 +160,12 @@ START_TEST(ew18_2_a_crowd_of_light_spheres_loses_its_agitation)
     }
     pool_free(&p);
 }
-END_TEST
 
 /* Six cells, nu dt / h^2 = 3, and an impact of four steps. Beside the floor
  * viscosity takes more of a velocity than far from it; with what it takes there
  * the sphere would be thrown off again, at the hundredfold of the 0.08 m/s that
  * it came down with. */
-START_TEST(ew18_2_a_sphere_comes_to_rest_on_a_floor_in_a_thick_fluid)
+FACT(ew18_2_a_sphere_comes_to_rest_on_a_floor_in_a_thick_fluid)
 {
     const struct pool_options o = {.size = {2.0, 2.0, 2.0},
                                    .cells = {12, 12, 12},
@@ -200,15 +195,4 @@ START_TEST(ew18_2_a_sphere_comes_to_rest_on_a_floor_in_a_thick_fluid)
     }
     ck_assert_double_lt(p.bodies->ps->y[0], 0.5);
     pool_free(&p);
-}
-END_TEST
-
-FACTS("body_growth")
-{
-    FACT(ew18_2_an_estimate_of_the_added_mass_is_on_the_safe_side);
-    FACT_FOR_EACH(ew18_2_no_body_swings_from_step_to_step, SCENES);
-    FACT(ew18_3_a_light_sphere_in_a_thick_fluid_does_not_spin_up);
-    FACT(lamb32_neighbours_multiply_the_added_mass);
-    FACT(ew18_2_a_crowd_of_light_spheres_loses_its_agitation);
-    FACT(ew18_2_a_sphere_comes_to_rest_on_a_floor_in_a_thick_fluid);
 }

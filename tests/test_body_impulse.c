@@ -35,7 +35,7 @@ static void pool_at_rest(struct pool *p, const struct body_shape *shape,
  * fluid has answered, but for the share of the fluid around it, whose C_a is
  * not exactly 1/2 on a mesh. With C_v on the contact the body would have (rho_r
  * + 1/2)/(rho_r + 2) of it at first. */
-START_TEST(ew18_2_a_push_moves_a_body_at_once)
+FACT_FOR_EACH(ew18_2_a_push_moves_a_body_at_once, 3)
 {
     static const double rho[3] = {0.1, 1.0, 8.0};
     const struct body_shape sphere = body_shape_sphere(0.5);
@@ -51,14 +51,13 @@ START_TEST(ew18_2_a_push_moves_a_body_at_once)
     ck_assert_double_eq_tol(ps->vy[0], first, 0.25 * first / (rho[_i] + 0.5));
     pool_free(&p);
 }
-END_TEST
 
 /* I omega is the impulse, with the inertia of the solid alone, because a sphere
  * that spins moves a thin fluid hardly: on a mesh some of the cells beside it,
  * which is 0.05 of the displaced fluid. Were what contacts change
  * counted among what C_v delays, the spin would become 1 + C_v/rho_r times as
  * large. */
-START_TEST(ew18_3_the_spin_that_a_contact_gives_a_sphere_stays)
+FACT_FOR_EACH(ew18_3_the_spin_that_a_contact_gives_a_sphere_stays, 3)
 {
     static const double rho[3] = {0.1, 1.0, 8.0};
     const struct body_shape sphere = body_shape_sphere(0.5);
@@ -74,11 +73,10 @@ START_TEST(ew18_3_the_spin_that_a_contact_gives_a_sphere_stays)
     ck_assert_double_gt(ps->wz[0], 1e-3 * rho[_i] / (rho[_i] + 0.06));
     pool_free(&p);
 }
-END_TEST
 
 /* A cube also turns some fluid around it, 0.18 of what it displaces. Its
  * contacts act on it with 0.5 of that, and what is too much comes back. */
-START_TEST(ew18_3_the_spin_that_a_contact_gives_a_cube_stays)
+FACT_FOR_EACH(ew18_3_the_spin_that_a_contact_gives_a_cube_stays, 3)
 {
     static const double rho[3] = {0.5, 1.0, 8.0};
     const struct body_shape box = body_shape_box((double[3]){0.5, 0.5, 0.5}),
@@ -97,12 +95,11 @@ START_TEST(ew18_3_the_spin_that_a_contact_gives_a_cube_stays)
     ck_assert_double_eq_tol(rho[_i] * (1e-3 / ps->wz[0] - 1.0), 0.18, 0.01);
     pool_free(&p);
 }
-END_TEST
 
 /* Two spheres of different densities collide off-centre in a closed box of
  * fluid that is periodic: what they and the fluid have together stays (24.13).
  */
-START_TEST(ew18_2_momentum_is_constant_in_a_collision)
+FACT(ew18_2_momentum_is_constant_in_a_collision)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {16, 16, 16},
@@ -141,7 +138,6 @@ START_TEST(ew18_2_momentum_is_constant_in_a_collision)
     ck_assert_int_gt(touched, 4);
     pool_free(&p);
 }
-END_TEST
 
 /* Linear and angular momentum, about the middle, that an outsider finds: of all
  * cells and of what the body has more than the fluid in its place. */
@@ -163,7 +159,7 @@ static void sum_of_cells(const struct pool *p, double P[3], double L[3])
  * any; the fluid in its place, which it is not, has what is missing to that.
  * When viscosity has brought all to one velocity, it is m U over the mass of
  * all. */
-START_TEST(ew18_2_a_body_that_is_launched_keeps_its_momentum)
+FACT_FOR_EACH(ew18_2_a_body_that_is_launched_keeps_its_momentum, 4)
 {
     const double rho[4] = {2.0, 0.1, 8.0, 2.0}, U[3] = {1.0, 0.3, -0.2};
     const struct body_shape box = body_shape_box((double[3]){0.4, 0.3, 0.35});
@@ -205,7 +201,6 @@ START_TEST(ew18_2_a_body_that_is_launched_keeps_its_momentum)
                             rho[_i] * V / (1.0 + (rho[_i] - 1.0) * V), 1e-5);
     pool_free(&p);
 }
-END_TEST
 
 /* Speed after an impact on a wall that lasts 8 steps, over that before it, of a
  * dry sphere without losses in a thin fluid. */
@@ -249,22 +244,11 @@ static double rebound(double rho_r, double C_v)
  * the impact comes later than with that, and takes less than 2 % more; a spring
  * that acts on C_v would add 8 % and, with 8, throw the sphere back ten times
  * as fast. */
-START_TEST(ew18_2_virtual_mass_adds_nothing_to_an_impact)
+FACT(ew18_2_virtual_mass_adds_nothing_to_an_impact)
 {
     const double none = rebound(8.0, 0.5);
 
     ck_assert_double_eq_tol(none, 0.98, 0.01);
     ck_assert_double_eq_tol(rebound(8.0, 2.0), none, 0.02);
     ck_assert_double_eq_tol(rebound(8.0, 8.0), none, 0.04);
-}
-END_TEST
-
-FACTS("body_impulse")
-{
-    FACT_FOR_EACH(ew18_2_a_push_moves_a_body_at_once, 3);
-    FACT_FOR_EACH(ew18_3_the_spin_that_a_contact_gives_a_sphere_stays, 3);
-    FACT_FOR_EACH(ew18_3_the_spin_that_a_contact_gives_a_cube_stays, 3);
-    FACT_FOR_EACH(ew18_2_a_body_that_is_launched_keeps_its_momentum, 4);
-    FACT(ew18_2_momentum_is_constant_in_a_collision);
-    FACT(ew18_2_virtual_mass_adds_nothing_to_an_impact);
 }

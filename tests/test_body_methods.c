@@ -29,7 +29,7 @@ static double drag_by(const struct body_method *method, double vn, int steps,
 
 /* What is set after an implicit viscous step is forgotten by diffusion within
  * the next one: 40 % of the drag are left at nu dt / h^2 = 1. */
-START_TEST(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag)
+FACT(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag)
 {
     struct pool p;
     const double short_step =
@@ -42,11 +42,10 @@ START_TEST(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag)
     ck_assert_double_ge(short_step, 0.75);
     ck_assert_double_le(long_step, 0.5);
 }
-END_TEST
 
 /* The velocity in the body is that of the body, but for what the projection
  * changes again. */
-START_TEST(ls_5_17_the_fluid_inside_moves_with_the_body)
+FACT(ls_5_17_the_fluid_inside_moves_with_the_body)
 {
     struct pool p;
     double worst = 0.0, flow[3];
@@ -61,11 +60,10 @@ START_TEST(ls_5_17_the_fluid_inside_moves_with_the_body)
     ck_assert_double_le(worst, 0.1 * flow[0]);
     pool_free(&p);
 }
-END_TEST
 
 /* The fluxes after the second projection satisfy continuity as those of PISO
  * do; and the force is what changed the velocity, all that drives the flow. */
-START_TEST(ls_5_20_the_corrected_fluxes_have_no_divergence)
+FACT(ls_5_20_the_corrected_fluxes_have_no_divergence)
 {
     struct pool p;
 
@@ -75,12 +73,11 @@ START_TEST(ls_5_20_the_corrected_fluxes_have_no_divergence)
     ck_assert_double_le(p.fluid->report.momentum_residual, 1e-10);
     pool_free(&p);
 }
-END_TEST
 
 /* [LS 5.19]: without it the velocity set in the bodies would have a divergence
  * at their surface. The velocity of the cells has that of the fluxes within the
  * interpolation. */
-START_TEST(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes)
+FACT(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes)
 {
     struct pool p;
     double worst = 0.0, most = 0.0;
@@ -97,11 +94,10 @@ START_TEST(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes)
     ck_assert_double_le(worst, 0.1 * most);
     pool_free(&p);
 }
-END_TEST
 
 /* The force is built up until the velocity in every cell that the sphere cuts
  * is that of the sphere: it is too large, at any step. */
-START_TEST(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
+FACT(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
 {
     struct pool p;
     const double short_step = drag_by(&fraction_methods_piso_ib, 0.3, 150, &p);
@@ -118,7 +114,6 @@ START_TEST(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
     ck_assert_double_ge(short_step, 1.05);
     ck_assert_double_le(worst, 0.02 * flow[0]);
 }
-END_TEST
 
 /* A sphere begins to move in a closed box, in a fluid at rest. */
 static void sphere_in_a_closed_box(struct pool *p,
@@ -145,7 +140,7 @@ static void sphere_in_a_closed_box(struct pool *p,
 /* The second projection changes the velocity beside the walls, after their
  * friction has acted. Without that difference 1e-2 of the sum of all forces is
  * missing; 1e-10 is the tolerance of the equations. */
-START_TEST(ls_5_19_the_balance_of_momentum_knows_when_the_walls_acted)
+FACT(ls_5_19_the_balance_of_momentum_knows_when_the_walls_acted)
 {
     struct pool p;
 
@@ -156,13 +151,12 @@ START_TEST(ls_5_19_the_balance_of_momentum_knows_when_the_walls_acted)
     }
     pool_free(&p);
 }
-END_TEST
 
 /* In a fluid at rest the first flux that convects has a divergence beside an
  * inlet. The balance counts the momentum that this moves between cells with the
  * velocity of the equation, not with the one that is set in the body
  * afterwards: the difference is 2e-5 of the sum of all forces. */
-START_TEST(ls_5_18_what_was_convected_is_counted_before_the_body_acts)
+FACT(ls_5_18_what_was_convected_is_counted_before_the_body_acts)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {8, 8, 8},
@@ -185,13 +179,12 @@ START_TEST(ls_5_18_what_was_convected_is_counted_before_the_body_acts)
     }
     pool_free(&p);
 }
-END_TEST
 
 /* In the first corrector nothing flows, in the others, or in the second
  * projection, what the body drives. That is solved to the tolerance, 1e-10,
  * with some ten iterations, and not to rounding, 1e-14, or to the last digit of
  * nothing. */
-START_TEST(ls_5_21_a_body_begins_to_move_in_a_fluid_at_rest)
+FACT_FOR_EACH(ls_5_21_a_body_begins_to_move_in_a_fluid_at_rest, 2)
 {
     struct pool p;
     const struct body_method *const method =
@@ -204,7 +197,6 @@ START_TEST(ls_5_21_a_body_begins_to_move_in_a_fluid_at_rest)
     ck_assert_double_ge(p.fluid->report.mass_residual, 1e-13);
     pool_free(&p);
 }
-END_TEST
 
 /* --- shapes -----------------------------------------------------------------
  */
@@ -216,7 +208,7 @@ static double distance_at(const struct body_shape *s, double x, double y,
 }
 
 /* Beside a face, an edge and a corner, and inside. */
-START_TEST(distance_from_a_box)
+FACT(distance_from_a_box)
 {
     const struct body_shape box = body_shape_box((double[3]){2.0, 4.0, 6.0});
     double e[3];
@@ -229,10 +221,9 @@ START_TEST(distance_from_a_box)
     ck_assert_double_eq(e[2], 3.0);
     ck_assert_double_eq_tol(body_shape_volume(&box), 48.0, 1e-12);
 }
-END_TEST
 
 /* Its axis along (1, 1, 0), radius 1, length 4. */
-START_TEST(distance_from_a_cylinder)
+FACT(distance_from_a_cylinder)
 {
     const double r = sqrt(0.5);
     const struct body_shape c =
@@ -249,12 +240,11 @@ START_TEST(distance_from_a_cylinder)
     ck_assert_double_eq_tol(e[2], 1.0, 1e-14);
     ck_assert_double_eq_tol(body_shape_volume(&c), 4.0 * M_PI, 1e-12);
 }
-END_TEST
 
 /* --- gaps ------------------------------------------------------------------
  */
 
-START_TEST(squeeze_film_begins_where_the_mesh_ends)
+FACT(squeeze_film_begins_where_the_mesh_ends)
 {
     const double mu = 2.0, R = 0.5, reach = 0.1, z_min = 1e-3;
     const double near = squeeze_film_coefficient(mu, R, 1e-2, z_min, reach);
@@ -267,12 +257,11 @@ START_TEST(squeeze_film_begins_where_the_mesh_ends)
     ck_assert_double_eq(squeeze_film_coefficient(mu, R, 1e-5, z_min, reach),
                         squeeze_film_coefficient(mu, R, 1e-3, z_min, reach));
 }
-END_TEST
 
 /* m dg/dt = -k(z) g has the integral m (g - g_0) = -6 pi mu R^2 (ln z -
  * z/reach) between the ends: the speed lost depends on the way alone. Each part
  * of the way changes z by a fifth, which leaves 3 % of the loss. */
-START_TEST(squeeze_film_takes_the_speed_that_its_integral_says)
+FACT(squeeze_film_takes_the_speed_that_its_integral_says)
 {
     const struct squeeze_film l = {.mu = 1e-2, .z_min = 1e-5, .reach = 0.1};
     const double R = 0.1, m = 1.0, g = -1.0, dt = 0.06,
@@ -284,10 +273,9 @@ START_TEST(squeeze_film_takes_the_speed_that_its_integral_says)
 
     ck_assert_double_eq_tol((after - g) / lost, 1.0, 0.03);
 }
-END_TEST
 
 /* At a gap far below z_min the damping time is far below the step. */
-START_TEST(squeeze_film_never_turns_a_body_round)
+FACT(squeeze_film_never_turns_a_body_round)
 {
     const struct squeeze_film l = {.mu = 1e3, .z_min = 1e-6, .reach = 0.1};
     const double after = squeeze_film_velocity(&l, 0.1, 1.0, 1e-3, -1.0, 0.1);
@@ -295,12 +283,11 @@ START_TEST(squeeze_film_never_turns_a_body_round)
     ck_assert_double_le(after, 0.0);
     ck_assert_double_ge(after, -1e-6);
 }
-END_TEST
 
 /* Between a sphere that comes down and the floor less than a cell is left. Were
  * it held there, the fluid could not get out, and the pressure would throw the
  * sphere back with sixty times the speed that it came with. */
-START_TEST(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell)
+FACT(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {12, 12, 12},
@@ -326,11 +313,10 @@ START_TEST(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell)
     ck_assert_double_le(fastest, 0.5);
     pool_free(&p);
 }
-END_TEST
 
 /* A sphere falls on a box and comes to rest on its top, where the spring
  * carries the weight less that of the fluid. */
-START_TEST(ls_4_4_a_sphere_comes_to_rest_on_a_box)
+FACT(ls_4_4_a_sphere_comes_to_rest_on_a_box)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {12, 12, 12},
@@ -360,24 +346,4 @@ START_TEST(ls_4_4_a_sphere_comes_to_rest_on_a_box)
                             0.2 * weight / k); /* it trembles a little */
     ck_assert_double_eq(p.bodies->ps->y[0], 0.2);
     pool_free(&p);
-}
-END_TEST
-
-FACTS("solid_bodies_methods")
-{
-    FACT(ls_4_4_a_sphere_comes_to_rest_on_a_box);
-    FACT(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag);
-    FACT(ls_5_17_the_fluid_inside_moves_with_the_body);
-    FACT(ls_5_20_the_corrected_fluxes_have_no_divergence);
-    FACT(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes);
-    FACT(ls_5_19_the_balance_of_momentum_knows_when_the_walls_acted);
-    FACT(ls_5_18_what_was_convected_is_counted_before_the_body_acts);
-    FACT(ls_5_21_the_accumulated_force_makes_the_sphere_too_large);
-    FACT_FOR_EACH(ls_5_21_a_body_begins_to_move_in_a_fluid_at_rest, 2);
-    FACT(distance_from_a_box);
-    FACT(distance_from_a_cylinder);
-    FACT(squeeze_film_begins_where_the_mesh_ends);
-    FACT(squeeze_film_takes_the_speed_that_its_integral_says);
-    FACT(squeeze_film_never_turns_a_body_round);
-    FACT(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell);
 }

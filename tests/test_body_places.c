@@ -58,7 +58,7 @@ static void three_bodies(struct pool *p, const int cells[3])
 /* Faces, edges and a corner. The cells are the same ones, so what differs is
  * rounding and what the solver leaves, 1e-10; a neighbour that is not found
  * through the seam would change the velocities by 0.1. */
-START_TEST(ew18_2_bodies_at_a_seam_move_as_in_the_middle)
+FACT_FOR_EACH(ew18_2_bodies_at_a_seam_move_as_in_the_middle, 7)
 {
     struct pool here, there;
 
@@ -81,7 +81,6 @@ START_TEST(ew18_2_bodies_at_a_seam_move_as_in_the_middle)
     pool_free(&here);
     pool_free(&there);
 }
-END_TEST
 
 /* The mean flow [m/s] that a gradient drives in a while past n spheres in a row
  * of periods of 1 m, with a gap of less than a cell between them. */
@@ -113,13 +112,12 @@ static double flow_past(int n)
 /* One sphere in one period and two in two are the same array: a cell in the gap
  * misses a part of its neighbours on both sides, be they in two bodies or in
  * one and its image. */
-START_TEST(ew18_4_a_sphere_beside_its_image_is_one_beside_another)
+FACT(ew18_4_a_sphere_beside_its_image_is_one_beside_another)
 {
     const double two = flow_past(2);
 
     ck_assert_double_eq_tol(flow_past(1) / two, 1.0, 1e-7);
 }
-END_TEST
 
 /* Two spheres in a stream toward an outlet, one behind the other. */
 static void create_stream(struct pool *p, const struct pool_options *o)
@@ -138,7 +136,7 @@ static void create_stream(struct pool *p, const struct pool_options *o)
 /* A sphere on its way out keeps its velocity, and the outlet is no wall to it;
  * what has left touches nothing that follows. The fluid satisfies continuity
  * and the balance of momentum all the time. */
-START_TEST(ew18_2_a_body_leaves_through_an_outlet)
+FACT(ew18_2_a_body_leaves_through_an_outlet)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {10, 10, 10},
@@ -174,7 +172,6 @@ START_TEST(ew18_2_a_body_leaves_through_an_outlet)
     ck_assert_int_eq(p.bodies->n_links, 0);
     pool_free(&p);
 }
-END_TEST
 
 /* A small box of next to no fluid. */
 static void create_void(struct pool *p, int walls)
@@ -196,7 +193,7 @@ static void create_void(struct pool *p, int walls)
  * would if that were free. One that could not be pushed would throw it back.
  * Both get the same impulse; the impact has 40 steps, and its end falls within
  * one. */
-START_TEST(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it)
+FACT(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it)
 {
     const struct body_shape sphere = body_shape_sphere(0.3);
     struct pool p;
@@ -216,13 +213,12 @@ START_TEST(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it)
     ck_assert_double_eq_tol(ps->vx[0] + ps->vx[1], 1.0, 1e-5);
     pool_free(&p);
 }
-END_TEST
 
 /* A sphere alone, one beside a free one, whose contacts are of another kind, a
  * box, and a cylinder that reaches through the walls along which it is held:
  * thrown at a wall without losses they come back as fast, to the part of the
  * last of 40 steps in which the overlap ends. */
-START_TEST(a_body_on_a_spring_bounces_off_a_wall)
+FACT_FOR_EACH(a_body_on_a_spring_bounces_off_a_wall, 4)
 {
     const struct body_shape sphere = body_shape_sphere(0.3),
                             box = body_shape_box((double[3]){0.4, 0.3, 0.4}),
@@ -249,11 +245,10 @@ START_TEST(a_body_on_a_spring_bounces_off_a_wall)
     ck_assert_double_eq_tol(ps->vy[0], 1.0, 0.05);
     pool_free(&p);
 }
-END_TEST
 
 /* A box on a spring comes with 1 m/s to a sphere that is fixed or prescribed,
  * and comes back, as nothing is lost in the impact of 40 steps. */
-START_TEST(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed)
+FACT_FOR_EACH(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed, 2)
 {
     const struct body_shape sphere = body_shape_sphere(0.3),
                             box = body_shape_box((double[3]){0.3, 0.3, 0.3});
@@ -274,13 +269,12 @@ START_TEST(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed)
     ck_assert_double_eq(ps->x[0], 0.3);
     pool_free(&p);
 }
-END_TEST
 
 /* Plates along each axis, and a disc: with x = nu dt / R^2 = 16 of half of what
  * they are thick, as heavy as the fluid, each gets 2.5 times 4.5 (16 + 4)/2 and
  * twice its added mass sqrt(6 V / (pi w^3))/2 (24.10); and an overlap is
  * compared with what they are thick. */
-START_TEST(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block)
+FACT_FOR_EACH(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block, 4)
 {
     const struct body_shape of[4] = {
         body_shape_box((double[3]){0.05, 0.5, 0.5}),
@@ -307,11 +301,10 @@ START_TEST(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block)
     ck_assert_double_eq_tol(body_gaps_width(p.bodies, &point), 0.05, 1e-15);
     pool_free(&p);
 }
-END_TEST
 
 /* 49 times 1/49 is less than 1 by rounding: such an axis is one of the mesh,
  * and the part of the cylinder beyond the walls has no volume. */
-START_TEST(a_cylinder_is_cut_at_the_walls_whatever_the_length_of_its_axis)
+FACT(a_cylinder_is_cut_at_the_walls_whatever_the_length_of_its_axis)
 {
     const struct body_shape tube =
         body_shape_cylinder(0.2, 3.0, (double[3]){0.0, 0.0, 49.0});
@@ -324,11 +317,10 @@ START_TEST(a_cylinder_is_cut_at_the_walls_whatever_the_length_of_its_axis)
     ck_assert_double_eq_tol(p.bodies->volume[0], 0.01 * M_PI, 1e-15);
     pool_free(&p);
 }
-END_TEST
 
 /* Two boxes have no contacts. Prescribed ones may overlap, but one on a spring
  * would go through what should stop it. */
-START_TEST(a_box_on_a_spring_does_not_go_through_another_in_silence)
+FACT_FOR_EACH(a_box_on_a_spring_does_not_go_through_another_in_silence, 2)
 {
     const struct body_shape box = body_shape_box((double[3]){0.3, 0.3, 0.3});
     struct pool p;
@@ -345,12 +337,11 @@ START_TEST(a_box_on_a_spring_does_not_go_through_another_in_silence)
     ck_assert_int_eq(body_motion_advance(p.bodies, p.fluid->options.dt), _i);
     pool_free(&p);
 }
-END_TEST
 
 /* A cylinder from one wall to the other moves along both, prescribed or, heavy
  * as it is, on a soft spring: no fluid is squeezed out there, and in every cell
  * that is a cell deep in it the fluid moves with it to 1/C of what presses. */
-START_TEST(ew18_4_a_body_that_slides_along_walls_is_held_beside_them)
+FACT_FOR_EACH(ew18_4_a_body_that_slides_along_walls_is_held_beside_them, 2)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 0.25},
                                    .cells = {16, 16, 4},
@@ -382,7 +373,6 @@ START_TEST(ew18_4_a_body_that_slides_along_walls_is_held_beside_them)
     ck_assert_int_ge(deep, 4 * 14);
     pool_free(&p);
 }
-END_TEST
 
 /* The velocity [m/s] of a cylinder from wall to wall across the axis z, 8 cells
  * apart, 20 steps after it was thrown. */
@@ -416,7 +406,7 @@ static double between_walls(const struct body_shape *shape,
  * beside the two walls as well. So does a free one, be it a little shorter;
  * without those cells it is half as fast again. Its forces act in halves of
  * particle steps, which is 0.01 here. */
-START_TEST(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them)
+FACT_FOR_EACH(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them, 2)
 {
     const double axis[3] = {0.0, 0.0, 1.0};
     const struct body_shape shape = body_shape_cylinder(0.4, 0.5, axis),
@@ -429,7 +419,6 @@ START_TEST(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them)
     ck_assert_double_eq_tol(between_walls(&free, BODY_FREE), v,
                             (_i == 0 ? 0.02 : 0.05) * fabs(v));
 }
-END_TEST
 
 /* A fixed box in a channel of 16 cells a side with an inlet below and an outlet
  * above, `gap` [m] from each of its four walls, all told of it. */
@@ -464,7 +453,7 @@ static double fastest(const struct pool *p, int inside)
  * too, and what comes in could only go through it: that is told, and the bodies
  * do not move on. Where a cell or more is left the flow goes through the gap:
  * inside the box it has less than 1 % of the velocity in the gap. */
-START_TEST(a_body_that_cuts_an_inlet_off_is_told_and_never_leaks)
+FACT_FOR_EACH(a_body_that_cuts_an_inlet_off_is_told_and_never_leaks, 5)
 {
     const struct pool_options o = {.size = {1.0, 1.6, 1.0},
                                    .cells = {16, 26, 16},
@@ -491,7 +480,6 @@ START_TEST(a_body_that_cuts_an_inlet_off_is_told_and_never_leaks)
     }
     pool_free(&p);
 }
-END_TEST
 
 /* A wall with the gap g [cells] to the floor, 1 m each, which a gradient drives
  * the fluid through, or which slides over it. Sets what flows through the gap
@@ -529,7 +517,8 @@ static void wall_over_floor(double g, double gradient, double speed,
 /* With less than a cell at most a ninth of the exact flow, where an open gap
  * would have three times of it and more, as one of a cell has: 1 + 2/g^2. What
  * slides has the exact force in both. */
-START_TEST(ew18_4_a_gap_of_less_than_a_cell_is_closed_and_slides_as_before)
+FACT_FOR_EACH(ew18_4_a_gap_of_less_than_a_cell_is_closed_and_slides_as_before,
+              7)
 {
     const double gap[] = {0.55, 0.7, 0.95, 1.0, 1.05, 1.5, 2.0}, g = gap[_i];
     double flow, force, other;
@@ -540,13 +529,12 @@ START_TEST(ew18_4_a_gap_of_less_than_a_cell_is_closed_and_slides_as_before)
     ck_assert_double_lt(flow, g < 1.0 ? 1.0 / 9.0 : 3.1);
     ck_assert_double_eq_tol(force, 1.0, 1e-3); /* 1/C */
 }
-END_TEST
 
 /* 0.7 cells over the floor or over another body, with and without the centre of
  * a cell in between: fixed ones and those that move
  * along close the gap, one that is free or comes down must press the fluid out
  * of it. Both are told. */
-START_TEST(a_gap_that_may_change_stays_open_and_is_told)
+FACT_FOR_EACH(a_gap_that_may_change_stays_open_and_is_told, 48)
 {
     const struct {
         enum body_motion motion;
@@ -593,12 +581,11 @@ START_TEST(a_gap_that_may_change_stays_open_and_is_told)
     if (kind != 3) body_outline_free(of[3].outline);
     pool_free(&p);
 }
-END_TEST
 
 /* A wall of 1 m by 1 m that moves across a closed box of the same size pushes
  * the fluid into a part without a way out; one that leaves two cells free or
  * that stands still does not, nor one that has the box to itself and turns. */
-START_TEST(a_piston_that_fits_its_closed_box_is_told)
+FACT_FOR_EACH(a_piston_that_fits_its_closed_box_is_told, 5)
 {
     const struct pool_options o = {.size = {1.6, 1.0, 1.0},
                                    .cells = {16, 10, 10},
@@ -627,11 +614,10 @@ START_TEST(a_piston_that_fits_its_closed_box_is_told)
     ck_assert_int_eq(p.bodies->seal.pushes, piston[_i].told);
     pool_free(&p);
 }
-END_TEST
 
 /* A pocket of fluid in a hollow ball that moves and turns is pushed by all of
  * its shell, and has its way with it. */
-START_TEST(a_pocket_that_moves_with_its_body_needs_no_outlet)
+FACT(a_pocket_that_moves_with_its_body_needs_no_outlet)
 {
     enum { N = 200 };
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
@@ -660,12 +646,11 @@ START_TEST(a_pocket_that_moves_with_its_body_needs_no_outlet)
     ck_assert_double_gt(body_shape_distance(&shell, (double[3]){0.0}), 0.2);
     pool_free(&p);
 }
-END_TEST
 
 /* Two fixed spheres that lie in each other: their springs give them no more
  * than what rounding leaves of 1/1e60 kg. They displace nothing, and theirs is
  * not an overlap that a step could have avoided. */
-START_TEST(fixed_bodies_in_each_other_displace_nothing)
+FACT(fixed_bodies_in_each_other_displace_nothing)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {16, 16, 16},
@@ -687,11 +672,10 @@ START_TEST(fixed_bodies_in_each_other_displace_nothing)
     ck_assert_double_eq(p.bodies->deepest, 0.0);
     pool_free(&p);
 }
-END_TEST
 
 /* A rod turns beside an outlet until an end of it is outside, while its weight
  * draws it in: it is moved by what acts on it, and does not stay there. */
-START_TEST(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back)
+FACT(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {12, 12, 12},
@@ -725,30 +709,4 @@ START_TEST(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back)
     ck_assert_double_gt(highest, 1.02);
     ck_assert_double_lt(p.bodies->ps->vy[0], -0.1);
     pool_free(&p);
-}
-END_TEST
-
-FACTS("body_places")
-{
-    FACT_FOR_EACH(ew18_2_bodies_at_a_seam_move_as_in_the_middle, 7);
-    FACT_FOR_EACH(ew18_2_a_free_cylinder_from_wall_to_wall_is_held_beside_them,
-                  2);
-    FACT(ew18_4_a_sphere_beside_its_image_is_one_beside_another);
-    FACT(ew18_2_a_body_leaves_through_an_outlet);
-    FACT(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back);
-    FACT_FOR_EACH(ew18_4_a_body_that_slides_along_walls_is_held_beside_them, 2);
-    FACT_FOR_EACH(a_body_that_cuts_an_inlet_off_is_told_and_never_leaks, 5);
-    FACT_FOR_EACH(
-        ew18_4_a_gap_of_less_than_a_cell_is_closed_and_slides_as_before, 7);
-    FACT_FOR_EACH(a_gap_that_may_change_stays_open_and_is_told, 48);
-    FACT_FOR_EACH(a_piston_that_fits_its_closed_box_is_told, 5);
-    FACT(a_pocket_that_moves_with_its_body_needs_no_outlet);
-    FACT(fixed_bodies_in_each_other_displace_nothing);
-    FACT(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it);
-    FACT_FOR_EACH(a_body_on_a_spring_bounces_off_a_wall, 4);
-    FACT_FOR_EACH(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed,
-                  2);
-    FACT_FOR_EACH(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block, 4);
-    FACT(a_cylinder_is_cut_at_the_walls_whatever_the_length_of_its_axis);
-    FACT_FOR_EACH(a_box_on_a_spring_does_not_go_through_another_in_silence, 2);
 }

@@ -50,7 +50,7 @@ static void run(struct fluid *fl, int steps)
 
 /* Between a wall at rest and one that moves u is linear, and linear is exact:
  * what is left is how far the start has died away, exp(-2000). */
-START_TEST(couette_flow_under_a_moving_wall_is_exact)
+FACT(couette_flow_under_a_moving_wall_is_exact)
 {
     const struct boundary b[2] = {
         {.kind = BOUNDARY_NO_SLIP},
@@ -68,7 +68,6 @@ START_TEST(couette_flow_under_a_moving_wall_is_exact)
     }
     discard(fl);
 }
-END_TEST
 
 /* The mesh turned as a whole: every vector of it. */
 static void turn(struct mesh *m, double angle)
@@ -122,7 +121,7 @@ static void swirl(double angle, double *p, double *u)
 /* Slip walls of any normal: without the part that couples the components the
  * velocity at the walls is wrong by a tenth. 1e-6: the coupling is taken from
  * the corrector before, of twenty. */
-START_TEST(a_turned_box_has_the_turned_flow)
+FACT_FOR_EACH(a_turned_box_has_the_turned_flow, 2)
 {
     const double angle = M_PI / 180.0 * (_i == 0 ? 30.0 : 45.0);
     double p[2][30], u[2][60];
@@ -133,12 +132,11 @@ START_TEST(a_turned_box_has_the_turned_flow)
     for (int i = 0; i < 30; i++)
         ck_assert_double_eq_tol(p[0][i], p[1][i], 1e-5);
 }
-END_TEST
 
 /* --- inlets and outlets ------------------------------------------------- */
 
 /* Against Simpson's rule, which is exact for a parabola. */
-START_TEST(the_pieces_of_a_parabola_have_its_mean)
+FACT(the_pieces_of_a_parabola_have_its_mean)
 {
     const double x[] = {0.0, 0.1, 0.35, 0.8, 1.0};
     double sum = 0.0;
@@ -151,11 +149,10 @@ START_TEST(the_pieces_of_a_parabola_have_its_mean)
     }
     ck_assert_double_eq_tol(sum, 1.0, 1e-14);
 }
-END_TEST
 
 /* A parabola that enters a channel leaves it as it is, and the pressure falls
  * by 12 mu U / h^2: 2 % off for 12 cells across, a quarter of that for 24. */
-START_TEST(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
+FACT(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
 {
     double error[2];
     for (int i = 0; i < 2; i++) {
@@ -189,11 +186,10 @@ START_TEST(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
     ck_assert_double_lt(error[0], 0.02);
     ck_assert_double_eq_tol(log2(error[0] / error[1]), 2.0, 0.3);
 }
-END_TEST
 
 /* A pair of vortices is carried through the outlet: fluid flows back in there,
  * which is counted, and the kinetic energy only decreases. */
-START_TEST(a_vortex_leaves_through_an_outlet)
+FACT_FOR_EACH(a_vortex_leaves_through_an_outlet, 4)
 {
     struct boundary b[6] = {{.kind = BOUNDARY_INLET,
                              .n_points = 1,
@@ -240,13 +236,12 @@ START_TEST(a_vortex_leaves_through_an_outlet)
     ck_assert_double_eq_tol(before / (0.5 * 4.0 * 2.0 * 0.1), 1.0, 0.05);
     discard(fl);
 }
-END_TEST
 
 /* --- a flow round a periodic box ---------------------------------------- */
 
 /* u = G y (y - h) / (2 mu): in the mean -G h^2 / (12 mu). A prescribed mean
  * flow is reached in every step; its gradient is the same. */
-START_TEST(a_mean_gradient_and_the_mean_flow_that_is_kept_agree)
+FACT(a_mean_gradient_and_the_mean_flow_that_is_kept_agree)
 {
     const struct boundary b[2] = {{.kind = BOUNDARY_NO_SLIP},
                                   {.kind = BOUNDARY_NO_SLIP}};
@@ -271,13 +266,12 @@ START_TEST(a_mean_gradient_and_the_mean_flow_that_is_kept_agree)
     ck_assert_double_eq_tol(fl->mean_gradient[2], 0.0, 1e-12);
     discard(fl);
 }
-END_TEST
 
 /* --- steps -------------------------------------------------------------- */
 
 /* An inlet switched on at once and one that ramps up: the step is divided so
  * that no part has a larger Courant number; a fixed step is one part. */
-START_TEST(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large)
+FACT_FOR_EACH(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 2)
 {
     const double t[] = {0.0, 0.2}, U[] = {_i ? 0.0 : 2.0, 2.0};
     struct boundary b[6] = {
@@ -304,17 +298,8 @@ START_TEST(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large)
     ck_assert_double_eq_tol(fl->report.cfl, 2.0, 1e-3);
     discard(fl);
 }
-END_TEST
 
-FACTS("boundary")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT(couette_flow_under_a_moving_wall_is_exact);
-    FACT_FOR_EACH(a_turned_box_has_the_turned_flow, 2);
-    FACT(the_pieces_of_a_parabola_have_its_mean);
-    FACT(a_parabola_at_the_inlet_is_poiseuille_flow_at_once);
-    FACT_FOR_EACH(a_vortex_leaves_through_an_outlet, 4);
-    FACT(a_mean_gradient_and_the_mean_flow_that_is_kept_agree);
-    FACT_FOR_EACH(
-        ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 2);
 }

@@ -31,7 +31,7 @@ static void fill_boundaries(const struct mesh *m, struct boundary b[6])
 
 /* u = (1, 2, 4) in all cells; the inlet's flux is 0.9 a square metre, and the
  * fluid fraction is 0.6: 1.5 m/s. */
-START_TEST(each_kind_of_side_has_its_velocity)
+FACT(each_kind_of_side_has_its_velocity)
 {
     static const double expected[6][3] = {{0.0, 3.0, 0.0}, {0.0, 2.0, 4.0},
                                           {0.0, 1.5, 0.0}, {1.0, 2.0, 4.0},
@@ -73,10 +73,4 @@ START_TEST(each_kind_of_side_has_its_velocity)
     free(u_b);
     fluid_free(fl);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("boundary_velocity")
-{
-    FACT(each_kind_of_side_has_its_velocity);
 }

@@ -48,7 +48,7 @@ static void refused(const char *override, const char *part)
     ck_assert_msg(strstr(said, part) != NULL, "no \"%s\" in %s", part, said);
 }
 
-START_TEST(the_cases_are_right)
+FACT(the_cases_are_right)
 {
     static const char *const cases[] = {
         "cases/mueller-bed.cfg", "cases/small-bed.cfg",
@@ -64,9 +64,8 @@ START_TEST(the_cases_are_right)
         settings_free(s);
     }
 }
-END_TEST
 
-START_TEST(something_must_be_there_to_compute)
+FACT(something_must_be_there_to_compute)
 {
     FILE *const f = fopen("/tmp/winnow-empty.cfg", "w");
     int code;
@@ -80,18 +79,16 @@ START_TEST(something_must_be_there_to_compute)
     ck_assert_int_eq(code, 2);
     ck_assert_ptr_nonnull(strstr(said, "neither fluid nor particles"));
 }
-END_TEST
 
-START_TEST(each_side_of_the_box_is_described_once)
+FACT(each_side_of_the_box_is_described_once)
 {
     refused("fluid.left=slip", "left is given twice, by left and sides");
     refused("mesh.periodic=[true,false,false]", "x is periodic");
     refused("mesh.periodic=[false,false,true]", "no front_back");
     refused("fluid={density=1;viscosity=1;step=1;}", "the side left");
 }
-END_TEST
 
-START_TEST(sizes_are_possible_and_known_by_their_names)
+FACT(sizes_are_possible_and_known_by_their_names)
 {
     static const char two[] =
         "particles.sizes=({name=\"sand\";distribution=\"uniform\";"
@@ -119,10 +116,9 @@ START_TEST(sizes_are_possible_and_known_by_their_names)
     capture_end(&c, said);
     ck_assert_ptr_nonnull(strstr(said, "did you mean sand"));
 }
-END_TEST
 
 /* What the reference loop does not know is refused before a run. */
-START_TEST(the_reference_loop_is_refused_what_it_does_not_know)
+FACT_FOR_EACH(the_reference_loop_is_refused_what_it_does_not_know, 2)
 {
     static const char *const methods[2] = {"particles.list=all-pairs",
                                            "particles.list=link-cells"};
@@ -144,15 +140,13 @@ START_TEST(the_reference_loop_is_refused_what_it_does_not_know)
         ck_assert_msg(strstr(said, why[k]) != NULL, "%s", said);
     }
 }
-END_TEST
 
-START_TEST(what_flows_in_must_be_able_to_flow_out)
+FACT(what_flows_in_must_be_able_to_flow_out)
 {
     refused("fluid.top=slip", "there is an inlet and no outlet");
 }
-END_TEST
 
-START_TEST(average_is_no_wider_than_the_mesh_by_far)
+FACT(average_is_no_wider_than_the_mesh_by_far)
 {
     refused("averaging.bandwidth=1e10", "1e+10 m is more than 10 times");
     refused("averaging={method=\"images\";delta_05=1e10;}",
@@ -160,18 +154,16 @@ START_TEST(average_is_no_wider_than_the_mesh_by_far)
     refused("averaging={method=\"two-grid\";bandwidth=1e-9;}",
             "a second grid of cells of 1e-09 m would have");
 }
-END_TEST
 
-START_TEST(whole_number_is_written_without_point_or_exponent)
+FACT(whole_number_is_written_without_point_or_exponent)
 {
     refused("particles.bed.count=1e12",
             "at most 2147483647 and without point or exponent");
     refused("particles.bed.count=1000000000000", "at most 2147483647");
     refused("mesh.cells=[1e3, 1e3, 1.0]", "without point or exponent");
 }
-END_TEST
 
-START_TEST(cells_are_of_a_size_that_can_be_computed)
+FACT(cells_are_of_a_size_that_can_be_computed)
 {
     refused("mesh.grading=[1.0,1e-12,1.0]",
             "the widest cell is 1e+12 times the narrowest in y; at most 1e+06");
@@ -179,10 +171,9 @@ START_TEST(cells_are_of_a_size_that_can_be_computed)
     refused("mesh.size=[1e300,1e300,1e300]", "between 1e-12 and 1e+12 [m]");
     refused("mesh.size=[1e-60,1.0,1.0]", "between 1e-12 and 1e+12 [m]");
 }
-END_TEST
 
 /* Half of the smallest double has no square and no reciprocal. */
-START_TEST(numbers_have_magnitudes_that_their_units_can_have)
+FACT(numbers_have_magnitudes_that_their_units_can_have)
 {
     refused("particles.bed.diameter=4.9e-324",
             "particles.bed.diameter: expected 0 or a magnitude between 1e-12 "
@@ -194,24 +185,21 @@ START_TEST(numbers_have_magnitudes_that_their_units_can_have)
     refused("mesh.size=[1.0,1e-300,1.0]", "[m], found 1e-300");
     refused("particles.grains.young=1e-300", "between 1e-30 and 1e+30 [Pa]");
 }
-END_TEST
 
 /* As scripts write them: the cosine of a right angle. */
-START_TEST(what_rounding_leaves_of_a_0_is_a_direction_still)
+FACT(what_rounding_leaves_of_a_0_is_a_direction_still)
 {
     int code;
     settings_free(read_case("cases/mueller-bed.cfg",
                             "effects.gravity=[6e-317,-9.81,6e-17]", &code));
     ck_assert_int_eq(code, 0);
 }
-END_TEST
 
-START_TEST(sink_without_a_side_requires_a_region)
+FACT(sink_without_a_side_requires_a_region)
 {
     refused("particles.sinks=({side=\"none\";})",
             "sink 0: give either side, or from and to");
 }
-END_TEST
 
 static void put_text(const char *path, const char *text)
 {
@@ -222,7 +210,7 @@ static void put_text(const char *path, const char *text)
 }
 
 /* The files may go as soon as the case is read. */
-START_TEST(files_that_a_case_names_are_read_once)
+FACT(files_that_a_case_names_are_read_once)
 {
     char dir[64];
     int code;
@@ -254,9 +242,8 @@ START_TEST(files_that_a_case_names_are_read_once)
     free(after);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(a_mesh_and_the_profile_of_an_inlet_are_read_once)
+FACT(a_mesh_and_the_profile_of_an_inlet_are_read_once)
 {
     char dir[64], copy[256];
     int code;
@@ -285,9 +272,8 @@ START_TEST(a_mesh_and_the_profile_of_an_inlet_are_read_once)
     build_free(sim);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(member_of_the_settings_knows_its_key)
+FACT(member_of_the_settings_knows_its_key)
 {
     int code;
     struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
@@ -301,9 +287,8 @@ START_TEST(member_of_the_settings_knows_its_key)
     ck_assert_str_eq(KEY_OF(s, particles.skin), "particles.skin");
     settings_free(s);
 }
-END_TEST
 
-START_TEST(source_with_one_corner_reaches_to_the_end_of_the_box)
+FACT(source_with_one_corner_reaches_to_the_end_of_the_box)
 {
     int code;
     struct settings *const s =
@@ -320,9 +305,8 @@ START_TEST(source_with_one_corner_reaches_to_the_end_of_the_box)
     ck_assert_double_eq(o->hi[1], hi[1]);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(every_profile_has_a_file_of_its_own)
+FACT(every_profile_has_a_file_of_its_own)
 {
     static const char two[] =
         "output.profiles=({field=\"eps_f\";height=0.0164;},"
@@ -341,9 +325,8 @@ START_TEST(every_profile_has_a_file_of_its_own)
             "{field=\"p\";height=0.01;},{field=\"p\";height=0.01;})",
             "profiles 1 and 2 are of the same field");
 }
-END_TEST
 
-START_TEST(profiles_along_other_directions_have_other_names)
+FACT(profiles_along_other_directions_have_other_names)
 {
     static const char three[] =
         "output.profiles=({field=\"eps_f\";along=\"y\";x=0.011;},"
@@ -367,11 +350,10 @@ START_TEST(profiles_along_other_directions_have_other_names)
             "profiles 2 and 3 are of the same field on the same line from the "
             "same time: both would be p_along_y_x10mm_from0s.csv");
 }
-END_TEST
 
 /* Names are compared by sorting, not each with all others for each: 1,000 of
  * them would take an hour. */
-START_TEST(a_thousand_profiles_are_read_in_a_second_or_two)
+FACT(a_thousand_profiles_are_read_in_a_second_or_two)
 {
     static char many[80000];
     size_t at = (size_t)sprintf(many, "output.profiles=(");
@@ -387,9 +369,8 @@ START_TEST(a_thousand_profiles_are_read_in_a_second_or_two)
     ck_assert_double_lt((double)(clock() - start) / CLOCKS_PER_SEC, 10.0);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(a_profile_has_one_place_beside_its_direction)
+FACT(a_profile_has_one_place_beside_its_direction)
 {
     refused("output.profiles=({field=\"p\";})",
             "profile 0 goes along x: expected height or z, in m");
@@ -404,21 +385,19 @@ START_TEST(a_profile_has_one_place_beside_its_direction)
     refused("output.profiles=({field=\"p\";along=\"y\";z=-1e-9;})",
             "z -1e-09 m is beyond the box, 0 m");
 }
-END_TEST
 
-START_TEST(contact_law_requires_its_constants)
+FACT(contact_law_requires_its_constants)
 {
     refused("particles.contact=linear",
             "linear needs particles.grains.stiffness");
     refused("particles.grains={density=1;restitution=1;friction=0;}",
             "hertz needs particles.grains.young");
 }
-END_TEST
 
 #define STEEL                                                                  \
     "{name=\"steel\";young=2e11;poisson=0.3;restitution=0.9;friction=0.3;}"
 
-START_TEST(materials_are_known_by_their_names)
+FACT(materials_are_known_by_their_names)
 {
     refused("particles.walls={material=\"grain\";}", "did you mean grains?");
     refused("particles.walls={material=\"\";}", "no material");
@@ -432,10 +411,9 @@ START_TEST(materials_are_known_by_their_names)
             "restitution=1;friction=0;})",
             "the name grains is given twice");
 }
-END_TEST
 
 /* The materials of a case are those of the particles. */
-START_TEST(materials_of_a_case_reach_the_particles)
+FACT(materials_of_a_case_reach_the_particles)
 {
     const char *const overrides[] = {
         "particles.materials=(" STEEL ")",
@@ -458,9 +436,8 @@ START_TEST(materials_of_a_case_reach_the_particles)
     free(all);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(cohesion_is_complete_and_possible)
+FACT(cohesion_is_complete_and_possible)
 {
     refused("effects.electrostatic={range=1e-3;}", "no material has a charge");
     refused("particles.grains.charge=1e-12",
@@ -472,11 +449,10 @@ START_TEST(cohesion_is_complete_and_possible)
     refused("effects.capillary={tension=0.07;angle=2.0;}",
             "expected a number >= 0, < 1.5707963 [rad]");
 }
-END_TEST
 
 /* The cohesion of a case acts on the particles, in the order of the effects.
  */
-START_TEST(cohesion_of_a_case_reaches_the_particles)
+FACT(cohesion_of_a_case_reaches_the_particles)
 {
     const char *const overrides[] = {
         ("effects.capillary={tension=0.07;angle=1.0471975511965976;"
@@ -501,37 +477,32 @@ START_TEST(cohesion_of_a_case_reaches_the_particles)
     free(a);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(bed_must_fit_into_the_box)
+FACT(bed_must_fit_into_the_box)
 {
     refused("particles.bed.diameter=0.02", "larger than the box");
     refused("particles.bed.count=100000", "would fill 171 % of the box");
     refused("particles.place=({position=[0.01,0.01,0.01];diameter=1e-3;})",
             "not both");
 }
-END_TEST
 
-START_TEST(averaging_by_a_bandwidth_requires_one)
+FACT(averaging_by_a_bandwidth_requires_one)
 {
     refused("averaging={method=\"kernel\";}", "needs averaging.bandwidth");
 }
-END_TEST
 
-START_TEST(profiles_lie_inside_the_box)
+FACT(profiles_lie_inside_the_box)
 {
     refused("output.profiles.0.height=0.2", "above the box");
 }
-END_TEST
 
-START_TEST(probes_lie_inside_the_box)
+FACT(probes_lie_inside_the_box)
 {
     refused("output.probes=({field=\"p\"; position=[0.01,0.13,0.0];})",
             "the point [0.01, 0.13, 0] m is outside the box");
 }
-END_TEST
 
-START_TEST(empty_bed_and_missing_inlet_are_allowed)
+FACT(empty_bed_and_missing_inlet_are_allowed)
 {
     int code;
     struct settings *s =
@@ -543,9 +514,8 @@ START_TEST(empty_bed_and_missing_inlet_are_allowed)
     ck_assert_msg(s != NULL, "%s", said);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
+FACT(numbers_of_an_effect_come_in_the_order_of_its_keys)
 {
     static const struct key keys[] = {
         {"effects", KEY_GROUP, "", "", "", "", "", ""},
@@ -564,7 +534,6 @@ START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
     ck_assert_double_eq(x[4], 2.0);
     settings_free(s);
 }
-END_TEST
 
 /* A function that the source defines: at the beginning of a line, or behind its
  * type there. */
@@ -581,7 +550,7 @@ static int is_defined(const char *function)
 /* A descriptor says what the model is, where it comes from and which function
  * computes it; its name is a word that the key of its kind allows, and a word
  * that is not among them is refused with all of them. */
-START_TEST(every_descriptor_of_every_kind_is_complete)
+FACT(every_descriptor_of_every_kind_is_complete)
 {
     const struct key *tables[CASE_FILE_TABLES];
     char expected[SCHEMA_TEXT];
@@ -605,7 +574,6 @@ START_TEST(every_descriptor_of_every_kind_is_complete)
         }
     }
 }
-END_TEST
 
 /* A model's own keys are numbers that always have a value, no more than it has
  * room for, and one of the tables that make them known. */
@@ -626,7 +594,7 @@ static void check_own_keys(const char *name, const struct key *own,
 }
 
 /* A law that lacks one of its functions would not be refused, but called. */
-START_TEST(every_law_and_method_has_its_functions)
+FACT(every_law_and_method_has_its_functions)
 {
     for (int i = 0; contact_laws[i] != NULL; i++) {
         const struct contact_law *const law = contact_laws[i];
@@ -658,10 +626,9 @@ START_TEST(every_law_and_method_has_its_functions)
         check_own_keys(s->name, s->own_keys, s->keys);
     }
 }
-END_TEST
 
 /* What a drag law is tested with is its default, where there is one. */
-START_TEST(every_key_of_a_models_own_has_a_value)
+FACT(every_key_of_a_models_own_has_a_value)
 {
     for (int i = 0; contact_laws[i] != NULL; i++) {
         int n = 0;
@@ -684,11 +651,10 @@ START_TEST(every_key_of_a_models_own_has_a_value)
                 ck_assert_double_eq(law->own[n], atof(k->fallback));
     }
 }
-END_TEST
 
 /* Every key that a model reads is in the tables, and has a row once: a second
  * one would never be found. */
-START_TEST(every_key_has_one_row)
+FACT(every_key_has_one_row)
 {
     const struct key *tables[CASE_FILE_TABLES];
 
@@ -698,9 +664,8 @@ START_TEST(every_key_has_one_row)
             if (other != key && strcmp(other->path, key->path) == 0)
                 ck_abort_msg("%s has two rows", key->path);
 }
-END_TEST
 
-START_TEST(list_shows_every_model_and_key)
+FACT(list_shows_every_model_and_key)
 {
     struct capture c = capture_begin(1);
     const struct key *tables[CASE_FILE_TABLES];
@@ -725,11 +690,10 @@ START_TEST(list_shows_every_model_and_key)
         ck_assert_ptr_nonnull(strstr(said, key->what));
     }
 }
-END_TEST
 
 /* The bed of SX15 Table 1, mesh C: 44 x 120 x 10 mm in 18 x 50 x 4 cells. The
  * paper prints S_c / d_p = 2 for it, rounded. */
-START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
+FACT(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
 {
     int code;
     struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
@@ -745,46 +709,4 @@ START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
                             1e-6); /* four digits are printed */
     ck_assert_double_eq_tol(S_c / 1.2e-3, 2.0, 0.05);
     settings_free(s);
-}
-END_TEST
-
-FACTS("scene")
-{
-    FACT(the_cases_are_right);
-    FACT(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume);
-    FACT(something_must_be_there_to_compute);
-    FACT(each_side_of_the_box_is_described_once);
-    FACT(sizes_are_possible_and_known_by_their_names);
-    FACT_FOR_EACH(the_reference_loop_is_refused_what_it_does_not_know, 2);
-    FACT(what_flows_in_must_be_able_to_flow_out);
-    FACT(average_is_no_wider_than_the_mesh_by_far);
-    FACT(whole_number_is_written_without_point_or_exponent);
-    FACT(cells_are_of_a_size_that_can_be_computed);
-    FACT(numbers_have_magnitudes_that_their_units_can_have);
-    FACT(what_rounding_leaves_of_a_0_is_a_direction_still);
-    FACT(sink_without_a_side_requires_a_region);
-    FACT(files_that_a_case_names_are_read_once);
-    FACT(a_mesh_and_the_profile_of_an_inlet_are_read_once);
-    FACT(member_of_the_settings_knows_its_key);
-    FACT(source_with_one_corner_reaches_to_the_end_of_the_box);
-    FACT(every_profile_has_a_file_of_its_own);
-    FACT(profiles_along_other_directions_have_other_names);
-    FACT(a_thousand_profiles_are_read_in_a_second_or_two);
-    FACT(a_profile_has_one_place_beside_its_direction);
-    FACT(contact_law_requires_its_constants);
-    FACT(materials_are_known_by_their_names);
-    FACT(materials_of_a_case_reach_the_particles);
-    FACT(cohesion_is_complete_and_possible);
-    FACT(cohesion_of_a_case_reaches_the_particles);
-    FACT(bed_must_fit_into_the_box);
-    FACT(averaging_by_a_bandwidth_requires_one);
-    FACT(profiles_lie_inside_the_box);
-    FACT(probes_lie_inside_the_box);
-    FACT(empty_bed_and_missing_inlet_are_allowed);
-    FACT(numbers_of_an_effect_come_in_the_order_of_its_keys);
-    FACT(every_descriptor_of_every_kind_is_complete);
-    FACT(every_law_and_method_has_its_functions);
-    FACT(every_key_of_a_models_own_has_a_value);
-    FACT(every_key_has_one_row);
-    FACT(list_shows_every_model_and_key);
 }

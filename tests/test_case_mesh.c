@@ -61,7 +61,7 @@ static struct simulation *flow_after(int steps, const char *mesh,
 
 /* The mesh of blockMesh's box is our box: so is the flow through it, to what
  * the linear solvers leave, 1e-8. */
-START_TEST(a_box_from_files_has_the_flow_of_our_box)
+FACT(a_box_from_files_has_the_flow_of_our_box)
 {
     struct simulation *const a =
         flow_after(20, "size = [1.0, 2.0, 0.5]; cells = [4, 3, 2];", sides);
@@ -80,11 +80,10 @@ START_TEST(a_box_from_files_has_the_flow_of_our_box)
     build_free(a);
     build_free(b);
 }
-END_TEST
 
 /* Sheared by nothing the box is the box, through all that a mesh of faces
  * takes. */
-START_TEST(a_box_sheared_by_nothing_has_the_flow_of_the_box)
+FACT(a_box_sheared_by_nothing_has_the_flow_of_the_box)
 {
     struct simulation *const a =
         flow_after(20, "size = [1.0, 2.0, 0.5]; cells = [4, 3, 2];", sides);
@@ -103,12 +102,11 @@ START_TEST(a_box_sheared_by_nothing_has_the_flow_of_the_box)
     build_free(a);
     build_free(b);
 }
-END_TEST
 
 /* A gradient along x drives a sheared box that is periodic in x and walled in
  * y; what is driven through it is Poiseuille's flow, which does not depend on
  * the shear: u(y) = G y (H - y) / (2 mu), with the error of a straight mesh. */
-START_TEST(a_sheared_channel_has_poiseuilles_flow)
+FACT(a_sheared_channel_has_poiseuilles_flow)
 {
     double error[2];
 
@@ -133,7 +131,6 @@ START_TEST(a_sheared_channel_has_poiseuilles_flow)
     ck_assert_double_eq_tol(error[0], 1.0 / 64.0, 1e-6);
     ck_assert_double_eq_tol(error[1], 1.0 / 256.0, 1e-6);
 }
-END_TEST
 
 /* --- grains -----------------------------------------------------------------
  */
@@ -165,7 +162,7 @@ static struct simulation *bed_after(int steps, const char *mesh)
 /* The walls of the box from files lie in the sides of the smallest box around
  * it, so the same contacts settle the same bed; then drag and pressure come
  * through two meshes, and differ by what the linear solvers leave. */
-START_TEST(a_box_from_files_has_the_bed_of_our_box)
+FACT(a_box_from_files_has_the_bed_of_our_box)
 {
     struct simulation *const a =
         bed_after(5, "size = [1.0, 2.0, 0.5]; cells = [4, 3, 2];");
@@ -191,11 +188,10 @@ START_TEST(a_box_from_files_has_the_bed_of_our_box)
     build_free(a);
     build_free(b);
 }
-END_TEST
 
 /* Slanted walls hold the grains for any mesh and any numbering: each grain has
  * a cell, and a distance of nearly its radius or more from all planes. */
-START_TEST(slanted_walls_hold_the_grains)
+FACT_FOR_EACH(slanted_walls_hold_the_grains, 3)
 {
     static const char *const meshes[] = {
         "polymesh = \"../tests/data/poly/sheared\";",
@@ -222,9 +218,8 @@ START_TEST(slanted_walls_hold_the_grains)
     }
     build_free(sim);
 }
-END_TEST
 
-START_TEST(unsupported_particle_features_on_a_polyhedral_mesh_are_refused)
+FACT(unsupported_particle_features_on_a_polyhedral_mesh_are_refused)
 {
     static const char box[] = "polymesh = \"../tests/data/poly/sheared\";";
     static const char grains[] =
@@ -244,9 +239,8 @@ START_TEST(unsupported_particle_features_on_a_polyhedral_mesh_are_refused)
                   "sides = \"no-slip\"; front_back = \"slip\";", more, &code));
     ck_assert_ptr_nonnull(strstr(said, "a period must be along x, y or z"));
 }
-END_TEST
 
-START_TEST(patches_go_by_their_own_names)
+FACT(patches_go_by_their_own_names)
 {
     static const char box[] = "polymesh = \"../tests/data/poly/box\";";
 
@@ -264,9 +258,8 @@ START_TEST(patches_go_by_their_own_names)
             "\"slip\"; right = \"slip\"; front = \"slip\"; back = \"slip\";",
             "move through itself");
 }
-END_TEST
 
-START_TEST(a_mesh_is_a_box_or_from_files)
+FACT(a_mesh_is_a_box_or_from_files)
 {
     refused("polymesh = \"nowhere\";", "",
             "case_mesh.cfg:1: mesh.polymesh: there is no mesh in the folder "
@@ -275,10 +268,9 @@ START_TEST(a_mesh_is_a_box_or_from_files)
             "mesh.size: the mesh comes from files");
     refused("cells = [1, 1, 1];", sides, "mesh.size is missing");
 }
-END_TEST
 
 /* Nothing flows through it; the box of one cell has one. */
-START_TEST(a_patch_of_no_faces_needs_no_condition)
+FACT(a_patch_of_no_faces_needs_no_condition)
 {
     int code;
     struct settings *const s =
@@ -290,26 +282,14 @@ START_TEST(a_patch_of_no_faces_needs_no_condition)
     refused("polymesh = \"../tests/data/poly/one-cell\";",
             "bottom = \"no-slip\";", "the patch top, 1 faces");
 }
-END_TEST
 
-START_TEST(a_file_of_gmsh_is_refused_with_what_makes_a_folder_of_it)
+FACT(a_file_of_gmsh_is_refused_with_what_makes_a_folder_of_it)
 {
     refused("polymesh = \"case_mesh.cfg\";", sides,
             "found the file build/case_mesh.cfg; gmshToFoam makes one");
 }
-END_TEST
 
-FACTS("case_mesh")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT(a_patch_of_no_faces_needs_no_condition);
-    FACT(a_file_of_gmsh_is_refused_with_what_makes_a_folder_of_it);
-    FACT(a_box_from_files_has_the_flow_of_our_box);
-    FACT(a_box_sheared_by_nothing_has_the_flow_of_the_box);
-    FACT(a_sheared_channel_has_poiseuilles_flow);
-    FACT(a_box_from_files_has_the_bed_of_our_box);
-    FACT_FOR_EACH(slanted_walls_hold_the_grains, 3);
-    FACT(unsupported_particle_features_on_a_polyhedral_mesh_are_refused);
-    FACT(patches_go_by_their_own_names);
-    FACT(a_mesh_is_a_box_or_from_files);
 }

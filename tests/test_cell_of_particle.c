@@ -9,7 +9,8 @@
 
 enum { N = 120 };
 
-START_TEST(every_particle_is_a_member_of_the_cell_that_holds_it_once)
+FACT_FOR_EACH(every_particle_is_a_member_of_the_cell_that_holds_it_once,
+              CLOUD_SHAPES)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i]);
     struct particles *const ps = cloud_create(m, N);
@@ -31,10 +32,9 @@ START_TEST(every_particle_is_a_member_of_the_cell_that_holds_it_once)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* Twice: a second search must not depend on the first. */
-START_TEST(particles_are_found_where_they_went)
+FACT(particles_are_found_where_they_went)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[4]);
     struct particles *const ps = cloud_create(m, N);
@@ -55,12 +55,11 @@ START_TEST(particles_are_found_where_they_went)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* Offsets reach to the walls of the cell and not farther, also where the
  * particle has left a periodic box and counts as one of its images. The slack
  * is rounding of coordinates of order 1. */
-START_TEST(offsets_end_at_the_walls_of_the_particles_cell)
+FACT_FOR_EACH(offsets_end_at_the_walls_of_the_particles_cell, CLOUD_SHAPES)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i]);
     struct particles *const ps = cloud_create(m, N);
@@ -85,9 +84,8 @@ START_TEST(offsets_end_at_the_walls_of_the_particles_cell)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(particles_outside_or_nowhere_are_counted)
+FACT(particles_outside_or_nowhere_are_counted)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[4]);
     struct particles *const ps = cloud_create(m, N);
@@ -103,14 +101,4 @@ START_TEST(particles_outside_or_nowhere_are_counted)
     cell_of_particle_free(h);
     particles_free(ps);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("hosts")
-{
-    FACT_FOR_EACH(every_particle_is_a_member_of_the_cell_that_holds_it_once,
-                  CLOUD_SHAPES);
-    FACT(particles_are_found_where_they_went);
-    FACT_FOR_EACH(offsets_end_at_the_walls_of_the_particles_cell, CLOUD_SHAPES);
-    FACT(particles_outside_or_nowhere_are_counted);
 }

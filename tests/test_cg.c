@@ -49,7 +49,7 @@ static void release(struct setting *s)
 
 /* The residual of the recurrence drifts from the true one by rounding, some
  * 1e-15 an iteration times the condition of the product. */
-START_TEST(the_true_residual_is_the_one_reported)
+FACT(the_true_residual_is_the_one_reported)
 {
     for (int jacobi = 0; jacobi < 2; jacobi++) {
         struct setting s = poisson(16, 16, 16);
@@ -63,10 +63,9 @@ START_TEST(the_true_residual_is_the_one_reported)
         release(&s);
     }
 }
-END_TEST
 
 /* One iteration more than needed would reduce it a hundredfold. */
-START_TEST(the_residual_of_a_guess_is_reduced_as_asked)
+FACT(the_residual_of_a_guess_is_reduced_as_asked)
 {
     for (int jacobi = 0; jacobi < 2; jacobi++) {
         struct setting s = poisson(16, 16, 4);
@@ -82,11 +81,10 @@ START_TEST(the_residual_of_a_guess_is_reduced_as_asked)
         release(&s);
     }
 }
-END_TEST
 
 /* Without a tolerance the iteration goes on until the squares of the residual
  * are no normal numbers any more, below sqrt(DBL_MIN). */
-START_TEST(a_residual_whose_square_underflows_counts_as_solved)
+FACT(a_residual_whose_square_underflows_counts_as_solved)
 {
     for (int jacobi = 0; jacobi < 2; jacobi++) {
         struct setting s = poisson(8, 8, 4);
@@ -106,9 +104,8 @@ START_TEST(a_residual_whose_square_underflows_counts_as_solved)
         release(&s);
     }
 }
-END_TEST
 
-START_TEST(a_good_guess_costs_nothing)
+FACT(a_good_guess_costs_nothing)
 {
     struct setting s = poisson(8, 8, 4);
     double *const exact = noise_vector(s.b.n, 4);
@@ -125,9 +122,8 @@ START_TEST(a_good_guess_costs_nothing)
     free(exact);
     release(&s);
 }
-END_TEST
 
-START_TEST(the_absolute_tolerance_stops_too)
+FACT(the_absolute_tolerance_stops_too)
 {
     struct setting s = poisson(16, 16, 4);
     const double size = sqrt(dot_plain(s.b.n, s.rhs, s.rhs));
@@ -139,9 +135,8 @@ START_TEST(the_absolute_tolerance_stops_too)
     ck_assert_double_gt(r.after, 1e-6); /* no iterations beyond the tolerance */
     release(&s);
 }
-END_TEST
 
-START_TEST(the_limit_of_iterations_is_reported)
+FACT(the_limit_of_iterations_is_reported)
 {
     struct setting s = poisson(16, 16, 4);
     const struct solve_report r =
@@ -152,9 +147,8 @@ START_TEST(the_limit_of_iterations_is_reported)
     ck_assert_double_eq_tol(true_residual(s.A, s.rhs, s.x), r.after, 1e-13);
     release(&s);
 }
-END_TEST
 
-START_TEST(a_matrix_that_is_not_positive_is_reported)
+FACT(a_matrix_that_is_not_positive_is_reported)
 {
     struct setting s = poisson(6, 6, 1);
 
@@ -171,9 +165,8 @@ START_TEST(a_matrix_that_is_not_positive_is_reported)
         !cg_solve(by_diagonal(&s), s.rhs, s.x, 1e-10, 0.0, 100, s.w).converged);
     release(&s);
 }
-END_TEST
 
-START_TEST(threads_do_not_change_a_bit)
+FACT(threads_do_not_change_a_bit)
 {
     struct setting s = poisson(33, 32, 31);
     double *const first = alloc_doubles(s.b.n);
@@ -191,18 +184,9 @@ START_TEST(threads_do_not_change_a_bit)
     free(first);
     release(&s);
 }
-END_TEST
 
-FACTS("cg")
+FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(the_true_residual_is_the_one_reported);
-    FACT(the_residual_of_a_guess_is_reduced_as_asked);
-    FACT(a_residual_whose_square_underflows_counts_as_solved);
-    FACT(a_good_guess_costs_nothing);
-    FACT(the_absolute_tolerance_stops_too);
-    FACT(the_limit_of_iterations_is_reported);
-    FACT(a_matrix_that_is_not_positive_is_reported);
-    FACT(threads_do_not_change_a_bit);
 }

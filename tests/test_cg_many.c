@@ -58,7 +58,7 @@ static struct solve_report solve(struct setting *s, const double *weight,
 
 /* Both residuals are 1e-12, and no eigenvalue of A is below 0.5 (the least
  * volume), so the solutions agree to 2e-12 |b|, |b| some 100. */
-START_TEST(each_field_is_solved_as_by_cg_alone)
+FACT(each_field_is_solved_as_by_cg_alone)
 {
     const int fields[] = {1, 3, 7, 8, 16};
 
@@ -95,7 +95,6 @@ START_TEST(each_field_is_solved_as_by_cg_alone)
         release(&s);
     }
 }
-END_TEST
 
 static double mass(const struct setting *s, const double *x, int k)
 {
@@ -108,7 +107,7 @@ static double mass(const struct setting *s, const double *x, int k)
 
 /* Rounding: n = 3600 terms of order k, a few 1e-12. By the diagonal instead
  * of V the mass errs as the solution does: 1e-3 of it for this tolerance. */
-START_TEST(preconditioned_by_volume_mass_is_kept_to_rounding)
+FACT(preconditioned_by_volume_mass_is_kept_to_rounding)
 {
     struct setting s = diffusion_step(18, 50, 4, 7);
     const struct solve_report r = solve(&s, s.b.V, 1e-2, 100);
@@ -118,9 +117,8 @@ START_TEST(preconditioned_by_volume_mass_is_kept_to_rounding)
         ck_assert_double_eq_tol(mass(&s, s.x, k), mass(&s, s.u, k), 1e-10);
     release(&s);
 }
-END_TEST
 
-START_TEST(a_field_without_right_hand_side_becomes_zero)
+FACT(a_field_without_right_hand_side_becomes_zero)
 {
     struct setting s = diffusion_step(5, 5, 5, 3);
 
@@ -136,11 +134,10 @@ START_TEST(a_field_without_right_hand_side_becomes_zero)
     }
     release(&s);
 }
-END_TEST
 
 /* Without a tolerance the iteration goes on until the squares of the residual
  * are no normal numbers any more, below sqrt(DBL_MIN). */
-START_TEST(a_residual_whose_square_underflows_counts_as_solved)
+FACT(a_residual_whose_square_underflows_counts_as_solved)
 {
     struct setting s = diffusion_step(8, 8, 4, 3);
     double most = 0.0;
@@ -162,9 +159,8 @@ START_TEST(a_residual_whose_square_underflows_counts_as_solved)
     ck_assert_double_le(r.after * most, 3.0 * 1.5e-154);
     release(&s);
 }
-END_TEST
 
-START_TEST(the_report_is_that_of_the_worst_field)
+FACT(the_report_is_that_of_the_worst_field)
 {
     struct setting s = diffusion_step(20, 20, 1, 2);
 
@@ -183,9 +179,8 @@ START_TEST(the_report_is_that_of_the_worst_field)
         ck_assert_double_eq_tol(s.x[2 * i], 1.0, 1e-14);
     release(&s);
 }
-END_TEST
 
-START_TEST(a_number_that_is_none_is_reported)
+FACT(a_number_that_is_none_is_reported)
 {
     struct setting s = diffusion_step(4, 4, 4, 3);
 
@@ -196,9 +191,8 @@ START_TEST(a_number_that_is_none_is_reported)
     ck_assert(!r.converged && isnan(r.after));
     release(&s);
 }
-END_TEST
 
-START_TEST(threads_do_not_change_a_bit)
+FACT(threads_do_not_change_a_bit)
 {
     double *first = NULL;
 
@@ -216,17 +210,9 @@ START_TEST(threads_do_not_change_a_bit)
     }
     free(first);
 }
-END_TEST
 
-FACTS("cg_many")
+FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(each_field_is_solved_as_by_cg_alone);
-    FACT(preconditioned_by_volume_mass_is_kept_to_rounding);
-    FACT(a_field_without_right_hand_side_becomes_zero);
-    FACT(a_residual_whose_square_underflows_counts_as_solved);
-    FACT(the_report_is_that_of_the_worst_field);
-    FACT(a_number_that_is_none_is_reported);
-    FACT(threads_do_not_change_a_bit);
 }

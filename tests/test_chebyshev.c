@@ -74,7 +74,7 @@ static void exact(const struct setting *s, double T, const double *u, double *x)
 
 /* The series leaves out less than tail and adds it to c_0: 2 tail of the norm
  * of u in V, here 5; the largest norm of an entry is 1/sqrt(V) < 1.6. */
-START_TEST(the_series_is_the_exponential_up_to_its_tail)
+FACT(the_series_is_the_exponential_up_to_its_tail)
 {
     const double times[] = {0.0, 0.01, 1.0, 20.0, 500.0};
     const double tails[] = {1e-2, 1e-4, 1e-12};
@@ -93,11 +93,10 @@ START_TEST(the_series_is_the_exponential_up_to_its_tail)
     free(u);
     release(&s);
 }
-END_TEST
 
 /* n = 3600 terms of order 1 and some 30 products: a few 1e-13 of the sum of
  * |V u|, some 2000. Without the shift of c_0 it would be the tail. */
-START_TEST(mass_is_kept_to_rounding)
+FACT(mass_is_kept_to_rounding)
 {
     struct setting s = closed_box(18, 50, 4);
     double *const u = noise_vector(s.b.n, 3);
@@ -108,10 +107,9 @@ START_TEST(mass_is_kept_to_rounding)
     free(u);
     release(&s);
 }
-END_TEST
 
 /* Every row of L adds up to zero, up to rounding. */
-START_TEST(a_constant_stays)
+FACT(a_constant_stays)
 {
     struct setting s = closed_box(9, 8, 7);
     double *const u = alloc_doubles(s.b.n);
@@ -124,10 +122,9 @@ START_TEST(a_constant_stays)
     free(u);
     release(&s);
 }
-END_TEST
 
 /* From one full cell, the hardest case; the exponential itself is positive. */
-START_TEST(an_undershoot_is_smaller_than_the_tail)
+FACT(an_undershoot_is_smaller_than_the_tail)
 {
     const double times[] = {0.25, 1.0, 4.0, 16.0};
     struct setting s = closed_box(11, 11, 11);
@@ -144,10 +141,9 @@ START_TEST(an_undershoot_is_smaller_than_the_tail)
     free(u);
     release(&s);
 }
-END_TEST
 
 /* sum V v E u = sum V u E v: a polynomial of V^-1 K is, whatever its tail. */
-START_TEST(the_series_is_its_own_adjoint_weighted_by_volume)
+FACT(the_series_is_its_own_adjoint_weighted_by_volume)
 {
     struct setting s = closed_box(18, 20, 4);
     double *const u = noise_vector(s.b.n, 5), *const v = noise_vector(s.b.n, 6);
@@ -166,9 +162,8 @@ START_TEST(the_series_is_its_own_adjoint_weighted_by_volume)
     free(Ev);
     release(&s);
 }
-END_TEST
 
-START_TEST(fields_side_by_side_diffuse_as_each_alone)
+FACT(fields_side_by_side_diffuse_as_each_alone)
 {
     struct setting s = closed_box(7, 6, 5);
 
@@ -194,9 +189,8 @@ START_TEST(fields_side_by_side_diffuse_as_each_alone)
     }
     release(&s);
 }
-END_TEST
 
-START_TEST(the_loop_by_groups_gives_the_bits_of_the_plain_one)
+FACT(the_loop_by_groups_gives_the_bits_of_the_plain_one)
 {
     struct setting s = closed_box(7, 6, 5);
 
@@ -216,10 +210,9 @@ START_TEST(the_loop_by_groups_gives_the_bits_of_the_plain_one)
     }
     release(&s);
 }
-END_TEST
 
 /* Some sqrt(z) products: z = lambda T, lambda about 12 here (cells of one). */
-START_TEST(it_takes_about_as_many_products_as_the_root_of_z)
+FACT(it_takes_about_as_many_products_as_the_root_of_z)
 {
     struct setting s = closed_box(16, 16, 16);
     const int expected[][2] = {{8, 12}, {14, 20}, {28, 40}};
@@ -236,9 +229,8 @@ START_TEST(it_takes_about_as_many_products_as_the_root_of_z)
     }
     release(&s);
 }
-END_TEST
 
-START_TEST(threads_do_not_change_a_bit)
+FACT(threads_do_not_change_a_bit)
 {
     struct setting s = closed_box(20, 19, 18);
     double *const one = noise_vector(8 * s.b.n, 1);
@@ -253,19 +245,9 @@ START_TEST(threads_do_not_change_a_bit)
     free(two);
     release(&s);
 }
-END_TEST
 
-FACTS("chebyshev")
+FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(the_series_is_the_exponential_up_to_its_tail);
-    FACT(mass_is_kept_to_rounding);
-    FACT(a_constant_stays);
-    FACT(an_undershoot_is_smaller_than_the_tail);
-    FACT(the_series_is_its_own_adjoint_weighted_by_volume);
-    FACT(fields_side_by_side_diffuse_as_each_alone);
-    FACT(the_loop_by_groups_gives_the_bits_of_the_plain_one);
-    FACT(it_takes_about_as_many_products_as_the_root_of_z);
-    FACT(threads_do_not_change_a_bit);
 }

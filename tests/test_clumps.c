@@ -52,7 +52,7 @@ static struct clump_shape lopsided(void)
 
 /* Two truncated balls, or two whole ones: V, and I/m of the long axis and of
  * those across. 1e-5 is what the columns of the union leave. */
-START_TEST(dumb_bells_have_the_volume_and_the_moments_of_their_union)
+FACT_FOR_EACH(dumb_bells_have_the_volume_and_the_moments_of_their_union, 2)
 {
     static const double exact[2][4] = {{0.5, 0.883572934, 0.10625, 0.184375},
                                        {1.0, M_PI / 3.0, 0.1, 0.35}};
@@ -68,10 +68,9 @@ START_TEST(dumb_bells_have_the_volume_and_the_moments_of_their_union)
         (I[0] + I[1] + I[2]) / (exact[_i][2] + 2.0 * exact[_i][3]), 1.0, 1e-5);
     free(s.ball);
 }
-END_TEST
 
 /* Without it gravity, which acts on each ball, would turn a clump. */
-START_TEST(shares_of_the_balls_have_the_centre_of_mass)
+FACT(shares_of_the_balls_have_the_centre_of_mass)
 {
     const struct clump_shape s = lopsided();
     double sum = 0.0, centre[3] = {0.0};
@@ -84,7 +83,6 @@ START_TEST(shares_of_the_balls_have_the_centre_of_mass)
     ck_assert_double_lt(vector_length(centre), 1e-14);
     free(s.ball);
 }
-END_TEST
 
 static const double rest[3] = {0.0, 0.0, 0.0};
 
@@ -108,7 +106,7 @@ static void run(struct dem *dem, int steps)
  * V'/V = -1 + (1 + e) m_eff/M [exact]. 2e-4: what it turns in the contact. With
  * the mass of the ball, or the whole mass, in the dashpot the first would be
  * 0.058 or 0.019. */
-START_TEST(an_impact_off_the_centre_has_the_restitution_of_the_law)
+FACT_FOR_EACH(an_impact_off_the_centre_has_the_restitution_of_the_law, 6)
 {
     static const double exact[3][2] = {
         {0.0, 0.050000}, {45.0, 0.326316}, {75.0, 0.717806}};
@@ -136,7 +134,6 @@ START_TEST(an_impact_off_the_centre_has_the_restitution_of_the_law)
     particles_free(ps);
     free(s.ball);
 }
-END_TEST
 
 /* So many on a lattice, turned at random, that fly towards the middle of the
  * floor, all with spin; single spheres among them. */
@@ -176,7 +173,7 @@ static void two_shapes_free(struct clump_shape s[2])
 }
 
 /* Where nothing acts, L is never computed anew. */
-START_TEST(a_clump_in_flight_keeps_its_angular_momentum_to_the_last_bit)
+FACT(a_clump_in_flight_keeps_its_angular_momentum_to_the_last_bit)
 {
     struct clump_shape s[2];
     two_shapes(s);
@@ -201,11 +198,10 @@ START_TEST(a_clump_in_flight_keeps_its_angular_momentum_to_the_last_bit)
     particles_free(ps);
     two_shapes_free(s);
 }
-END_TEST
 
 /* With friction, rolling friction, walls and a period: the two loops add in
  * another order, so rounding is left. */
-START_TEST(the_fast_loop_moves_clumps_as_the_reference_does)
+FACT_FOR_EACH(the_fast_loop_moves_clumps_as_the_reference_does, 2)
 {
     struct clump_shape s[2];
     struct particles *ps[2];
@@ -239,12 +235,11 @@ START_TEST(the_fast_loop_moves_clumps_as_the_reference_does)
     particles_free(ps[1]);
     two_shapes_free(s);
 }
-END_TEST
 
 /* All that is gained and lost is counted: what is left is of the second order
  * in the step. 3e-5 of the kinetic energy; without the torque of the contacts
  * it would be a tenth. */
-START_TEST(the_energy_budget_of_clumps_closes)
+FACT_FOR_EACH(the_energy_budget_of_clumps_closes, 2)
 {
     struct clump_shape s[2];
     two_shapes(s);
@@ -264,9 +259,8 @@ START_TEST(the_energy_budget_of_clumps_closes)
     particles_free(ps);
     two_shapes_free(s);
 }
-END_TEST
 
-START_TEST(any_number_of_threads_and_a_restart_give_the_same_bits)
+FACT_FOR_EACH(any_number_of_threads_and_a_restart_give_the_same_bits, 4)
 {
     static const int threads[4] = {1, 2, 3, 7};
     struct clump_shape s[2];
@@ -308,9 +302,8 @@ START_TEST(any_number_of_threads_and_a_restart_give_the_same_bits)
         particles_free(ps[k]);
     two_shapes_free(s);
 }
-END_TEST
 
-START_TEST(a_clump_leaves_with_all_its_balls)
+FACT(a_clump_leaves_with_all_its_balls)
 {
     struct clump_shape s[2];
     two_shapes(s);
@@ -332,17 +325,4 @@ START_TEST(a_clump_leaves_with_all_its_balls)
     }
     particles_free(ps);
     two_shapes_free(s);
-}
-END_TEST
-
-FACTS("clumps")
-{
-    FACT_FOR_EACH(dumb_bells_have_the_volume_and_the_moments_of_their_union, 2);
-    FACT(shares_of_the_balls_have_the_centre_of_mass);
-    FACT_FOR_EACH(an_impact_off_the_centre_has_the_restitution_of_the_law, 6);
-    FACT(a_clump_in_flight_keeps_its_angular_momentum_to_the_last_bit);
-    FACT_FOR_EACH(the_fast_loop_moves_clumps_as_the_reference_does, 2);
-    FACT_FOR_EACH(the_energy_budget_of_clumps_closes, 2);
-    FACT_FOR_EACH(any_number_of_threads_and_a_restart_give_the_same_bits, 4);
-    FACT(a_clump_leaves_with_all_its_balls);
 }

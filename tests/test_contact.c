@@ -39,7 +39,8 @@ static double measured_restitution(const struct particles *ps, double v)
 /* Forces are computed with velocities half a step old, an error of first order
  * in the damping: at a 1000th of the collision e comes out within 0.4 %. With
  * the sign of ln e wrong, or m for m*, it would miss by more than 10 %. */
-START_TEST(ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says)
+FACT_FOR_EACH(ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says,
+              N_RESTITUTIONS)
 {
     const double e = restitutions[_i], v = 0.3;
     struct particles *const ps = approaching_pair(v);
@@ -53,10 +54,9 @@ START_TEST(ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says)
     ck_assert_double_eq_tol(c.time / t_c, 1.0, 4e-3); /* it has whole steps */
     particles_free(ps);
 }
-END_TEST
 
 /* The damping 2 sqrt(5/6) ratio sqrt(S m*) returns e at any speed. */
-START_TEST(ls_4_7_hertz_collision_returns_e_at_any_speed)
+FACT_FOR_EACH(ls_4_7_hertz_collision_returns_e_at_any_speed, N_RESTITUTIONS)
 {
     const double e = restitutions[_i];
 
@@ -72,11 +72,10 @@ START_TEST(ls_4_7_hertz_collision_returns_e_at_any_speed)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* With critical damping there is no rebound: the overlap decays and never
  * ends. */
-START_TEST(ls_4_11_critical_damping_lets_nothing_rebound)
+FACT(ls_4_11_critical_damping_lets_nothing_rebound)
 {
     struct particles *const ps = approaching_pair(0.3);
     struct dem_options o = spheres_options(&contact_linear, 1e-7, 0.1);
@@ -93,11 +92,10 @@ START_TEST(ls_4_11_critical_damping_lets_nothing_rebound)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* The same with Hertz's law, whose spring hardens: it never pushes the two
  * apart faster than the dashpot takes in. */
-START_TEST(ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound)
+FACT(ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound)
 {
     struct particles *const ps = approaching_pair(0.3);
     struct dem_options o = spheres_options(&contact_hertz, 1e-7, 0.1);
@@ -111,7 +109,6 @@ START_TEST(ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* The furthest that the tangential spring of a sphere, pressed on a wall and
  * pushed along it, swings to the other side, over how far it went at first. */
@@ -149,8 +146,7 @@ static double swing_back(const struct contact_law *law, double e)
  * it would creep home, with half the dashpot swing to 0.16. Hertz's dashpot is
  * made of m*, which is 1.7 times critical for the sphere that turns: so it
  * creeps, and e = 0.7 swings less far than 0.7. */
-START_TEST(
-    ls_4_12_critical_damping_allows_no_overshoot_of_the_tangential_spring)
+FACT(ls_4_12_critical_damping_allows_no_overshoot_of_the_tangential_spring)
 {
     for (int law = 0; law < 2; law++) {
         ck_assert_double_lt(swing_back(contact_laws[law], 0.0), 1e-3);
@@ -158,10 +154,9 @@ START_TEST(
     }
     ck_assert_double_eq_tol(swing_back(&contact_linear, 0.5), 0.5, 0.02);
 }
-END_TEST
 
 /* No friction, no spin, and nothing changes along the surface: exactly. */
-START_TEST(ls_4_8_without_friction_nothing_turns)
+FACT_FOR_EACH(ls_4_8_without_friction_nothing_turns, 2)
 {
     struct dem_options o = spheres_options(contact_laws[_i], 1e-6, 0.1);
     struct particles *const ps = particles_create(1);
@@ -178,7 +173,6 @@ START_TEST(ls_4_8_without_friction_nothing_turns)
     ck_assert_double_lt(ps->vy[0], 0.0);
     particles_free(ps);
 }
-END_TEST
 
 /* Elastic collisions of Chung and Ooi (2011), Granular Matter 13:643, tests 1
  * (two spheres) and 2 (a sphere on a rigid plane). Our walls are of the
@@ -199,7 +193,8 @@ enum { N_CHUNG = sizeof chung / sizeof *chung };
 
 /* 0.5 % is the band of the digitised curves; at a 1000th of the collision we
  * keep to 0.2 %. Doubling or halving E or R moves each number by over 10 %. */
-START_TEST(chung_ooi_tests_1_and_2_give_hertz_force_overlap_and_time)
+FACT_FOR_EACH(chung_ooi_tests_1_and_2_give_hertz_force_overlap_and_time,
+              N_CHUNG)
 {
     const struct chung *const k = &chung[_i];
     struct particles *const ps = particles_create(2);
@@ -220,7 +215,6 @@ START_TEST(chung_ooi_tests_1_and_2_give_hertz_force_overlap_and_time)
     ck_assert_double_eq_tol(c.time / k->time, 1.0, 2e-3);
     particles_free(ps);
 }
-END_TEST
 
 /* Kharaz et al. (2001): 5 mm aluminium oxide on glass at 3.9 m/s, mu = 0.092;
  * the reference is MFiX's test DEM05 (e = 1, sphere on wall), with its linear
@@ -256,7 +250,7 @@ static void equivalent_material(struct material *m)
 /* MFiX's variants with a heavy sphere for the wall differ from these by 0.03
  * degrees and 1.5 rad/s, and it accepts 5 %; 6 rad/s are 1 % of the largest
  * spin. With two thirds of k_t the angle at 5 degrees misses by 1.3. */
-START_TEST(dem05_oblique_impacts_rebound_as_computed_by_mfix)
+FACT_FOR_EACH(dem05_oblique_impacts_rebound_as_computed_by_mfix, 2 * N_KHARAZ)
 {
     const struct kharaz *const k = &kharaz[_i / 2];
     const int hertz = _i % 2;
@@ -276,11 +270,10 @@ START_TEST(dem05_oblique_impacts_rebound_as_computed_by_mfix)
     ck_assert_double_eq_tol(-ps->wz[0], k->spin[hertz], 6.0);
     particles_free(ps);
 }
-END_TEST
 
 /* What a sphere loses sliding along a wall is mu times what it gains from it,
  * in every single step: exact, but for the rounding of velocities. */
-START_TEST(ls_4_8_a_sliding_contact_has_exactly_mu_times_the_normal_force)
+FACT_FOR_EACH(ls_4_8_a_sliding_contact_has_exactly_mu_times_the_normal_force, 2)
 {
     const double mu = 0.3;
     const struct contact_law *const law = contact_laws[_i];
@@ -303,13 +296,12 @@ START_TEST(ls_4_8_a_sliding_contact_has_exactly_mu_times_the_normal_force)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Hence v_t' = v_t - mu (1 + e) v_n, up to what the last moments pull back: 0.3
  * % at e = 0.9. The lever of the spin is R - delta/2, so R omega is five halves
  * of that less a part of the overlap. A spring that took the dashpot's place
  * while sliding would push the sphere on. */
-START_TEST(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb)
+FACT_FOR_EACH(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb, 2)
 {
     const struct contact_law *const law = contact_laws[_i];
     const double mu = 0.1, v_n = 1.0, v_t = 3.0, e = 0.9;
@@ -328,13 +320,12 @@ START_TEST(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb)
     ck_assert_double_gt(lever, 1.0 - c.overlap);
     particles_free(ps);
 }
-END_TEST
 
 /* A sphere slides along a wall faster than friction can stop it, so in every
  * step friction takes from its speed. A tangential displacement that is reduced
  * by the force of the dashpot when the sum is capped would change sign, and
  * push the sphere on early in a damped Hertzian impact. */
-START_TEST(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip)
+FACT_FOR_EACH(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip, 2)
 {
     const struct contact_law *const law = contact_laws[_i];
     struct dem_options o = spheres_options(law, 2e-6, 0.1);
@@ -355,14 +346,13 @@ START_TEST(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Slip s and spring hold (1/7) m s^2 + (1/2) k_t xi^2 between them, and
  * friction can only take from that. A damped impact slides where the normal
  * force passes 0 near its end. If the cap then set the spring to what bears the
  * force, with or without the dashpot, the sum would jump up by 0.2 or 0.02. The
  * depth is 2e-4 R, and so is the error of the lever. */
-START_TEST(ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it)
+FACT_FOR_EACH(ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it, 4)
 {
     const double R = 0.005, v_t = 0.003 * (_i + 1), k = 1e7;
     struct dem_options o = spheres_options(&contact_linear, 5e-8, 0.1);
@@ -392,12 +382,11 @@ START_TEST(ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* With k_t = (2/7) k the spring swings with the overlap, and spring and dashpot
  * of either are alike: friction stays the same share of the normal force, never
  * slides, and gives back e of the slip. 0.4 % is the step, as in LS 4.4. */
-START_TEST(ls_4_8_a_sticking_contact_returns_e_of_its_slip)
+FACT_FOR_EACH(ls_4_8_a_sticking_contact_returns_e_of_its_slip, N_RESTITUTIONS)
 {
     const double R = 0.005, e = restitutions[_i];
     const double m = 2000.0 * 4.0 / 3.0 * M_PI * R * R * R;
@@ -415,11 +404,10 @@ START_TEST(ls_4_8_a_sticking_contact_returns_e_of_its_slip)
     ck_assert_double_eq_tol(-slip / 0.05 / e, 1.0, 4e-3);
     particles_free(ps);
 }
-END_TEST
 
 /* Glass on steel by hand: E* = 1/(0.96/48e9 + 0.91/208e9), G = E/(2 (1 + nu))
  * = 20e9 and 80e9, G* = 1/(1.8/20e9 + 1.7/80e9). */
-START_TEST(ls_4_9_effective_moduli_follow_hertz_and_mindlin)
+FACT(ls_4_9_effective_moduli_follow_hertz_and_mindlin)
 {
     ck_assert_double_eq_tol(contact_hertz_modulus(48e9, 0.2, 208e9, 0.3),
                             4.1025641e10, 1e3);
@@ -431,12 +419,11 @@ START_TEST(ls_4_9_effective_moduli_follow_hertz_and_mindlin)
     ck_assert_double_eq_tol(contact_hertz_tangential(1e9, 0.01, 1e-4), 8e6,
                             1e-6);
 }
-END_TEST
 
 /* Mindlin: a Hertzian contact is 2 (1 - nu)/(2 - nu) times as stiff to shear as
  * to further pressure, which is 3 F/(2 delta). Measured: what a small shift
  * along the wall costs. With what LS prints the ratio would be 2/(1 + nu). */
-START_TEST(ls_4_10_a_contact_resists_shear_as_mindlin_found)
+FACT_FOR_EACH(ls_4_10_a_contact_resists_shear_as_mindlin_found, 3)
 {
     const double nu = 0.25 * _i, delta = 1e-4;
     struct dem_options o = spheres_options(&contact_hertz, 1e-9, 0.1);
@@ -457,40 +444,15 @@ START_TEST(ls_4_10_a_contact_resists_shear_as_mindlin_found)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(laws_are_found_by_name_and_only_by_theirs)
+FACT(laws_are_found_by_name_and_only_by_theirs)
 {
     ck_assert_ptr_eq(contact_law_named("linear"), &contact_linear);
     ck_assert_ptr_eq(contact_law_named("hertz"), &contact_hertz);
     ck_assert_ptr_null(contact_law_named("Hertz"));
 }
-END_TEST
 
-FACTS("contact")
+FACTS
 {
     omp_set_num_threads(1); /* one pair has nothing to share */
-    FACT_FOR_EACH(ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says,
-                  N_RESTITUTIONS);
-    FACT(ls_4_11_critical_damping_lets_nothing_rebound);
-    FACT(ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound);
-    FACT(ls_4_12_critical_damping_allows_no_overshoot_of_the_tangential_spring);
-    FACT_FOR_EACH(ls_4_8_without_friction_nothing_turns, 2);
-    FACT_FOR_EACH(ls_4_7_hertz_collision_returns_e_at_any_speed,
-                  N_RESTITUTIONS);
-    FACT_FOR_EACH(chung_ooi_tests_1_and_2_give_hertz_force_overlap_and_time,
-                  N_CHUNG);
-    FACT_FOR_EACH(dem05_oblique_impacts_rebound_as_computed_by_mfix,
-                  2 * N_KHARAZ);
-    FACT_FOR_EACH(
-        ls_4_8_a_sliding_contact_has_exactly_mu_times_the_normal_force, 2);
-    FACT_FOR_EACH(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb, 2);
-    FACT_FOR_EACH(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip,
-                  2);
-    FACT_FOR_EACH(ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it, 4);
-    FACT_FOR_EACH(ls_4_8_a_sticking_contact_returns_e_of_its_slip,
-                  N_RESTITUTIONS);
-    FACT(ls_4_9_effective_moduli_follow_hertz_and_mindlin);
-    FACT_FOR_EACH(ls_4_10_a_contact_resists_shear_as_mindlin_found, 3);
-    FACT(laws_are_found_by_name_and_only_by_theirs);
 }

@@ -148,7 +148,7 @@ static int compare(const struct scene *s, int threads)
  * smaller and larger than 2 m, and of 2 m; fewer contacts than the loop has
  * lanes and more, a sphere alone, and odd numbers of them; in one chunk, or
  * those few in the chunks of as many as there is room for. */
-START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_any_box)
+FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 8)
 {
     static const double sides[] = {0.01, 0.9, 2.0, 7.0};
     static const int counts[] = {1, 7, 33, 65};
@@ -168,11 +168,11 @@ START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_any_box)
         }
     ck_assert_int_gt(contacts, 1000);
 }
-END_TEST
 
 /* So many that there are two chunks, of several blocks each: what a block
  * leaves out or does too late, or a chunk adds to another, would be missing. */
-START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks)
+FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks,
+              2)
 {
     static const int periodic[] = {0, 7};
     const struct scene s = {.n = 2101,
@@ -184,7 +184,6 @@ START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks)
 
     ck_assert_int_gt(compare(&s, 2), 1000);
 }
-END_TEST
 
 /* Of contacts in order of their owners from `first` on, how many belong to
  * particles before `end`, rounded up to whole lanes if there are so many. */
@@ -201,7 +200,7 @@ static int whole_lanes(const struct chunk_contacts *c, int first, int n,
 /* A contact done after its block would come too late for its owner's motion;
  * one done before would be of no harm, but the lanes of the next block would be
  * empty. Walls begin lanes of their own. */
-START_TEST(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
+FACT(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
 {
     const struct scene s = {.n = 1901, .L = 0.9};
     struct attraction pull[3];
@@ -225,13 +224,4 @@ START_TEST(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
     }
     dem_free(dem);
     particles_free(ps);
-}
-END_TEST
-
-FACTS("contact_loop")
-{
-    FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 8);
-    FACT_FOR_EACH(
-        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks, 2);
-    FACT(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes);
 }

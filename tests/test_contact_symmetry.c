@@ -35,7 +35,7 @@ static void assert_same_bits(const double *a, int i, const double *b, int j)
     ck_assert_mem_eq(&a[i], &b[j], sizeof *a);
 }
 
-START_TEST(the_order_within_a_pair_does_not_change_a_bit)
+FACT_FOR_EACH(the_order_within_a_pair_does_not_change_a_bit, 2)
 {
     const struct dem_options o = rough_options(contact_laws[_i]);
     struct particles *const a = oblique_pair(0, 0.01, 0.013);
@@ -55,9 +55,9 @@ START_TEST(the_order_within_a_pair_does_not_change_a_bit)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
-START_TEST(ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit)
+FACT_FOR_EACH(ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit,
+              2)
 {
     const struct dem_options o = rough_options(contact_laws[_i]);
     struct particles *const ps = oblique_pair(0, 0.01, 0.01);
@@ -70,9 +70,8 @@ START_TEST(ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit)
     ck_assert_double_eq(ps->wx[0], ps->wx[1]);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(a_collision_keeps_momentum_to_rounding)
+FACT_FOR_EACH(a_collision_keeps_momentum_to_rounding, 2)
 {
     const struct dem_options o = rough_options(contact_laws[_i]);
     struct particles *const ps = oblique_pair(0, 0.01, 0.013);
@@ -89,7 +88,6 @@ START_TEST(a_collision_keeps_momentum_to_rounding)
         ck_assert_double_eq_tol(p[1][a], p[0][a], 1e-14 * ps->m[1]);
     particles_free(ps);
 }
-END_TEST
 
 /* Angular momentum about the origin, of the centres and of the spins [kg
  * m^2/s], along direction k. */
@@ -109,7 +107,7 @@ static double turning(const struct particles *ps, int k)
 
 /* The levers reach to the plane of contact and add up to the distance of the
  * centres. With R_i and R_j instead [LS 4.16], a hundredth would be missing. */
-START_TEST(ls_4_16_a_collision_keeps_angular_momentum_to_rounding)
+FACT_FOR_EACH(ls_4_16_a_collision_keeps_angular_momentum_to_rounding, 2)
 {
     const struct dem_options o = rough_options(contact_laws[_i]);
     struct particles *const ps = oblique_pair(0, 0.01, 0.013);
@@ -124,7 +122,6 @@ START_TEST(ls_4_16_a_collision_keeps_angular_momentum_to_rounding)
     ck_assert_double_gt(fabs(ps->wz[0] + 30.0), 1.0); /* spins have changed */
     particles_free(ps);
 }
-END_TEST
 
 /* q turned by the rotation that takes x to (2 1 2)/3, y to (-2 2 1)/3, z to
  * (-1 -2 2)/3. */
@@ -148,7 +145,7 @@ static void turn_all(struct particles *ps)
 
 /* Rounding differs, and the collision hardly amplifies it. A component left
  * out, or a spring not turned with n, would show in the third digit. */
-START_TEST(ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame)
+FACT_FOR_EACH(ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame, 2)
 {
     const struct dem_options o = rough_options(contact_laws[_i]);
     struct particles *const here = oblique_pair(0, 0.01, 0.013);
@@ -172,16 +169,8 @@ START_TEST(ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame)
     particles_free(here);
     particles_free(there);
 }
-END_TEST
 
-FACTS("contact_symmetry")
+FACTS
 {
     omp_set_num_threads(1); /* one pair has nothing to share */
-    FACT_FOR_EACH(the_order_within_a_pair_does_not_change_a_bit, 2);
-    FACT_FOR_EACH(
-        ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit, 2);
-    FACT_FOR_EACH(a_collision_keeps_momentum_to_rounding, 2);
-    FACT_FOR_EACH(ls_4_16_a_collision_keeps_angular_momentum_to_rounding, 2);
-    FACT_FOR_EACH(ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame,
-                  2);
 }

@@ -28,7 +28,7 @@ static const struct {
     int n[3], periodic;
 } boxes[] = {{{17, 13, 9}, 0}, {{17, 13, 9}, 1}, {{64, 40, 1}, 0}};
 
-START_TEST(each_face_occurs_once_from_its_owner)
+FACT_FOR_EACH(each_face_occurs_once_from_its_owner, 3)
 {
     struct mesh *const m =
         box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
@@ -54,10 +54,9 @@ START_TEST(each_face_occurs_once_from_its_owner)
     faces_free_pieces(r);
     mesh_free(m);
 }
-END_TEST
 
 /* The division into ranges for the threads must not matter. */
-START_TEST(each_cell_has_its_faces_in_one_order)
+FACT_FOR_EACH(each_cell_has_its_faces_in_one_order, 3)
 {
     struct mesh *const m =
         box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
@@ -92,9 +91,8 @@ START_TEST(each_cell_has_its_faces_in_one_order)
     faces_free_pieces(r);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(faces_in_disorder_have_no_contiguous_ranges)
+FACT(faces_in_disorder_have_no_contiguous_ranges)
 {
     struct links b = links_cube(12, 12, 12);
 
@@ -103,10 +101,9 @@ START_TEST(faces_in_disorder_have_no_contiguous_ranges)
         faces_find_pieces(b.n_links, b.n_links, b.owner, b.neighbour));
     links_free(&b);
 }
-END_TEST
 
 /* By runs, by rows, and term by term. Seven terms of order 1. */
-START_TEST(product_by_contiguous_faces_is_that_by_rows)
+FACT_FOR_EACH(product_by_contiguous_faces_is_that_by_rows, 3)
 {
     struct mesh *const m =
         box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
@@ -159,9 +156,8 @@ START_TEST(product_by_contiguous_faces_is_that_by_rows)
     faces_free_pieces(r);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(one_number_times_three_is_as_in_a_plain_loop)
+FACT(one_number_times_three_is_as_in_a_plain_loop)
 {
     enum { N = 300 }; /* two blocks and some */
     double *const a = noise_vector(N, 1), *const x = noise_vector(3 * N, 2);
@@ -182,7 +178,6 @@ START_TEST(one_number_times_three_is_as_in_a_plain_loop)
     free(y);
     free(z);
 }
-END_TEST
 
 /* Anything from -1 to 1. */
 static double any(int i)
@@ -253,7 +248,7 @@ static const struct boundary around[6] = {
     {.kind = BOUNDARY_INLET, .n_points = 1, .time = &zero, .velocity = &U},
     {.kind = BOUNDARY_OUTLET}};
 
-START_TEST(a_flow_is_the_same_by_lists_and_by_contiguous_faces)
+FACT_FOR_EACH(a_flow_is_the_same_by_lists_and_by_contiguous_faces, 3)
 {
     struct mesh *const m = mesh_create_box(&column);
     struct fluid *const runs = flow(m, around, _i, ALIGNED);
@@ -276,9 +271,8 @@ START_TEST(a_flow_is_the_same_by_lists_and_by_contiguous_faces)
     fluid_free(lists);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(one_component_of_aligned_faces_gives_the_bits_of_three)
+FACT_FOR_EACH(one_component_of_aligned_faces_gives_the_bits_of_three, 3)
 {
     struct mesh *const m = mesh_create_box(&column);
     struct fluid *const one = flow(m, around, _i, ALIGNED);
@@ -296,9 +290,8 @@ START_TEST(one_component_of_aligned_faces_gives_the_bits_of_three)
     fluid_free(three);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(faces_that_are_not_normal_to_an_axis_have_all_components)
+FACT(faces_that_are_not_normal_to_an_axis_have_all_components)
 {
     struct mesh *const m = mesh_create_box(&column);
     struct faces f = {.n_inner = m->n_internal,
@@ -313,17 +306,4 @@ START_TEST(faces_that_are_not_normal_to_an_axis_have_all_components)
     ck_assert_int_eq(faces_aligned(&f), 0);
     faces_release(&f);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("runs")
-{
-    FACT_FOR_EACH(each_face_occurs_once_from_its_owner, 3);
-    FACT_FOR_EACH(each_cell_has_its_faces_in_one_order, 3);
-    FACT(faces_in_disorder_have_no_contiguous_ranges);
-    FACT_FOR_EACH(product_by_contiguous_faces_is_that_by_rows, 3);
-    FACT(one_number_times_three_is_as_in_a_plain_loop);
-    FACT_FOR_EACH(a_flow_is_the_same_by_lists_and_by_contiguous_faces, 3);
-    FACT_FOR_EACH(one_component_of_aligned_faces_gives_the_bits_of_three, 3);
-    FACT(faces_that_are_not_normal_to_an_axis_have_all_components);
 }

@@ -52,7 +52,7 @@ static double flux_above(const struct fluid *fl, int i)
 /* The flux upward is the flux that enters below, less the rate at which the
  * cells in between fill. The solver leaves 1e-12 of the flux; taking eps at
  * another time, or the sign wrong, would change it by parts of ten. */
-START_TEST(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on)
+FACT(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on)
 {
     struct boundary b[6];
     struct fluid *const fl = column(b, CONTINUITY_VOID_RATE);
@@ -74,11 +74,10 @@ START_TEST(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on)
     }
     discard(fl);
 }
-END_TEST
 
 /* The volume of fluid and of solids through a face is U A everywhere. Solids do
  * not pass the outlet: there all of the flux is fluid. */
-START_TEST(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet)
+FACT(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet)
 {
     struct boundary b[6];
     struct fluid *const fl = column(b, CONTINUITY_MIXTURE);
@@ -98,12 +97,11 @@ START_TEST(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet)
     }
     discard(fl);
 }
-END_TEST
 
 /* A grain of a twentieth of a cell rises from one cell to the next, counted in
  * the cell that holds it. In both forms the face between lets pass less fluid
  * by just the grain's volume, in one step or little by little. */
-START_TEST(both_forms_of_continuity_pass_the_volume_of_a_grain)
+FACT_FOR_EACH(both_forms_of_continuity_pass_the_volume_of_a_grain, 2)
 {
     const double volume = 0.05 * h * A, speed = 0.1;
     struct boundary b[6];
@@ -128,11 +126,10 @@ START_TEST(both_forms_of_continuity_pass_the_volume_of_a_grain)
         most / (_i ? volume / dt : 0.5 * volume * speed / h), 1.0, 1e-7);
     discard(fl);
 }
-END_TEST
 
 /* A uniform stream through cells of dx, dy, dz: dt times the sum of u / dx; a
  * smaller eps has the same flux pass faster. */
-START_TEST(ls_5_9_courant_number_of_a_uniform_stream)
+FACT_FOR_EACH(ls_5_9_courant_number_of_a_uniform_stream, 2)
 {
     const double eps[] = {1.0, 0.4}, u[3] = {0.3, -0.2, 0.1};
     struct mesh *const m = periodic_box(0.05, 0.04, 0.06, 5, 2, 4);
@@ -157,13 +154,4 @@ START_TEST(ls_5_9_courant_number_of_a_uniform_stream)
     const double cfl = dt * (0.3 / 0.01 + 0.2 / 0.02 + 0.1 / 0.015) / eps[_i];
     ck_assert_double_eq_tol(fl->report.cfl / cfl, 1.0, 1e-9);
     discard(fl);
-}
-END_TEST
-
-FACTS("continuity")
-{
-    FACT(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on);
-    FACT(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet);
-    FACT_FOR_EACH(both_forms_of_continuity_pass_the_volume_of_a_grain, 2);
-    FACT_FOR_EACH(ls_5_9_courant_number_of_a_uniform_stream, 2);
 }

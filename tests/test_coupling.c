@@ -91,7 +91,8 @@ static void check_momentum(const struct scene *s)
 
 /* Every method of averaging with every interpolation, and with 8 of the 192.
  * With the strides 7 and 19 any two choices occur together. */
-START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
+FACT_FOR_EACH(xs11_3_18_total_momentum_is_constant_for_every_combination,
+              3 * METHODS)
 {
     for (int j = 0; j < 8; j++) {
         struct scene s = combination((7 * _i + 19 * j) % 192);
@@ -103,14 +104,13 @@ START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
         check_momentum(&s);
     }
 }
-END_TEST
 
 /* Spheres alone in cells half as wide as they are: their volume is 3.6 times
  * that of the cell, and 0.7 of it is counted. A force proportional to the whole
  * volume would be amplified by up to 3.6/0.3 a step. Nothing drives the flow,
  * so no velocity may exceed twice the 0.3 m/s it begins with: model A and model
  * B, and the virtual mass. */
-START_TEST(volume_above_a_cap_has_no_volume_force)
+FACT_FOR_EACH(volume_above_a_cap_has_no_volume_force, 3)
 {
     struct scene s = air;
     s.averaging = "pcm";
@@ -133,7 +133,6 @@ START_TEST(volume_above_a_cap_has_no_volume_force)
         ck_assert_double_lt(fabs(sim->fluid->u[c]), 0.6);
     discard(sim);
 }
-END_TEST
 
 /* The viscous force of a wavy stream on the first of 64 spheres, one a cell and
  * 0.7 of its volume, with this cap. */
@@ -159,7 +158,7 @@ static double viscous_push(double cap)
     return push;
 }
 
-START_TEST(a_cap_counts_the_same_share_of_the_viscous_stress)
+FACT(a_cap_counts_the_same_share_of_the_viscous_stress)
 {
     const double share = 0.35 / (M_PI / 6.0 * 1.331);
     const double whole = viscous_push(0.0);
@@ -167,12 +166,11 @@ START_TEST(a_cap_counts_the_same_share_of_the_viscous_stress)
     ck_assert_double_gt(fabs(whole), 0.0);
     ck_assert_double_eq_tol(viscous_push(0.35) / whole, share, 1e-12);
 }
-END_TEST
 
 /* Nothing but weight less buoyancy, (m - rho_f V_p) g, comes from outside, also
  * where a cap counts part of V_p only. No sphere changes cells in the 0.6 ms;
  * the rest is rounding. */
-START_TEST(a_cap_leaves_the_whole_buoyancy_in_both_models)
+FACT_FOR_EACH(a_cap_leaves_the_whole_buoyancy_in_both_models, 2)
 {
     struct scene s = air;
     double before[3], after[3];
@@ -197,12 +195,11 @@ START_TEST(a_cap_leaves_the_whole_buoyancy_in_both_models)
                             1.0, 1e-9);
     discard(sim);
 }
-END_TEST
 
 /* [SX15 section 3.4]: no field of eps_s u_s is computed unless it is needed.
  * The field is then that of the other form, and what is averaged is V_p u_p
  * [SX15 9, XS11 3.12]. */
-START_TEST(the_void_rate_form_averages_the_solids_velocity_on_demand)
+FACT(the_void_rate_form_averages_the_solids_velocity_on_demand)
 {
     struct scene s = air;
     struct simulation *const lazy = build(&s);
@@ -223,10 +220,9 @@ START_TEST(the_void_rate_form_averages_the_solids_velocity_on_demand)
     discard(lazy);
     discard(full);
 }
-END_TEST
 
 /* Sampling does not change the run. */
-START_TEST(sampling_the_solids_velocity_does_not_change_the_run)
+FACT(sampling_the_solids_velocity_does_not_change_the_run)
 {
     struct simulation *const a = build(&air), *const b = build(&air);
 
@@ -242,12 +238,11 @@ START_TEST(sampling_the_solids_velocity_does_not_change_the_run)
     discard(a);
     discard(b);
 }
-END_TEST
 
 /* [XS11 Algorithm 3.1] as printed charges the fluid with Omega and A of the
  * step before and drops the difference, which is the sum of
  * `unpaid_impulse`. */
-START_TEST(without_the_unpaid_impulse_algorithm_3_1_loses_momentum)
+FACT(without_the_unpaid_impulse_algorithm_3_1_loses_momentum)
 {
     struct simulation *const sim = build(&air);
     double unpaid[3];
@@ -257,13 +252,12 @@ START_TEST(without_the_unpaid_impulse_algorithm_3_1_loses_momentum)
     ck_assert_double_gt(fabs(unpaid[0]), 1e-10 * gross_momentum(sim));
     discard(sim);
 }
-END_TEST
 
 /* The drag of a sub-step with fixed k pulls as the mean velocity would: the
  * impulse is k (u_f - mean u_p) dt, and N_s = 1 has the velocity of the start.
  * One sphere by Schiller and Naumann at Re = 7e-7, where k is 3 pi mu d and
  * 0.15 Re^0.687 = 1e-5 more. */
-START_TEST(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps)
+FACT(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps)
 {
     struct scene s = air;
     s.n = 1;
@@ -296,12 +290,11 @@ START_TEST(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps)
                             1.0, 2e-5);
     discard(sim);
 }
-END_TEST
 
 /* What acts on the fluid of a cell in the next step is what the spheres in it
  * have got from the fluid, per volume and with the other sign. No spheres
  * touch, and explicit treatment charges all of it a step late. */
-START_TEST(sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles)
+FACT(sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles)
 {
     struct scene s = air;
     s.averaging = "pcm";
@@ -325,10 +318,9 @@ START_TEST(sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles)
     free(sum);
     discard(sim);
 }
-END_TEST
 
 /* By all cells, of which each has its nearest image: sum K u / sum K. */
-START_TEST(xs11_3_9a_the_velocity_at_a_particle_is_the_mean_by_the_kernel)
+FACT(xs11_3_9a_the_velocity_at_a_particle_is_the_mean_by_the_kernel)
 {
     struct scene s = air;
     s.averaging = "kernel";
@@ -359,11 +351,10 @@ START_TEST(xs11_3_9a_the_velocity_at_a_particle_is_the_mean_by_the_kernel)
     }
     discard(sim);
 }
-END_TEST
 
 /* tau_p of 0.1 mm in water is 0.56 ms: a step of 5 ms requires 9 to 10 drag
  * updates, and 20 particle steps allow them. */
-START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires)
+FACT(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires)
 {
     struct scene s = air;
     s.rho = 1000.0;
@@ -383,12 +374,11 @@ START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires)
     ck_assert_int_eq(sim->coupling->report.substeps, (int)ceil(5e-3 / tau));
     discard(sim);
 }
-END_TEST
 
 /* A free sphere in a stream, one-way: after a step of any length the
  * exponential integration gives the exact solution for the k of the start, and
  * frozen drag gives one Euler step. To rounding. */
-START_TEST(xs11_3_16_relaxation_is_exact_for_a_constant_rate)
+FACT_FOR_EACH(xs11_3_16_relaxation_is_exact_for_a_constant_rate, 10)
 {
     static const double steps_over_tau[] = {1e-3, 0.1, 1.0, 3.0, 100.0};
     const int exact = _i % 2;
@@ -422,7 +412,6 @@ START_TEST(xs11_3_16_relaxation_is_exact_for_a_constant_rate)
                             0.3 - (0.3 - v0[0]) * gained / x, 1e-12);
     discard(sim);
 }
-END_TEST
 
 /* --- forces ------------------------------------------------------------- */
 
@@ -430,7 +419,7 @@ END_TEST
  * velocity of the fluid relative to the particle (printed the other way round).
  * One step without contacts: the velocity changes along the slip of its start,
  * to rounding. */
-START_TEST(xs11_2_9_drag_is_along_the_slip_of_the_fluid)
+FACT(xs11_2_9_drag_is_along_the_slip_of_the_fluid)
 {
     struct scene s = air;
     s.averaging = "pcm";
@@ -465,10 +454,9 @@ START_TEST(xs11_2_9_drag_is_along_the_slip_of_the_fluid)
         1e-12);
     discard(sim);
 }
-END_TEST
 
 /* Cell by cell, from the particles in it and their k alone. */
-START_TEST(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell)
+FACT(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell)
 {
     struct scene s = air;
     s.averaging = "pcm";
@@ -487,11 +475,10 @@ START_TEST(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell)
     }
     discard(sim);
 }
-END_TEST
 
 /* 1000 Pa/m in every cell, spheres of three sizes: - V_p grad p on each. The
  * fluid is at rest and so is its viscous stress. */
-START_TEST(xs11_2_6_a_pressure_gradient_pushes_by_the_volume)
+FACT(xs11_2_6_a_pressure_gradient_pushes_by_the_volume)
 {
     struct scene s = air;
     s.n = 27;
@@ -512,12 +499,11 @@ START_TEST(xs11_2_6_a_pressure_gradient_pushes_by_the_volume)
     }
     discard(sim);
 }
-END_TEST
 
 /* Two cells beside each other 0.85 and 0.92 full, all else empty: the slope of
  * eps_f in the first is -0.459 over its width (half of 0.15 - 1 and half of
  * 0.084 - 0.15), and near its far side there is less than nothing. */
-START_TEST(a_sphere_with_no_interpolated_fluid_ends_the_run)
+FACT(a_sphere_with_no_interpolated_fluid_ends_the_run)
 {
     struct scene s = air;
     s.averaging = "pcm";
@@ -538,11 +524,10 @@ START_TEST(a_sphere_with_no_interpolated_fluid_ends_the_run)
                             0.149 - 0.45 * 0.459, 2e-3);
     discard(sim);
 }
-END_TEST
 
 /* A sphere as heavy as the fluid floats: weight and buoyancy cancel in each
  * step, for any g, while the pressure has no hydrostatic part. */
-START_TEST(ls_5_1_a_neutral_sphere_floats)
+FACT(ls_5_1_a_neutral_sphere_floats)
 {
     struct scene s = air;
     s.rho = s.rho_s;
@@ -560,14 +545,13 @@ START_TEST(ls_5_1_a_neutral_sphere_floats)
         ck_assert_double_lt(fabs(sim->particles->vy[i]), 1e-15);
     discard(sim);
 }
-END_TEST
 
 /* A bed that is held, 0.5487 of it grains of 1 mm, in a gas of 10 kg/m^3 and
  * 1.5e-3 Pa s: over 15.6 mm Ergun has 22.992 Pa at 2 mm/s and 230.507 Pa at 20
  * mm/s. Driven by these, the fluid comes to these speeds, in both forms of the
  * momentum equation, to 1e-4: four of the five digits of the drops, which a
  * constant of the law that is off by a thousandth would miss. */
-START_TEST(ls_5_27_a_fixed_bed_has_erguns_pressure_drop)
+FACT_FOR_EACH(ls_5_27_a_fixed_bed_has_erguns_pressure_drop, 4)
 {
     static const double drop[] = {22.992, 230.507}, speed[] = {2e-3, 2e-2};
     struct scene s = air;
@@ -596,10 +580,9 @@ START_TEST(ls_5_27_a_fixed_bed_has_erguns_pressure_drop)
     ck_assert_double_eq_tol(flow[0] / speed[_i % 2], 1.0, 1e-4);
     discard(sim);
 }
-END_TEST
 
 /* One-way: the fluid is what it would be alone, bit for bit. */
-START_TEST(ls_5_one_way_leaves_the_fluid_alone)
+FACT(ls_5_one_way_leaves_the_fluid_alone)
 {
     struct scene s = air;
     s.one_way = 1;
@@ -618,13 +601,12 @@ START_TEST(ls_5_one_way_leaves_the_fluid_alone)
                         0.24); /* the force on the particles is not zero */
     discard(sim);
 }
-END_TEST
 
 /* --- hard cases ----------------------------------------------------------- */
 
 /* Heavy, tiny, many: dt / tau_p of 1e4 and a mass loading of 500. The semi-
  * implicit step must stay bounded by the velocities it started with. */
-START_TEST(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau)
+FACT_FOR_EACH(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau, 3)
 {
     struct scene s = air;
     s.averaging = methods[_i].averaging;
@@ -642,12 +624,11 @@ START_TEST(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau)
         ck_assert_double_lt(fabs(sim->fluid->u[i]), 2.0);
     discard(sim);
 }
-END_TEST
 
 /* Two spheres touch at the start of a step and are apart at its end, after
  * pi sqrt(m* / k) = 0.16 of its 0.2 ms; v sqrt(m* / k) is 0.05 of a diameter.
  */
-START_TEST(a_step_of_several_sub_steps_reports_its_deepest_overlap)
+FACT(a_step_of_several_sub_steps_reports_its_deepest_overlap)
 {
     struct scene s = air;
     s.n = 2;
@@ -668,9 +649,8 @@ START_TEST(a_step_of_several_sub_steps_reports_its_deepest_overlap)
     ck_assert_double_gt(sim->dem_report.max_overlap, 0.04);
     discard(sim);
 }
-END_TEST
 
-START_TEST(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads)
+FACT(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads)
 {
     double u[2][3 * 216], x[2][400];
     const int most = omp_get_max_threads();
@@ -686,32 +666,8 @@ START_TEST(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads)
     ck_assert_mem_eq(u[0], u[1], sizeof u[0]);
     ck_assert_mem_eq(x[0], x[1], sizeof x[0]);
 }
-END_TEST
 
-FACTS("coupling")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(xs11_3_18_total_momentum_is_constant_for_every_combination,
-                  3 * METHODS);
-    FACT_FOR_EACH(volume_above_a_cap_has_no_volume_force, 3);
-    FACT(a_cap_counts_the_same_share_of_the_viscous_stress);
-    FACT_FOR_EACH(a_cap_leaves_the_whole_buoyancy_in_both_models, 2);
-    FACT(the_void_rate_form_averages_the_solids_velocity_on_demand);
-    FACT(sampling_the_solids_velocity_does_not_change_the_run);
-    FACT(without_the_unpaid_impulse_algorithm_3_1_loses_momentum);
-    FACT(sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles);
-    FACT(xs11_3_9a_the_velocity_at_a_particle_is_the_mean_by_the_kernel);
-    FACT(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);
-    FACT(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires);
-    FACT_FOR_EACH(xs11_3_16_relaxation_is_exact_for_a_constant_rate, 10);
-    FACT(xs11_2_9_drag_is_along_the_slip_of_the_fluid);
-    FACT(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell);
-    FACT(xs11_2_6_a_pressure_gradient_pushes_by_the_volume);
-    FACT(a_sphere_with_no_interpolated_fluid_ends_the_run);
-    FACT(ls_5_1_a_neutral_sphere_floats);
-    FACT_FOR_EACH(ls_5_27_a_fixed_bed_has_erguns_pressure_drop, 4);
-    FACT(ls_5_one_way_leaves_the_fluid_alone);
-    FACT_FOR_EACH(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau, 3);
-    FACT(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads);
-    FACT(a_step_of_several_sub_steps_reports_its_deepest_overlap);
 }

@@ -203,7 +203,7 @@ static int tried(const char *what, double value)
 static const double values[] = {-1.0, INT_MAX, NAN, 1e300, 1e10};
 enum { VALUES = sizeof values / sizeof values[0] };
 
-START_TEST(no_number_of_a_checkpoint_leads_out_of_an_array)
+FACT_FOR_EACH(no_number_of_a_checkpoint_leads_out_of_an_array, 2 * VALUES)
 {
     int refused = 0;
 
@@ -223,7 +223,6 @@ START_TEST(no_number_of_a_checkpoint_leads_out_of_an_array)
     }
     ck_assert_int_ge(refused, 4);
 }
-END_TEST
 
 /* Forms that no state has: an array in the place of a number or a text, a text
  * elsewhere than in its place. */
@@ -247,7 +246,7 @@ static void replace(const char *path, hid_t type, int n, size_t size)
     put("image");
 }
 
-START_TEST(a_number_or_a_text_of_another_form_is_refused)
+FACT(a_number_or_a_text_of_another_form_is_refused)
 {
     static const char *const texts[] = {"/settings", "/case_file", "/program"};
 
@@ -267,7 +266,6 @@ START_TEST(a_number_or_a_text_of_another_form_is_refused)
         H5Tclose(type);
     }
 }
-END_TEST
 
 /* In memory where that can be had, for each run waits for the disk. */
 static void set_up(void)
@@ -281,10 +279,8 @@ static void tear_down(void)
     scratch_clear(dir);
 }
 
-FACTS("crafted")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
     tcase_set_timeout(facts, 300);
-    FACT_FOR_EACH(no_number_of_a_checkpoint_leads_out_of_an_array, 2 * VALUES);
-    FACT(a_number_or_a_text_of_another_form_is_refused);
 }

@@ -25,7 +25,7 @@ static struct csr *odd_matrix(struct links *b)
     return A;
 }
 
-START_TEST(every_entry_has_a_place_of_its_own)
+FACT(every_entry_has_a_place_of_its_own)
 {
     struct links b;
     struct csr *const A = odd_matrix(&b);
@@ -43,9 +43,8 @@ START_TEST(every_entry_has_a_place_of_its_own)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
-START_TEST(columns_ascend_in_a_row)
+FACT(columns_ascend_in_a_row)
 {
     struct links b = links_cube(5, 4, 3);
 
@@ -59,10 +58,9 @@ START_TEST(columns_ascend_in_a_row)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
 /* Six terms a row: rounding is some 1e-16; a wrong entry is of order 1. */
-START_TEST(product_is_that_of_the_full_matrix)
+FACT(product_is_that_of_the_full_matrix)
 {
     struct links b;
     struct csr *const A = odd_matrix(&b);
@@ -78,10 +76,9 @@ START_TEST(product_is_that_of_the_full_matrix)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
 /* The sum of a row has the same order for one field and for many. */
-START_TEST(fields_side_by_side_are_multiplied_as_each_alone)
+FACT(fields_side_by_side_are_multiplied_as_each_alone)
 {
     struct links b;
     struct csr *const A = odd_matrix(&b);
@@ -107,9 +104,8 @@ START_TEST(fields_side_by_side_are_multiplied_as_each_alone)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
-START_TEST(each_field_may_have_its_own_diagonal)
+FACT(each_field_may_have_its_own_diagonal)
 {
     struct links b;
     struct csr *const A = odd_matrix(&b);
@@ -142,9 +138,8 @@ START_TEST(each_field_may_have_its_own_diagonal)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
-START_TEST(threads_do_not_change_a_bit)
+FACT(threads_do_not_change_a_bit)
 {
     struct links b = links_cube(40, 30, 20);
     struct csr *const A = diffusion(&b, NULL);
@@ -163,16 +158,9 @@ START_TEST(threads_do_not_change_a_bit)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
-FACTS("csr")
+FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(every_entry_has_a_place_of_its_own);
-    FACT(columns_ascend_in_a_row);
-    FACT(product_is_that_of_the_full_matrix);
-    FACT(fields_side_by_side_are_multiplied_as_each_alone);
-    FACT(each_field_may_have_its_own_diagonal);
-    FACT(threads_do_not_change_a_bit);
 }

@@ -80,7 +80,8 @@ static double fall_height(double t, double k, double e, double m)
 
 /* 0.1 % of the height; at k = 1e4 the overlap is as large as the radius, but
  * the equation is the same. Damping of the mass m / 2 would miss by 5 %. */
-START_TEST(dem01_a_sphere_falls_touches_and_rises_as_the_closed_form)
+FACT_FOR_EACH(dem01_a_sphere_falls_touches_and_rises_as_the_closed_form,
+              FALL_CASES)
 {
     const double k = fall_k[_i], e = fall_e[_i];
     struct particles *const ps = falling_sphere();
@@ -97,7 +98,6 @@ START_TEST(dem01_a_sphere_falls_touches_and_rises_as_the_closed_form)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Highest point after the second bounce. */
 static double second_bounce(double k, double e)
@@ -123,7 +123,7 @@ static double second_bounce(double k, double e)
 
 /* In the hard limit h_2 - r = (h_0 - r) e^4: gravity acts during a contact that
  * lasts ever shorter. MFiX finds 0.006 to 0.1 % at k = 5e4. */
-START_TEST(dem02_bounces_approach_those_of_a_hard_sphere)
+FACT(dem02_bounces_approach_those_of_a_hard_sphere)
 {
     const double e = 0.8, hard = fall_r + (fall_h - fall_r) * pow(e, 4.0);
     const double soft_error = fabs(second_bounce(5e4, e) / hard - 1.0);
@@ -132,7 +132,6 @@ START_TEST(dem02_bounces_approach_those_of_a_hard_sphere)
     ck_assert_double_lt(soft_error, 0.06);
     ck_assert_double_lt(stiff_error, 0.25 * soft_error);
 }
-END_TEST
 
 /* --- DEM03: two spheres squeezed between floor and ceiling ------------------
  */
@@ -188,7 +187,7 @@ static struct dem_options squeeze_options(double e)
 
 /* Spheres swing by 17 um; 0.1 % of it. A first half kick without the forces of
  * the contacts, which are there from the start, alone makes 0.2 % at e = 1. */
-START_TEST(dem03_two_squeezed_spheres_swing_as_the_differential_equation)
+FACT_FOR_EACH(dem03_two_squeezed_spheres_swing_as_the_differential_equation, 2)
 {
     const double e = _i == 0 ? 1.0 : 0.5;
     struct particles *const ps = squeezed_spheres();
@@ -211,10 +210,9 @@ START_TEST(dem03_two_squeezed_spheres_swing_as_the_differential_equation)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Published to 6 and 7 digits. */
-START_TEST(dem03_squeezed_spheres_come_to_rest_where_forces_balance)
+FACT(dem03_squeezed_spheres_come_to_rest_where_forces_balance)
 {
     struct particles *const ps = squeezed_spheres();
     struct dem_options o = squeeze_options(0.5);
@@ -229,7 +227,6 @@ START_TEST(dem03_squeezed_spheres_come_to_rest_where_forces_balance)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- DEM04: a sphere slips until it rolls -----------------------------------
  */
@@ -237,7 +234,7 @@ END_TEST
 /* The slip v - |w| r falls by (7/2) mu g t, to nothing at t mu g / u0 = 2/7;
  * then u / u0 = w r / u0 = 5/7 for ever. The contact's spring, wound up while
  * it slips, is the error: u may swing by mu^2 g m / k_t of its speed, 1e-5. */
-START_TEST(dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work)
+FACT_FOR_EACH(dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work, 5)
 {
     const double mu = 0.2 * (_i + 1), u0 = 0.1, r = 5e-4;
     const double t_roll = 2.0 / 7.0 * u0 / (mu * g);
@@ -262,7 +259,6 @@ START_TEST(dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- a sphere that sticks and swings ----------------------------------------
  */
@@ -273,7 +269,7 @@ END_TEST
  * w^2 = 7 k_t/(2 m). The lever is short by half the overlap, 1e-5 R. With I =
  * (2/3) m R^2, a hollow sphere's, half a period later R omega would be off by
  * 0.23 v0. */
-START_TEST(xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass)
+FACT(xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass)
 {
     const double R = 0.005, k = 1e4, v0 = 1e-4;
     struct particles *const ps = particles_create(1);
@@ -297,7 +293,6 @@ START_TEST(xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- energy ------------------------------------------------------------------
  */
@@ -331,7 +326,7 @@ static double energy_error(struct dem *dem, const struct particles *ps,
 
 /* Verlet's error swings and stays: after 50 000 steps it is what it was. With
  * the drift by the velocity of the step's start it would grow ten times. */
-START_TEST(energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts)
+FACT(energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts)
 {
     double worst[2];
 
@@ -351,19 +346,8 @@ START_TEST(energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts)
     }
     ck_assert_double_eq_tol(worst[0] / worst[1], 4.0, 0.2);
 }
-END_TEST
 
-FACTS("dem")
+FACTS
 {
     omp_set_num_threads(1); /* one or two spheres have nothing to share */
-    FACT_FOR_EACH(dem01_a_sphere_falls_touches_and_rises_as_the_closed_form,
-                  FALL_CASES);
-    FACT(dem02_bounces_approach_those_of_a_hard_sphere);
-    FACT_FOR_EACH(dem03_two_squeezed_spheres_swing_as_the_differential_equation,
-                  2);
-    FACT(dem03_squeezed_spheres_come_to_rest_where_forces_balance);
-    FACT_FOR_EACH(dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work,
-                  5);
-    FACT(xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass);
-    FACT(energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts);
 }

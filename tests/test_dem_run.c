@@ -12,7 +12,7 @@
 #include "capture.h"
 #include "spheres.h"
 
-START_TEST(no_particle_at_all_is_no_trouble)
+FACT(no_particle_at_all_is_no_trouble)
 {
     struct particles *const ps = particles_create(0);
     const struct dem_options o = spheres_options(&contact_hertz, 1e-5, 0.1);
@@ -26,10 +26,9 @@ START_TEST(no_particle_at_all_is_no_trouble)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Velocity Verlet is exact for a parabola: rounding only. */
-START_TEST(xs11_2_1_one_particle_flies_a_parabola_in_any_direction)
+FACT(xs11_2_1_one_particle_flies_a_parabola_in_any_direction)
 {
     struct particles *const ps = particles_create(1);
     const struct dem_options o = spheres_options(&contact_linear, 1e-4, 1.0);
@@ -56,7 +55,6 @@ START_TEST(xs11_2_1_one_particle_flies_a_parabola_in_any_direction)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- lost -------------------------------------------------------------------
  */
@@ -80,7 +78,7 @@ static int run_with_a_fool(double x, double v, double force,
     return code;
 }
 
-START_TEST(a_particle_that_shoots_through_a_wall_is_reported_with_its_id)
+FACT(a_particle_that_shoots_through_a_wall_is_reported_with_its_id)
 {
     struct dem_report r;
 
@@ -90,9 +88,8 @@ START_TEST(a_particle_that_shoots_through_a_wall_is_reported_with_its_id)
     ck_assert_double_gt(r.lost_at[0], 0.105);
     ck_assert_int_lt(r.steps, 200); /* it does not go on without it */
 }
-END_TEST
 
-START_TEST(a_particle_that_is_not_a_number_is_reported_with_its_id)
+FACT_FOR_EACH(a_particle_that_is_not_a_number_is_reported_with_its_id, 6)
 {
     const double bad = _i % 2 == 0 ? NAN : HUGE_VAL;
     struct dem_report r;
@@ -104,7 +101,6 @@ START_TEST(a_particle_that_is_not_a_number_is_reported_with_its_id)
     ck_assert_int_eq(r.lost, 1);
     ck_assert_int_eq(r.lost_id, 11);
 }
-END_TEST
 
 /* One at rest, one thrown at it by `ahead` diameters a step, from a place where
  * none of the steps ends in a contact: a run of all methods. Beside it, and not
@@ -132,7 +128,7 @@ static struct dem_report shoot(int method, double ahead, double beside)
     return r;
 }
 
-START_TEST(two_that_pass_through_each_other_within_a_step_are_reported)
+FACT_FOR_EACH(two_that_pass_through_each_other_within_a_step_are_reported, 4)
 {
     const struct dem_report r = shoot(_i, 3.0, 0.0);
 
@@ -142,14 +138,13 @@ START_TEST(two_that_pass_through_each_other_within_a_step_are_reported)
     ck_assert_int_eq(shoot(_i, 3.0, 0.9e-3).crossing.found, 1);
     ck_assert_int_eq(shoot(_i, 3.0, 1.1e-3).crossing.found, 0);
 }
-END_TEST
 
 /* --- periodic boxes
  * ------------------------------------------------------------ */
 
 /* All particles shifted along a periodic box, by parts that put its seams
  * elsewhere, move alike; a few collisions let 1e-17 m grow. */
-START_TEST(a_periodic_box_has_no_seam)
+FACT_FOR_EACH(a_periodic_box_has_no_seam, 2)
 {
     static const double shift[3] = {0.3 * 0.12, 0.55 * 0.12, 0.7 * 0.12};
     struct particles *here, *there;
@@ -187,10 +182,9 @@ START_TEST(a_periodic_box_has_no_seam)
     particles_free(here);
     particles_free(there);
 }
-END_TEST
 
 /* 216 particles, 400 steps, each rounding 2 m/s. */
-START_TEST(a_periodic_box_keeps_its_momentum)
+FACT_FOR_EACH(a_periodic_box_keeps_its_momentum, 2)
 {
     struct particles *const ps = spheres_cloud(6, 0.008, 1.0, 0.0199, 2.0, 8);
     struct dem_options o = spheres_options(contact_laws[_i], 2e-5, 0.06);
@@ -212,10 +206,9 @@ START_TEST(a_periodic_box_keeps_its_momentum)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Else two spheres could touch on both sides, and only one would count. */
-START_TEST(a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message)
+FACT(a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message)
 {
     static char said[CAPTURE_TEXT];
     struct particles *const ps = spheres_cloud(2, 0.01, 0.0, 0.02, 0.0, 1);
@@ -231,13 +224,12 @@ START_TEST(a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message)
     ck_assert_ptr_nonnull(strstr(said, "0.018 m"));
     particles_free(ps);
 }
-END_TEST
 
 /* --- the report and the pieces of a run
  * ------------------------------------------ */
 
 /* 5 % of the mean diameter of 10 and 14 mm, and of the wall's one sphere. */
-START_TEST(overlaps_are_reported_over_the_mean_diameter)
+FACT_FOR_EACH(overlaps_are_reported_over_the_mean_diameter, 2)
 {
     const int wall = _i;
     struct particles *const ps = particles_create(2);
@@ -254,11 +246,10 @@ START_TEST(overlaps_are_reported_over_the_mean_diameter)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Two spheres across a periodic end, one in a wall, one in a plane, among many
  * without contacts: 20 % of the mean diameter, while 10 % are expected. */
-START_TEST(the_deepest_overlap_is_known_with_its_two_and_its_place)
+FACT_FOR_EACH(the_deepest_overlap_is_known_with_its_two_and_its_place, 3)
 {
     const struct surface floor = {.shape = &surface_plane,
                                   .normal = {0.0, 0.0, 1.0},
@@ -298,10 +289,9 @@ START_TEST(the_deepest_overlap_is_known_with_its_two_and_its_place)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* cfx is what moved it: a sphere at rest in the air above a spring's end. */
-START_TEST(ls_4_4_the_contact_force_of_the_last_step_can_be_seen)
+FACT(ls_4_4_the_contact_force_of_the_last_step_can_be_seen)
 {
     struct particles *const ps = particles_create(1);
     const struct dem_options o = spheres_options(&contact_linear, 1e-9, 0.1);
@@ -316,7 +306,6 @@ START_TEST(ls_4_4_the_contact_force_of_the_last_step_can_be_seen)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 static struct particles *pressed_heap(void)
 {
@@ -355,7 +344,7 @@ static double farthest_apart(const struct particles *a,
 /* Two half kicks are one but for rounding, which 300 steps of a heap amplify.
  * A tangential displacement lost between two runs would move them by more than
  * 1e-6. */
-START_TEST(a_run_may_be_cut_into_pieces)
+FACT(a_run_may_be_cut_into_pieces)
 {
     struct particles *whole = pressed_heap(), *cut = pressed_heap();
     const struct dem_options o = heap_options();
@@ -373,7 +362,6 @@ START_TEST(a_run_may_be_cut_into_pieces)
     particles_free(whole);
     particles_free(cut);
 }
-END_TEST
 
 static void copy_state(struct particles *to, const struct particles *from)
 {
@@ -392,7 +380,7 @@ static void copy_state(struct particles *to, const struct particles *from)
  * dem goes on as the old one would have. Elastic spheres, because in the first
  * half kick the force of a dashpot would be computed with velocities half a
  * step newer. */
-START_TEST(springs_taken_out_and_put_back_continue_a_run)
+FACT_FOR_EACH(springs_taken_out_and_put_back_continue_a_run, 2)
 {
     struct particles *const ps = pressed_heap();
     struct particles *const copy = pressed_heap();
@@ -419,23 +407,8 @@ START_TEST(springs_taken_out_and_put_back_continue_a_run)
     particles_free(ps);
     particles_free(copy);
 }
-END_TEST
 
-FACTS("dem_run")
+FACTS
 {
     omp_set_num_threads(1);
-    FACT(no_particle_at_all_is_no_trouble);
-    FACT(xs11_2_1_one_particle_flies_a_parabola_in_any_direction);
-    FACT(a_particle_that_shoots_through_a_wall_is_reported_with_its_id);
-    FACT_FOR_EACH(a_particle_that_is_not_a_number_is_reported_with_its_id, 6);
-    FACT_FOR_EACH(two_that_pass_through_each_other_within_a_step_are_reported,
-                  4);
-    FACT_FOR_EACH(a_periodic_box_has_no_seam, 2);
-    FACT_FOR_EACH(a_periodic_box_keeps_its_momentum, 2);
-    FACT(a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message);
-    FACT_FOR_EACH(the_deepest_overlap_is_known_with_its_two_and_its_place, 3);
-    FACT_FOR_EACH(overlaps_are_reported_over_the_mean_diameter, 2);
-    FACT(ls_4_4_the_contact_force_of_the_last_step_can_be_seen);
-    FACT(a_run_may_be_cut_into_pieces);
-    FACT_FOR_EACH(springs_taken_out_and_put_back_continue_a_run, 2);
 }

@@ -5,7 +5,7 @@
 #include "linear_case.h"
 
 /* Rounding of n = 20 pivots of order 1 to 8: below 1e-14. */
-START_TEST(the_solution_satisfies_the_system)
+FACT(the_solution_satisfies_the_system)
 {
     struct links b = links_cube(5, 4, 1);
     struct csr *const A = diffusion(&b, NULL);
@@ -29,12 +29,11 @@ START_TEST(the_solution_satisfies_the_system)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
 /* Between walls of no flux, a constant may be added: the solver picks the
  * solution whose last unknown is zero, and divides by no noise. With twenty
  * sets of conductivities, noise leaves pivots of either sign. */
-START_TEST(a_vanishing_pivot_leaves_its_unknown_at_zero)
+FACT(a_vanishing_pivot_leaves_its_unknown_at_zero)
 {
     struct links b = links_cube(4, 3, 1);
     const double rhs[12] = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1};
@@ -63,11 +62,8 @@ START_TEST(a_vanishing_pivot_leaves_its_unknown_at_zero)
     dense_free(D);
     links_free(&b);
 }
-END_TEST
 
-FACTS("dense")
+FACTS
 {
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(the_solution_satisfies_the_system);
-    FACT(a_vanishing_pivot_leaves_its_unknown_at_zero);
 }

@@ -56,7 +56,7 @@ static void smooth_one(struct scene *s, int c)
 }
 
 /* h(0, 1) = pi^(-3/2), and e^-1 less at r = b; 8 times as much for b / 2. */
-START_TEST(sx15_6_values)
+FACT(sx15_6_values)
 {
     ck_assert_double_eq_tol(diffusion_kernel(0.0, 1.0), 0.17958712212516656,
                             1e-16);
@@ -65,10 +65,9 @@ START_TEST(sx15_6_values)
     ck_assert_double_eq_tol(diffusion_kernel(0.5, 0.5), 0.52853128103195070,
                             1e-15);
 }
-END_TEST
 
 /* Trapezoids of a Gaussian are exact to rounding if they are fine. */
-START_TEST(sx15_6_encloses_one)
+FACT(sx15_6_encloses_one)
 {
     const double b = 0.3, dr = 0.01;
     double sum = 0.0;
@@ -78,14 +77,12 @@ START_TEST(sx15_6_encloses_one)
             4.0 * M_PI * gsl_pow_2(i * dr) * diffusion_kernel(i * dr, b) * dr;
     ck_assert_double_eq_tol(sum, 1.0, 1e-14);
 }
-END_TEST
 
-START_TEST(sx15_b_is_the_root_of_4_T)
+FACT(sx15_b_is_the_root_of_4_T)
 {
     ck_assert_double_eq_tol(diffusion_time(4.8e-3), 5.76e-6, 1e-20);
     ck_assert_double_eq_tol(diffusion_bandwidth(5.76e-6), 4.8e-3, 1e-17);
 }
-END_TEST
 
 /* Largest error against [SX15 6], over its largest value, of one particle in
  * the middle of a cube of n cells a side; the walls are 4 b away, where the
@@ -114,7 +111,7 @@ static double gaussian_error(int n)
  * T k^4 dx^2 / 12 in each direction; over the spectrum of the Gaussian that
  * makes the middle too high by the share 3/4 (dx/b)^2. The next term is 4 % of
  * it at b/6, and 0.13 of the order. */
-START_TEST(sx15_6_diffusion_is_the_gaussian_kernel_to_second_order)
+FACT(sx15_6_diffusion_is_the_gaussian_kernel_to_second_order)
 {
     const double e1 = gaussian_error(33), e2 = gaussian_error(49);
     const double leading = 0.75 * gsl_pow_2(8.0 / 49.0);
@@ -122,12 +119,11 @@ START_TEST(sx15_6_diffusion_is_the_gaussian_kernel_to_second_order)
     ck_assert_double_eq_tol(log(e1 / e2) / log(49.0 / 33.0), 2.0, 0.15);
     ck_assert_double_eq_tol(e2 / leading, 1.0, 0.05);
 }
-END_TEST
 
 /* Two dimensions, one particle 0.1 b from one wall and b from another: the
  * field is that of a box twice (and twice) as large, unfolded. The cells are
  * the same, so only rounding is between them. */
-START_TEST(sx15_5c_a_wall_is_a_mirror)
+FACT(sx15_5c_a_wall_is_a_mirror)
 {
     enum { H = 20 };
     const struct box_spec half = {
@@ -153,10 +149,9 @@ START_TEST(sx15_5c_a_wall_is_a_mirror)
     scene_free(&s);
     scene_free(&big);
 }
-END_TEST
 
 /* And in numbers: near a wall twice [SX15 6] in one dimension. dx = b/30. */
-START_TEST(sx15_5c_at_a_wall_the_gaussian_is_doubled)
+FACT(sx15_5c_at_a_wall_the_gaussian_is_doubled)
 {
     const struct box_spec spec = {
         {1.0, 0.1, 0.1}, {300, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -174,7 +169,6 @@ START_TEST(sx15_5c_at_a_wall_the_gaussian_is_doubled)
     }
     scene_free(&s);
 }
-END_TEST
 
 /* A cosine is an eigenvector of the mesh Laplacian between walls,
  * lambda = 4/dx^2 sin^2(pi k / 2n): each scheme damps it by its own factor, to
@@ -224,7 +218,7 @@ static double sdirk2(double z, int steps)
 
 static const int waves[] = {1, 3, 10};
 
-START_TEST(sx15_5_the_exponential_damps_a_wave_exactly)
+FACT_FOR_EACH(sx15_5_the_exponential_damps_a_wave_exactly, 6)
 {
     const struct averaging_options o = {.bandwidth = 0.47,
                                         .scheme =
@@ -232,9 +226,8 @@ START_TEST(sx15_5_the_exponential_damps_a_wave_exactly)
                                         .tolerance = 1e-10};
     check_factor(&o, waves[_i % 3], exact);
 }
-END_TEST
 
-START_TEST(sx15_5_crank_nicolson_damps_a_wave_as_it_should)
+FACT_FOR_EACH(sx15_5_crank_nicolson_damps_a_wave_as_it_should, 3)
 {
     const struct averaging_options o = {.bandwidth = 0.47,
                                         .scheme = "crank-nicolson",
@@ -242,9 +235,8 @@ START_TEST(sx15_5_crank_nicolson_damps_a_wave_as_it_should)
                                         .tolerance = 1e-12};
     check_factor(&o, waves[_i], crank_nicolson);
 }
-END_TEST
 
-START_TEST(sx15_5_implicit_euler_damps_a_wave_as_it_should)
+FACT_FOR_EACH(sx15_5_implicit_euler_damps_a_wave_as_it_should, 3)
 {
     const struct averaging_options o = {.bandwidth = 0.47,
                                         .scheme = "implicit-euler",
@@ -252,25 +244,22 @@ START_TEST(sx15_5_implicit_euler_damps_a_wave_as_it_should)
                                         .tolerance = 1e-12};
     check_factor(&o, waves[_i], implicit_euler);
 }
-END_TEST
 
-START_TEST(sx15_5_sdirk2_damps_a_wave_as_it_should)
+FACT_FOR_EACH(sx15_5_sdirk2_damps_a_wave_as_it_should, 3)
 {
     const struct averaging_options o = {
         .bandwidth = 0.47, .scheme = "sdirk2", .steps = 3, .tolerance = 1e-12};
     check_factor(&o, waves[_i], sdirk2);
 }
-END_TEST
 
 /* z = 48, cells of one diameter and b of four, three steps: sdirk2 leaves a
  * hundredth of the shortest wave, Crank-Nicolson half of it. */
-START_TEST(a_stiff_wave_is_gone_after_a_step_of_sdirk2)
+FACT(a_stiff_wave_is_gone_after_a_step_of_sdirk2)
 {
     ck_assert_double_lt(fabs(sdirk2(48.0, 3)), 0.02);
     ck_assert_double_gt(fabs(crank_nicolson(48.0, 3)), 0.45);
     ck_assert_double_lt(fabs(sdirk2(1e6, 1)), 1e-5); /* Like 4.8 / z. */
 }
-END_TEST
 
 /* Graded mesh in two dimensions, a blob: the distance (V-weighted, L1) of a
  * scheme with so many steps from the exponential. */
@@ -302,29 +291,26 @@ static double time_error(const char *scheme, int steps)
 
 /* The order shows once the steps are short: 0.1 and less of the order is left
  * to the next term. */
-START_TEST(crank_nicolson_is_of_second_order_in_pseudo_time)
+FACT(crank_nicolson_is_of_second_order_in_pseudo_time)
 {
     const double e1 = time_error("crank-nicolson", 8);
     const double e2 = time_error("crank-nicolson", 16);
     ck_assert_double_eq_tol(log2(e1 / e2), 2.0, 0.1);
 }
-END_TEST
 
-START_TEST(sdirk2_is_of_second_order_in_pseudo_time)
+FACT(sdirk2_is_of_second_order_in_pseudo_time)
 {
     const double e1 = time_error("sdirk2", 8);
     const double e2 = time_error("sdirk2", 16);
     ck_assert_double_eq_tol(log2(e1 / e2), 2.0, 0.1);
 }
-END_TEST
 
-START_TEST(implicit_euler_is_of_first_order_in_pseudo_time)
+FACT(implicit_euler_is_of_first_order_in_pseudo_time)
 {
     const double e1 = time_error("implicit-euler", 16);
     const double e2 = time_error("implicit-euler", 32);
     ck_assert_double_eq_tol(log2(e1 / e2), 1.0, 0.1);
 }
-END_TEST
 
 /* One full cell in the middle of a cube of 15 cells, dx = 1, b = 2 dx r with
  * r^2 = T / dx^2. */
@@ -347,7 +333,7 @@ static struct averaging_report one_full_cell(const char *scheme, int steps,
 
 /* By measurement Crank-Nicolson undershoots here from T / dx^2 = 0.37 with one
  * step, 1.37 with three, 3.9 with six; m >= 3 T / dx^2 is sure not to. */
-START_TEST(crank_nicolson_undershoots_beyond_its_limit_and_says_so)
+FACT_FOR_EACH(crank_nicolson_undershoots_beyond_its_limit_and_says_so, 3)
 {
     static const int steps[] = {1, 3, 6};
     static const double limit[] = {0.37, 1.37, 3.9};
@@ -363,11 +349,10 @@ START_TEST(crank_nicolson_undershoots_beyond_its_limit_and_says_so)
     ck_assert_double_gt(below.lowest, -1e-8 * below.highest);
     ck_assert_double_gt(safe.lowest, -1e-8 * safe.highest);
 }
-END_TEST
 
 /* By measurement too: from 0.48 with one step, from 2.6 with three; with two
  * and four not at all, the signs of two steps cancelling. */
-START_TEST(sdirk2_undershoots_with_few_odd_steps_and_says_so)
+FACT_FOR_EACH(sdirk2_undershoots_with_few_odd_steps_and_says_so, 2)
 {
     static const int steps[] = {1, 3};
     static const double limit[] = {0.48, 2.6};
@@ -382,19 +367,17 @@ START_TEST(sdirk2_undershoots_with_few_odd_steps_and_says_so)
     ck_assert_double_gt(below.lowest, -1e-8 * below.highest);
     ck_assert_double_gt(even.lowest, -1e-8 * even.highest);
 }
-END_TEST
 
 /* The prototype's figure: 22 % of the total, as a share of what is left. */
-START_TEST(crank_nicolson_with_three_steps_at_dx_of_d_is_a_fifth_negative)
+FACT(crank_nicolson_with_three_steps_at_dx_of_d_is_a_fifth_negative)
 {
     const struct averaging_report r = one_full_cell("crank-nicolson", 3, 4.0);
     ck_assert_double_eq_tol(r.negative / (1.0 - 2.0 * r.negative), 0.22, 0.02);
 }
-END_TEST
 
 /* In a box not at all; to the tolerance of the series or of the solver, 1e-9,
  * with a margin. */
-START_TEST(exponential_and_implicit_euler_never_undershoot)
+FACT_FOR_EACH(exponential_and_implicit_euler_never_undershoot, 4)
 {
     static const double T[] = {0.1, 1.0, 4.0, 16.0};
     const struct averaging_report box = one_full_cell("exponential", 0, T[_i]);
@@ -408,11 +391,10 @@ START_TEST(exponential_and_implicit_euler_never_undershoot)
     ck_assert_int_gt(series.products, 0);
     ck_assert_double_gt(euler.lowest, -2e-9);
 }
-END_TEST
 
 /* 3 T / dx^2 in cubes, 2 T / dx^2 in squares, T / dx^2 in a row; a graded mesh
  * goes by its worst cell. */
-START_TEST(the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes)
+FACT(the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes)
 {
     static const int cells[3][3] = {{5, 5, 5}, {5, 5, 1}, {1, 5, 1}};
     for (int i = 0; i < 3; i++) {
@@ -424,9 +406,8 @@ START_TEST(the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes)
         mesh_free(m);
     }
 }
-END_TEST
 
-START_TEST(a_check_warns_of_too_few_steps_of_crank_nicolson_only)
+FACT(a_check_warns_of_too_few_steps_of_crank_nicolson_only)
 {
     const struct averaging_method *const diffusion =
         averaging_method_named("diffusion");
@@ -448,10 +429,9 @@ START_TEST(a_check_warns_of_too_few_steps_of_crank_nicolson_only)
     ck_assert_int_eq(averaging_check(averaging_method_named("pcm"), m, &o), 0);
     mesh_free(m);
 }
-END_TEST
 
 /* Diffused for long, everything is everywhere: the mean, V-weighted. */
-START_TEST(sx15_a_5_what_is_left_after_a_long_time_is_the_mean)
+FACT_FOR_EACH(sx15_a_5_what_is_left_after_a_long_time_is_the_mean, CLOUD_SHAPES)
 {
     const struct averaging_options o = {.bandwidth = 12.0, .tolerance = 1e-9};
     struct scene s = scene_of(&cloud_shapes[_i], &o);
@@ -464,12 +444,11 @@ START_TEST(sx15_a_5_what_is_left_after_a_long_time_is_the_mean)
         ck_assert_double_eq_tol(s.field[c] * volume, 1.0, 1e-6);
     scene_free(&s);
 }
-END_TEST
 
 /* A row of four cells: a full one that moves, one a quarter full and at rest
  * beside it. Momentum per volume, diffused, keeps its sum; velocity, diffused
  * by itself and then multiplied by the diffused eps_s, does not. */
-START_TEST(sx15_9_momentum_is_to_be_diffused_and_not_velocity)
+FACT(sx15_9_momentum_is_to_be_diffused_and_not_velocity)
 {
     const struct box_spec spec = {
         {4.0, 1.0, 1.0}, {4, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -493,32 +472,8 @@ START_TEST(sx15_9_momentum_is_to_be_diffused_and_not_velocity)
     ck_assert_double_lt(changed, 0.4);
     scene_free(&s);
 }
-END_TEST
 
-FACTS("diffusion")
+FACTS
 {
     omp_set_num_threads(1); /* on meshes this small threads only wait */
-    FACT(sx15_6_values);
-    FACT(sx15_6_encloses_one);
-    FACT(sx15_b_is_the_root_of_4_T);
-    FACT(sx15_6_diffusion_is_the_gaussian_kernel_to_second_order);
-    FACT(sx15_5c_a_wall_is_a_mirror);
-    FACT(sx15_5c_at_a_wall_the_gaussian_is_doubled);
-    FACT_FOR_EACH(sx15_5_the_exponential_damps_a_wave_exactly, 6);
-    FACT_FOR_EACH(sx15_5_crank_nicolson_damps_a_wave_as_it_should, 3);
-    FACT_FOR_EACH(sx15_5_implicit_euler_damps_a_wave_as_it_should, 3);
-    FACT_FOR_EACH(sx15_5_sdirk2_damps_a_wave_as_it_should, 3);
-    FACT(a_stiff_wave_is_gone_after_a_step_of_sdirk2);
-    FACT(sdirk2_is_of_second_order_in_pseudo_time);
-    FACT_FOR_EACH(sdirk2_undershoots_with_few_odd_steps_and_says_so, 2);
-    FACT(crank_nicolson_is_of_second_order_in_pseudo_time);
-    FACT(implicit_euler_is_of_first_order_in_pseudo_time);
-    FACT_FOR_EACH(crank_nicolson_undershoots_beyond_its_limit_and_says_so, 3);
-    FACT(crank_nicolson_with_three_steps_at_dx_of_d_is_a_fifth_negative);
-    FACT_FOR_EACH(exponential_and_implicit_euler_never_undershoot, 4);
-    FACT(the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes);
-    FACT(a_check_warns_of_too_few_steps_of_crank_nicolson_only);
-    FACT(sx15_9_momentum_is_to_be_diffused_and_not_velocity);
-    FACT_FOR_EACH(sx15_a_5_what_is_left_after_a_long_time_is_the_mean,
-                  CLOUD_SHAPES);
 }

@@ -33,7 +33,7 @@ static void shares_of(const char *method, const struct mesh *m,
 /* Two cells, the face at x = 1; a sphere of diameter 1 whose centre is 0.3
  * before it. The cap beyond has the height 0.2 = 0.4 R: its share is
  * 0.4^2 (3 - 0.4) / 4. Of the cube it is a fifth. */
-START_TEST(a_sphere_across_a_face_is_divided_by_its_cap)
+FACT(a_sphere_across_a_face_is_divided_by_its_cap)
 {
     struct mesh *const m = closed_box(2.0, 2.0, 2.0, 2, 1, 1);
     struct particles *const ps = particles_create(1);
@@ -47,12 +47,11 @@ START_TEST(a_sphere_across_a_face_is_divided_by_its_cap)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* In a closed corner three eighths of the diameter off: the part beyond the
  * walls is distributed like the rest, that is, it stays in the one cell. A
  * period divides: a sphere on its corner is in eight cells. */
-START_TEST(a_sphere_in_a_corner_is_divided_where_there_are_cells)
+FACT(a_sphere_in_a_corner_is_divided_where_there_are_cells)
 {
     for (int periodic = 0; periodic < 2; periodic++) {
         const struct box_spec spec = {{4.0, 4.0, 4.0},
@@ -70,12 +69,11 @@ START_TEST(a_sphere_in_a_corner_is_divided_where_there_are_cells)
         mesh_free(m);
     }
 }
-END_TEST
 
 /* Spheres of diameter 1 in a cubic packing, cells of 0.3: pcm puts 0.52 into
  * 0.027, twenty times too much; divided, no cell is more than full, and those
  * within a sphere are full to rounding. */
-START_TEST(dpvm_fills_no_cell_beyond_its_volume)
+FACT(dpvm_fills_no_cell_beyond_its_volume)
 {
     struct mesh *const m = closed_box(3.0, 3.0, 3.0, 10, 10, 10);
     struct particles *const ps = particles_create(27);
@@ -94,12 +92,11 @@ START_TEST(dpvm_fills_no_cell_beyond_its_volume)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* Eight cells in the place of one have together what the one has: exact
  * overlaps do not depend on the mesh. Spheres smaller and larger than cells,
  * anywhere inside, none over a wall. */
-START_TEST(the_part_in_a_region_does_not_depend_on_the_cells_in_it)
+FACT_FOR_EACH(the_part_in_a_region_does_not_depend_on_the_cells_in_it, 2)
 {
     struct mesh *const one = closed_box(6.0, 6.0, 6.0, 3, 3, 3);
     struct mesh *const eight = closed_box(6.0, 6.0, 6.0, 6, 6, 6);
@@ -123,12 +120,11 @@ START_TEST(the_part_in_a_region_does_not_depend_on_the_cells_in_it)
     mesh_free(one);
     mesh_free(eight);
 }
-END_TEST
 
 /* A box from points and faces is cut by other code than a box, and the shares
  * are the same: of bodies smaller and larger than cells, at walls, in corners,
  * round periods that are one cell wide or more. */
-START_TEST(a_box_from_files_divides_as_a_box)
+FACT_FOR_EACH(a_box_from_files_divides_as_a_box, 3 * CLOUD_SHAPES)
 {
     static const char *const methods[] = {"dpvm", "cube", "two-grid"};
     const struct box_spec *const spec = &cloud_shapes[_i % CLOUD_SHAPES];
@@ -164,13 +160,12 @@ START_TEST(a_box_from_files_divides_as_a_box)
     mesh_free(m);
     mesh_free(box);
 }
-END_TEST
 
 /* Of points in a sphere, one in each of 80^3 small boxes, a cell gets as many
  * as its share says: the search for the cell of a point and the cutting of the
  * sphere are independent computations. A bent face is a mean plane to the
  * former. Then cells of many faces, and a period, each at a wall. */
-START_TEST(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere)
+FACT_FOR_EACH(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere, 3)
 {
     enum { N = 80 };
     struct mesh *const m = _i == 0 ? warped()
@@ -205,15 +200,4 @@ START_TEST(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere)
     free(points);
     particles_free(ps);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("dpvm")
-{
-    FACT(a_sphere_across_a_face_is_divided_by_its_cap);
-    FACT(a_sphere_in_a_corner_is_divided_where_there_are_cells);
-    FACT(dpvm_fills_no_cell_beyond_its_volume);
-    FACT_FOR_EACH(the_part_in_a_region_does_not_depend_on_the_cells_in_it, 2);
-    FACT_FOR_EACH(a_box_from_files_divides_as_a_box, 3 * CLOUD_SHAPES);
-    FACT_FOR_EACH(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere, 3);
 }

@@ -13,7 +13,7 @@ static const double air_rho = 1.2, air_mu = 1.8e-5;
 /* V_r solves V_r^2 - (A1 - 0.06 Re) V_r - 0.06 Re A2 = 0, the quadratic that
  * [XS11 2.13] is the root of; written this way no term is shared. Hand values
  * at eps_f = 0.4: A1 = 0.4^4.14, A2 = 0.8 0.4^1.28. */
-START_TEST(xs11_2_13_terminal_ratio_solves_its_quadratic)
+FACT(xs11_2_13_terminal_ratio_solves_its_quadratic)
 {
     for (double eps_f = 0.35; eps_f < 1.0; eps_f += 0.05)
         for (double Re = 0.01; Re < 2e4; Re *= 7.0) {
@@ -26,12 +26,11 @@ START_TEST(xs11_2_13_terminal_ratio_solves_its_quadratic)
             ck_assert_double_eq_tol(rest / (V * V + a * A2), 0.0, 1e-11);
         }
 }
-END_TEST
 
 /* Creeping flow gives A1, very fast flow A2: the two limits of [XS11 2.13],
  * which A2 meets like A2 (A1 - A2) / (0.06 Re). A2 has another power from 0.85
  * on: 0.8 0.85^1.28 and, above, 0.86^2.65. */
-START_TEST(xs11_2_14_terminal_ratio_runs_from_a1_to_a2)
+FACT(xs11_2_14_terminal_ratio_runs_from_a1_to_a2)
 {
     static const struct {
         double eps_f, A1, A2;
@@ -51,10 +50,9 @@ START_TEST(xs11_2_14_terminal_ratio_runs_from_a1_to_a2)
     }
     ck_assert_double_eq_tol(drag_terminal_ratio(10.0, 1.0), 1.0, 1e-14);
 }
-END_TEST
 
 /* [XS11 2.11] as printed, with the division by Re left in. */
-START_TEST(xs11_2_11_beta_is_the_printed_product)
+FACT(xs11_2_11_beta_is_the_printed_product)
 {
     const struct drag_law *const law = drag_law_named("syamlal-obrien");
     const double eps_s = 0.4, d = 1.2e-3, u = 1.7;
@@ -66,10 +64,9 @@ START_TEST(xs11_2_11_beta_is_the_printed_product)
     ck_assert_double_eq_tol(drag_beta(law, eps_s, air_rho, air_mu, d, u) / beta,
                             1.0, 1e-13);
 }
-END_TEST
 
 /* eps_f B = V_p beta / eps_s: B is not the coefficient of the force itself. */
-START_TEST(xs11_2_10_force_per_slip_is_eps_f_times_b)
+FACT(xs11_2_10_force_per_slip_is_eps_f_times_b)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
         const struct drag_law *const law = drag_laws[k];
@@ -79,7 +76,6 @@ START_TEST(xs11_2_10_force_per_slip_is_eps_f_times_b)
         ck_assert_double_eq_tol(0.7 * B / (V_p * beta / eps_s), 1.0, 1e-13);
     }
 }
-END_TEST
 
 /* At rest the slip-independent part remains: V_p 0.75 23.04 mu eps_f/(V_r d^2)
  * for Syamlal-O'Brien, which for one sphere is 0.96 of Stokes' 18 mu / d^2. Of
@@ -105,7 +101,7 @@ static int stokes_limit_is_right(const char *law, double ratio)
            (expect == 0.0 && fabs(ratio - 1.0) < 0.1);
 }
 
-START_TEST(drag_is_finite_for_a_particle_at_rest_and_alone)
+FACT(drag_is_finite_for_a_particle_at_rest_and_alone)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
         const struct drag_law *const law = drag_laws[k];
@@ -119,12 +115,11 @@ START_TEST(drag_is_finite_for_a_particle_at_rest_and_alone)
             isfinite(drag_resistance(law, 0.4, air_rho, air_mu, 1e-3, 0.0)));
     }
 }
-END_TEST
 
 /* XS11 Table 1, with quartz instead of Table 2's density (chapter on reading
  * papers): rho_s 2650, water 1000 and 1e-3, air 1.0 and 1e-5. The table gives
  * one or two digits, hence 6 %; with 2000 the largest miss is 33 %. */
-START_TEST(xs11_3_17_table_1_follows_from_quartz)
+FACT(xs11_3_17_table_1_follows_from_quartz)
 {
     static const struct {
         double rho, mu, u, eps_s, d, tau;
@@ -148,11 +143,10 @@ START_TEST(xs11_3_17_table_1_follows_from_quartz)
     }
     ck_assert_double_lt(mean, 0.045);
 }
-END_TEST
 
 /* The force balance of [XS11 Table 4] in air, model A: beta U / eps_f^2 holds
  * (rho_s - rho_f) g eps_s. Printed 0.84 m/s; recomputed 0.876 m/s. */
-START_TEST(xs11_table_4_minimum_fluidization_balances_at_0_876)
+FACT(xs11_table_4_minimum_fluidization_balances_at_0_876)
 {
     const double eps_s = 0.554, eps_f = 1.0 - eps_s, d = 1.5e-3;
     double low = 0.1, high = 3.0;
@@ -164,22 +158,20 @@ START_TEST(xs11_table_4_minimum_fluidization_balances_at_0_876)
     }
     ck_assert_double_eq_tol(low, 0.876, 0.002);
 }
-END_TEST
 
 /* Ergun's equation for the bed itself: dp/L = 150 mu U (1-e)^2 / (e^3 d^2) +
  * 1.75 rho U^2 (1-e) / (e^3 d), here 1338.8671875 Pa/m (d 0.8 mm, e 0.4, U 1
  * mm/s, water), from beta U / eps_f^2. */
-START_TEST(ls_5_27_below_0_8_gives_erguns_pressure_drop)
+FACT(ls_5_27_below_0_8_gives_erguns_pressure_drop)
 {
     const struct drag_law *const law = drag_law_named("gidaspow");
     const double beta = drag_beta(law, 0.6, 1000.0, 1e-3, 8e-4, 1e-3 / 0.4);
     ck_assert_double_eq_tol(beta * 1e-3 / (0.4 * 0.4), 1338.8671875, 1e-6);
 }
-END_TEST
 
 /* Wen and Yu for a dilute suspension: 0.75 C_d alpha (1-alpha) rho u / d
  * alpha^-2.65 with C_d of [LS 5.26]. */
-START_TEST(ls_5_26_above_0_8_is_wen_and_yu)
+FACT(ls_5_26_above_0_8_is_wen_and_yu)
 {
     const struct drag_law *const law = drag_law_named("gidaspow");
     const double alpha = 0.9, u = 0.3, d = 1e-3, Re = air_rho * d * u / air_mu;
@@ -192,11 +184,10 @@ START_TEST(ls_5_26_above_0_8_is_wen_and_yu)
                             1.0, 1e-13);
     ck_assert_double_eq_tol(drag_wen_yu_cd(0.9, 2000.0), 0.44, 1e-14);
 }
-END_TEST
 
 /* The two branches of Schiller and Naumann meet to 0.4 % at Re = 1000; the
  * misprint 0.678 for 0.687 would miss by 6 %. */
-START_TEST(ls_5_2_schiller_naumann_is_nearly_continuous_at_re_1000)
+FACT(ls_5_2_schiller_naumann_is_nearly_continuous_at_re_1000)
 {
     const struct drag_law *const law = drag_law_named("schiller-naumann");
     const double u = 1000.0 * air_mu / (air_rho * 1e-3);
@@ -206,22 +197,20 @@ START_TEST(ls_5_2_schiller_naumann_is_nearly_continuous_at_re_1000)
         drag_resistance(law, 1.0, air_rho, air_mu, 1e-3, 1.0000001 * u);
     ck_assert_double_eq_tol(below / above, 1.0, 0.005);
 }
-END_TEST
 
 /* A poppy seed in air at 0.9 m/s: 1.2 * 1.2e-3 * 0.9 / 1.8e-5. Half the seed at
  * twice the speed meets the same flow. */
-START_TEST(xs11_2_12_reynolds_number_is_72_for_a_seed_in_air)
+FACT(xs11_2_12_reynolds_number_is_72_for_a_seed_in_air)
 {
     ck_assert_double_eq_tol(drag_reynolds(1.2, 1.8e-5, 1.2e-3, 0.9), 72.0,
                             1e-12);
     ck_assert_double_eq(drag_reynolds(1.2, 1.8e-5, 0.6e-3, 1.8),
                         drag_reynolds(1.2, 1.8e-5, 1.2e-3, 0.9));
 }
-END_TEST
 
 /* F = 0.5 rho (pi d^2 / 4) C_D u |u|: with C_D = 24/Re it is Stokes' 3 pi mu d
  * u, and it turns with the slip. */
-START_TEST(ls_5_2_force_with_24_over_re_is_stokes)
+FACT(ls_5_2_force_with_24_over_re_is_stokes)
 {
     const double d = 1e-4, u = 1e-3, Re = air_rho * d * u / air_mu;
     const double F = drag_force(air_rho, 24.0 / Re, d, u);
@@ -229,10 +218,9 @@ START_TEST(ls_5_2_force_with_24_over_re_is_stokes)
     ck_assert_double_eq(drag_force(air_rho, 1.0, d, -u),
                         -drag_force(air_rho, 1.0, d, u));
 }
-END_TEST
 
 /* [LS 5.12] tau = m / (3 pi mu d) for a sphere, shortened by the correction. */
-START_TEST(ls_5_13_relaxation_time_is_mass_over_resistance)
+FACT(ls_5_13_relaxation_time_is_mass_over_resistance)
 {
     const double d = 1e-4, rho_p = 2500.0, m = rho_p * M_PI / 6.0 * d * d * d;
     const double tau = drag_stokes_time(rho_p, d, air_mu);
@@ -243,13 +231,12 @@ START_TEST(ls_5_13_relaxation_time_is_mass_over_resistance)
     ck_assert_double_eq_tol(
         drag_schiller_naumann_time(rho_p, d, air_mu, Re) / law_tau, 1.0, 1e-13);
 }
-END_TEST
 
 /* Every law has a limit without viscosity, which is Newton's: it goes with
  * u_r. From a Re of 1e8 to none at all nothing jumps: what is left there goes
  * with 1 / sqrt(Re), 1e-4 times 4.8 / 0.63 for syamlal-obrien, and with
  * Re^-0.34 for beetstra and haider-levenspiel, 8.4 times 2e-3. */
-START_TEST(drag_has_its_limit_without_viscosity)
+FACT(drag_has_its_limit_without_viscosity)
 {
     static const double thin[] = {0.0, 5e-324, 1e-300, 1e-100, 1e-16};
 
@@ -271,23 +258,4 @@ START_TEST(drag_has_its_limit_without_viscosity)
                 3.0, 1e-14);
         }
     }
-}
-END_TEST
-
-FACTS("drag")
-{
-    FACT(xs11_2_13_terminal_ratio_solves_its_quadratic);
-    FACT(xs11_2_14_terminal_ratio_runs_from_a1_to_a2);
-    FACT(xs11_2_11_beta_is_the_printed_product);
-    FACT(xs11_2_12_reynolds_number_is_72_for_a_seed_in_air);
-    FACT(xs11_2_10_force_per_slip_is_eps_f_times_b);
-    FACT(drag_is_finite_for_a_particle_at_rest_and_alone);
-    FACT(xs11_3_17_table_1_follows_from_quartz);
-    FACT(xs11_table_4_minimum_fluidization_balances_at_0_876);
-    FACT(ls_5_27_below_0_8_gives_erguns_pressure_drop);
-    FACT(ls_5_26_above_0_8_is_wen_and_yu);
-    FACT(ls_5_2_schiller_naumann_is_nearly_continuous_at_re_1000);
-    FACT(ls_5_2_force_with_24_over_re_is_stokes);
-    FACT(ls_5_13_relaxation_time_is_mass_over_resistance);
-    FACT(drag_has_its_limit_without_viscosity);
 }

@@ -52,19 +52,18 @@ static const struct {
 };
 enum { ROWS = sizeof table / sizeof table[0] };
 
-START_TEST(drag_laws_are_the_formulas_of_their_papers)
+FACT_FOR_EACH(drag_laws_are_the_formulas_of_their_papers, ROWS)
 {
     const double F = factor(table[_i].law, table[_i].eps_f, table[_i].Re);
     ck_assert_double_eq_tol(F / table[_i].F, 1.0, 1e-12);
 }
-END_TEST
 
 /* Laws whose numbers stand in another test. */
 static const char *const elsewhere[] = {"syamlal-obrien", "gidaspow",
                                         "schiller-naumann", "dallavalle",
                                         "haider-levenspiel"};
 
-START_TEST(every_law_has_numbers_of_its_paper)
+FACT(every_law_has_numbers_of_its_paper)
 {
     for (int i = 0; drag_laws[i] != NULL; i++) {
         int found = 0;
@@ -76,13 +75,12 @@ START_TEST(every_law_has_numbers_of_its_paper)
                       drag_laws[i]->name);
     }
 }
-END_TEST
 
 /* Few spheres, held at random in slow flow [KimRussel85]: the whole force is 1
  * + 3 sqrt(s/2) + (135/64) s ln s + 16.456 s. At s = 0.0101, where Hill, Koch
  * and Ladd's polynomials begin, the next term, s^(3/2), is 1e-3, and 16.14 for
  * 17.14, as some codes have it, is 1e-2. */
-START_TEST(hill_koch_ladds_few_spheres_are_kim_and_russels)
+FACT(hill_koch_ladds_few_spheres_are_kim_and_russels)
 {
     const double s = 0.0101;
     const double whole = factor("hill-koch-ladd", 1.0 - s, 1e-9) / (1.0 - s);
@@ -91,14 +89,13 @@ START_TEST(hill_koch_ladds_few_spheres_are_kim_and_russels)
                                 135.0 / 64.0 * s * log(s) + 16.456 * s,
                             1.5e-3);
 }
-END_TEST
 
 /* Alone and slow a sphere has Stokes' drag, in all laws from resolved flow; in
  * those with DallaValle's coefficient 4.8^2/24 of it. Packed, s = 0.6, the
  * whole force of slow flow is 10 s/(1 - s)^3: Carman's bed, to 1 % in the law
  * that has it, 8 % for a fit to thinner arrays, a quarter for one to packings.
  */
-START_TEST(laws_from_resolved_flow_have_stokes_and_carmans_limits)
+FACT(laws_from_resolved_flow_have_stokes_and_carmans_limits)
 {
     static const struct {
         const char *law;
@@ -117,13 +114,12 @@ START_TEST(laws_from_resolved_flow_have_stokes_and_carmans_limits)
                                 all[k].bed);
     }
 }
-END_TEST
 
 /* Single spheres: 24 / Re (1 + 0.1806 Re^0.6459) + ... at Re = 200 is 0.79596,
  * the value of another program (CalebBell/fluids, tests/test_drag.py).
  * DallaValle's 4.8^2 stands where Stokes has 24, its 0.63^2 where Newton has
  * 0.4. Neighbours are ignored. */
-START_TEST(ls_5_2_fits_for_one_sphere_have_their_known_values)
+FACT(ls_5_2_fits_for_one_sphere_have_their_known_values)
 {
     ck_assert_double_eq_tol(factor("haider-levenspiel", 1.0, 200.0) * 24.0 /
                                 200.0,
@@ -140,13 +136,12 @@ START_TEST(ls_5_2_fits_for_one_sphere_have_their_known_values)
         ck_assert_double_eq_tol(drag_sphere(Re) / one, 1.0, 0.14);
     }
 }
-END_TEST
 
 /* F / F_single(U) = eps^-chi for the drag, eps^-chi-1 for the whole force; so a
  * suspension in Stokes' flow settles with eps^4.7 of the velocity of one sphere
  * (measured: 4.65), and with eps^5.7 after the printed form. One power of eps
  * is a tenth at least here. */
-START_TEST(ew18_a_2_a_slow_suspension_settles_with_eps_to_the_4_7)
+FACT(ew18_a_2_a_slow_suspension_settles_with_eps_to_the_4_7)
 {
     for (double eps = 0.4; eps < 0.95; eps += 0.1) {
         const double Re = 1e-25;
@@ -157,10 +152,9 @@ START_TEST(ew18_a_2_a_slow_suspension_settles_with_eps_to_the_4_7)
                                 1.0, 1e-12);
     }
 }
-END_TEST
 
 /* [EW18 A.2] in full, from C_d [EW18 A.4] and chi [EW18 A.3]. */
-START_TEST(ew18_a_2_force_is_that_of_a_sphere_times_a_power)
+FACT(ew18_a_2_force_is_that_of_a_sphere_times_a_power)
 {
     const double eps = 0.6, rho = 1.2, mu = 1.8e-5, d = 1e-3, u = 1.1;
     const double Re = coefficient_reynolds(eps, rho, mu, d, u);
@@ -170,10 +164,9 @@ START_TEST(ew18_a_2_force_is_that_of_a_sphere_times_a_power)
     ck_assert_double_eq_tol(drag_di_felice_force(eps, rho, mu, d, u) / F, 1.0,
                             1e-13);
 }
-END_TEST
 
 /* 3.7 at both ends, 3.05 at log10 Re = 1.5. */
-START_TEST(ew18_a_3_exponent_is_least_at_re_32)
+FACT(ew18_a_3_exponent_is_least_at_re_32)
 {
     ck_assert_double_eq(drag_di_felice_exponent(0.0), 3.7);
     ck_assert_double_eq_tol(drag_di_felice_exponent(1e-9), 3.7, 1e-12);
@@ -181,28 +174,25 @@ START_TEST(ew18_a_3_exponent_is_least_at_re_32)
     ck_assert_double_eq_tol(drag_di_felice_exponent(pow(10.0, 1.5)), 3.05,
                             1e-14);
 }
-END_TEST
 
 /* The drag coefficient of one sphere: 26.5 at Re = 1 (24 x 1.15 = 27.6 of this
  * fit is 4 % above the standard curve), 1.09 at 100, 0.44 beyond 1000. */
-START_TEST(ew18_a_4_one_sphere_has_schiller_and_naumanns_drag)
+FACT(ew18_a_4_one_sphere_has_schiller_and_naumanns_drag)
 {
     ck_assert_double_eq_tol(drag_wen_yu_cd(1.0, 1.0), 27.6, 1e-12);
     ck_assert_double_eq_tol(drag_wen_yu_cd(1.0, 100.0), 1.0917, 1e-4);
     ck_assert_double_eq_tol(drag_wen_yu_cd(1.0, 5000.0), 0.44, 1e-14);
 }
-END_TEST
 
 /* eps -> 1, Re -> 0: 3 pi mu d u. */
-START_TEST(ew18_a_5_a_lone_slow_sphere_has_stokes_drag)
+FACT(ew18_a_5_a_lone_slow_sphere_has_stokes_drag)
 {
     const double F = drag_beetstra_force(1.0, 1.0, 2.0, 3.0, 1e-20);
     ck_assert_double_eq_tol(F / (3.0 * M_PI * 2.0 * 3.0 * 1e-20), 1.0, 1e-6);
 }
-END_TEST
 
 /* What EW18 prints is the whole force, the law is the drag: eps times it. */
-START_TEST(ew18_a_5_whole_force_times_eps_is_the_drag)
+FACT(ew18_a_5_whole_force_times_eps_is_the_drag)
 {
     for (double eps = 0.4; eps < 1.0; eps += 0.1) {
         const double whole = drag_beetstra_force(eps, 1.2, 1.8e-5, 1e-3, 0.7);
@@ -212,10 +202,9 @@ START_TEST(ew18_a_5_whole_force_times_eps_is_the_drag)
                                 1.0, 1e-13);
     }
 }
-END_TEST
 
 /* g as printed, with its Re^-0.343 and the exponent (1 + 4 eps_s) / 2. */
-START_TEST(ew18_a_6_is_the_printed_sum)
+FACT(ew18_a_6_is_the_printed_sum)
 {
     for (double eps = 0.4; eps < 1.0; eps += 0.1)
         for (double Re = 1e-3; Re < 2e3; Re *= 10.0) {
@@ -230,11 +219,10 @@ START_TEST(ew18_a_6_is_the_printed_sum)
                                     1e-13);
         }
 }
-END_TEST
 
 /* Slow flow: Carman's bed is in it, 10 s / eps^2, and 1 is left for one sphere.
  * The bed has 180 where Ergun has 150. */
-START_TEST(ew18_a_6_slow_flow_in_a_bed_is_carmans)
+FACT(ew18_a_6_slow_flow_in_a_bed_is_carmans)
 {
     ck_assert_double_eq(drag_beetstra_factor(1.0, 0.0), 1.0);
     ck_assert_double_eq_tol(
@@ -242,13 +230,12 @@ START_TEST(ew18_a_6_slow_flow_in_a_bed_is_carmans)
     ck_assert_double_eq_tol(drag_beetstra_factor(0.6, 1e-12),
                             drag_beetstra_factor(0.6, 0.0), 1e-6);
 }
-END_TEST
 
 /* Four simulations of slow flow through random arrays by different methods.
  * Each paper writes another force: the whole one, or the drag without the mean
  * pressure gradient. Taken over as the drag they agree to 9 %; a factor eps too
  * many would be 20 to 50 %. */
-START_TEST(resolved_simulations_agree_on_slow_flow_in_an_array)
+FACT(resolved_simulations_agree_on_slow_flow_in_an_array)
 {
     static const char *const laws[] = {"hill-koch-ladd", "tenneti", "cello"};
 
@@ -258,11 +245,10 @@ START_TEST(resolved_simulations_agree_on_slow_flow_in_an_array)
                                         factor("beetstra", eps, 0.01),
                                     1.0, 0.09);
 }
-END_TEST
 
 /* Across eps_f = 0.8 the law changes by its slope, 6e-4 over this step;
  * gidaspow falls by 38 %. Away from there the two are the same to 2 %. */
-START_TEST(ls_5_27_huilin_gidaspow_has_no_jump)
+FACT(ls_5_27_huilin_gidaspow_has_no_jump)
 {
     const double step = 1e-6;
     ck_assert_double_eq_tol(factor("huilin-gidaspow", 0.8 + step, 100.0) /
@@ -275,11 +261,10 @@ START_TEST(ls_5_27_huilin_gidaspow_has_no_jump)
                                 factor("gidaspow", 0.95, 50.0),
                             1.0, 0.02);
 }
-END_TEST
 
 /* More fluid, less resistance; more slip, more drag. (Hill, Koch and Ladd's law
  * has a seam at eps_f = 0.99, Gidaspow's one at 0.8, as they are published.) */
-START_TEST(resistance_falls_with_fluid_and_rises_with_slip)
+FACT(resistance_falls_with_fluid_and_rises_with_slip)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
         const struct drag_law *const law = drag_laws[k];
@@ -299,12 +284,11 @@ START_TEST(resistance_falls_with_fluid_and_rises_with_slip)
             }
     }
 }
-END_TEST
 
 /* A fluid fraction of 1 + 1e-16 is that of a sphere alone, as 1 is, and one of
  * 1.001, where an averaged field undershoots, is a number near it: 1 % for the
  * powers of eps_f. The root of 1 - eps_f would be none. */
-START_TEST(a_field_that_undershoots_has_a_drag)
+FACT(a_field_that_undershoots_has_a_drag)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
         const struct drag_law *const law = drag_laws[k];
@@ -316,9 +300,8 @@ START_TEST(a_field_that_undershoots_has_a_drag)
             1e-14);
     }
 }
-END_TEST
 
-START_TEST(every_law_states_the_range_of_its_data)
+FACT(every_law_states_the_range_of_its_data)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
         const struct drag_law *const law = drag_laws[k];
@@ -329,22 +312,20 @@ START_TEST(every_law_states_the_range_of_its_data)
                       law->name);
     }
 }
-END_TEST
 
 /* The pole of Cello's K_3 is beyond its range: at Re = 2000 the drag is twice
  * that at 1000 per slip, and not infinite or negative. */
-START_TEST(cellos_law_keeps_its_drag_coefficient_beyond_its_range)
+FACT(cellos_law_keeps_its_drag_coefficient_beyond_its_range)
 {
     for (double eps = 0.36; eps < 1.0; eps += 0.04)
         ck_assert_double_eq_tol(factor("cello", eps, 2000.0) /
                                     factor("cello", eps, 1000.0),
                                 2.0, 1e-12);
 }
-END_TEST
 
 /* A force of Stokes' law has C_d = 24 / Re_p; [EW18 26] with [EW18 27]. The
  * coefficient is positive for a force along the slip, whichever way. */
-START_TEST(ew18_26_stokes_law_has_24_over_re)
+FACT(ew18_26_stokes_law_has_24_over_re)
 {
     const double eps = 0.7, rho = 1.2, mu = 1.8e-5, d = 2e-3, u = 0.3;
     const double F = 3.0 * M_PI * mu * d * eps * u;
@@ -355,22 +336,20 @@ START_TEST(ew18_26_stokes_law_has_24_over_re)
                         coefficient_of_force(F, rho, d, eps, u));
     ck_assert_double_lt(coefficient_of_force(-F, rho, d, eps, u), 0.0);
 }
-END_TEST
 
 /* Superficial: 28 of 40 for eps = 0.7; [EW18 A.1] is the same. */
-START_TEST(ew18_27_reynolds_number_has_the_superficial_slip)
+FACT(ew18_27_reynolds_number_has_the_superficial_slip)
 {
     ck_assert_double_eq_tol(coefficient_reynolds(0.7, 1.2, 1.8e-5, 2e-3, 0.3),
                             28.0, 1e-12);
     ck_assert_double_eq(coefficient_reynolds(0.7, 1.2, 1.8e-5, 2e-3, -0.3),
                         coefficient_reynolds(0.7, 1.2, 1.8e-5, 2e-3, 0.3));
 }
-END_TEST
 
 /* At u_mf Ergun's drag carries the bed: the gidaspow law at that velocity,
  * model A, where drag carries the share eps of the buoyant weight. Kunii and
  * Levenspiel's limits for small and large Re bracket it. */
-START_TEST(ew18_22_erguns_drag_carries_the_bed_at_u_mf)
+FACT(ew18_22_erguns_drag_carries_the_bed_at_u_mf)
 {
     const double eps = 0.41, rho = 1.2, mu = 1.8e-5, rho_s = 2650.0, g = 9.81;
 
@@ -387,14 +366,13 @@ START_TEST(ew18_22_erguns_drag_carries_the_bed_at_u_mf)
     ck_assert_double_eq(fluidization_velocity(eps, 1000.0, 900.0, mu, 1e-3, g),
                         0.0);
 }
-END_TEST
 
 /* A cubic lattice that is held in a fluid, which a pressure gradient drives. At
  * the superficial velocity U the whole force on all spheres of a volume is the
  * gradient, (eps_s / V_p) F: the law gives the drag, the loop has the rest, in
  * both forms of the momentum equation. 1 % is asked, and 1e-4 held; a law that
  * gave the whole force for the drag would be 1 / eps = 2.2 times as strong. */
-START_TEST(ew18_a_5_a_fixed_bed_has_the_whole_force_as_its_pressure_drop)
+FACT_FOR_EACH(ew18_a_5_a_fixed_bed_has_the_whole_force_as_its_pressure_drop, 4)
 {
     const double eps = 0.451335, U = 0.01, V_p = M_PI / 6.0 * 1e-9;
     struct scene s = air;
@@ -425,33 +403,4 @@ START_TEST(ew18_a_5_a_fixed_bed_has_the_whole_force_as_its_pressure_drop)
     fluid_mean_flow(sim->fluid, flow);
     ck_assert_double_eq_tol(flow[0] / U, 1.0, 1e-4);
     discard(sim);
-}
-END_TEST
-
-FACTS("drag_laws")
-{
-    FACT_FOR_EACH(drag_laws_are_the_formulas_of_their_papers, ROWS);
-    FACT(every_law_has_numbers_of_its_paper);
-    FACT(hill_koch_ladds_few_spheres_are_kim_and_russels);
-    FACT(laws_from_resolved_flow_have_stokes_and_carmans_limits);
-    FACT(ls_5_2_fits_for_one_sphere_have_their_known_values);
-    FACT(ew18_a_2_a_slow_suspension_settles_with_eps_to_the_4_7);
-    FACT(ew18_a_2_force_is_that_of_a_sphere_times_a_power);
-    FACT(ew18_a_3_exponent_is_least_at_re_32);
-    FACT(ew18_a_4_one_sphere_has_schiller_and_naumanns_drag);
-    FACT(ew18_a_5_a_lone_slow_sphere_has_stokes_drag);
-    FACT(ew18_a_5_whole_force_times_eps_is_the_drag);
-    FACT(ew18_a_6_is_the_printed_sum);
-    FACT(ew18_a_6_slow_flow_in_a_bed_is_carmans);
-    FACT(resolved_simulations_agree_on_slow_flow_in_an_array);
-    FACT(ls_5_27_huilin_gidaspow_has_no_jump);
-    FACT(resistance_falls_with_fluid_and_rises_with_slip);
-    FACT(a_field_that_undershoots_has_a_drag);
-    FACT(every_law_states_the_range_of_its_data);
-    FACT(cellos_law_keeps_its_drag_coefficient_beyond_its_range);
-    FACT(ew18_26_stokes_law_has_24_over_re);
-    FACT(ew18_27_reynolds_number_has_the_superficial_slip);
-    FACT_FOR_EACH(ew18_a_5_a_fixed_bed_has_the_whole_force_as_its_pressure_drop,
-                  4);
-    FACT(ew18_22_erguns_drag_carries_the_bed_at_u_mf);
 }

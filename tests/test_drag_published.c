@@ -55,7 +55,7 @@ static void expect(struct span s, const double bounds[2], const char *law)
                   "%s: %.3f to %.3f", law, s.least, s.most);
 }
 
-START_TEST(ls_5_2_one_sphere_has_the_published_drag)
+FACT_FOR_EACH(ls_5_2_one_sphere_has_the_published_drag, ROWS)
 {
     struct span s = {HUGE_VAL, 0.0};
 
@@ -65,9 +65,8 @@ START_TEST(ls_5_2_one_sphere_has_the_published_drag)
                       published_spheres[k].C_d);
     expect(s, rows[_i].sphere, rows[_i].law);
 }
-END_TEST
 
-START_TEST(every_law_is_in_the_table)
+FACT(every_law_is_in_the_table)
 {
     for (int i = 0; drag_laws[i] != NULL; i++) {
         int found = 0;
@@ -76,9 +75,8 @@ START_TEST(every_law_is_in_the_table)
         ck_assert_msg(found == 1, "%s", drag_laws[i]->name);
     }
 }
-END_TEST
 
-START_TEST(ls_5_27_a_packed_bed_has_the_published_pressure_drop)
+FACT_FOR_EACH(ls_5_27_a_packed_bed_has_the_published_pressure_drop, ROWS)
 {
     const struct drag_law *const law = drag_law_named(rows[_i].law);
     struct span slow = {HUGE_VAL, 0.0}, s = slow;
@@ -91,10 +89,9 @@ START_TEST(ls_5_27_a_packed_bed_has_the_published_pressure_drop)
         widen(&s, published_bed_drop(law, U) / published_bed_kta(U));
     expect(s, rows[_i].bed, law->name);
 }
-END_TEST
 
 /* The drop by another program, to its last digit, and KTA's rule by it. */
-START_TEST(ls_5_27_erguns_drop_is_that_of_another_program)
+FACT(ls_5_27_erguns_drop_is_that_of_another_program)
 {
     ck_assert_double_eq_tol(
         published_bed_drop(drag_law_named("gidaspow"), 1e-3),
@@ -102,13 +99,12 @@ START_TEST(ls_5_27_erguns_drop_is_that_of_another_program)
     ck_assert_double_eq_tol(published_bed_kta(1e-3), published_beds[2].drop,
                             1e-9);
 }
-END_TEST
 
 /* Suspensions settle as Richardson and Zaki measured, where a law begins with
  * their exponents: 0.3 is 3 % of the velocity at eps_f = 0.9, and 11 % at 0.7;
  * Wen and Yu's is for Newton's drag 2.35 + 0.45. Syamlal's has Garside's curve.
  * One factor eps_f is a whole unit. */
-START_TEST(richardson54_suspensions_settle_as_measured)
+FACT_FOR_EACH(richardson54_suspensions_settle_as_measured, 5)
 {
     static const double Re[] = {0.01, 1.0, 10.0, 100.0, 1000.0};
     const double Re_t = Re[_i];
@@ -129,12 +125,11 @@ START_TEST(richardson54_suspensions_settle_as_measured)
             published_exponent(drag_law_named("di-felice"), 0.7, Re_t),
         0.8, 0.25);
 }
-END_TEST
 
 /* The first effect of inertia on few fixed spheres, Re^2 sqrt(2/s)/40 with Re
  * of the radius: the integral over all wave vectors of Oseen's and Brinkman's
  * disturbance, of which Kaneda86 has the exact form. */
-START_TEST(kaneda86_few_spheres_feel_inertia_by_its_square)
+FACT(kaneda86_few_spheres_feel_inertia_by_its_square)
 {
     const struct drag_law *const law = drag_law_named("hill-koch-ladd");
 
@@ -147,7 +142,6 @@ START_TEST(kaneda86_few_spheres_feel_inertia_by_its_square)
             more / (gsl_pow_2(0.5 * Re) * sqrt(2.0 / s) / 40.0), 1.0, 1e-6);
     }
 }
-END_TEST
 
 static const struct drag_shape *shape_named(const char *name)
 {
@@ -160,7 +154,7 @@ static const struct drag_shape *shape_named(const char *name)
 
 /* A ratio of two numbers of one fit, and a number by itself: the sphere of a
  * case with clumps keeps its bits. */
-START_TEST(the_shape_of_a_sphere_changes_no_bit)
+FACT(the_shape_of_a_sphere_changes_no_bit)
 {
     static const double Re[] = {0.0, 1e-3, 1.0, 300.0, 1e7, HUGE_VAL};
 
@@ -169,13 +163,12 @@ START_TEST(the_shape_of_a_sphere_changes_no_bit)
             ck_assert_double_eq(drag_shape_ratio(drag_shapes[i], 1.0, Re[k]),
                                 1.0);
 }
-END_TEST
 
 /* Two spheres that touch, without inertia: 1.290 and 1.449 times the drag of
  * one of them along and across their line [KimKarrila91], and turned at random,
  * where 1/drag is averaged, 1.392 times. One fit is 1.6 % above; the other one
  * has Stokes' law for every shape. */
-START_TEST(slow_drag_on_two_touching_spheres)
+FACT(slow_drag_on_two_touching_spheres)
 {
     const double psi = cbrt(0.5);
     const double exact = 3.0 / (1.0 / 1.290 + 2.0 / 1.449) * psi;
@@ -188,13 +181,12 @@ START_TEST(slow_drag_on_two_touching_spheres)
         drag_shape_ratio(shape_named("haider-levenspiel"), psi, 0.0), 1.0,
         1e-15);
 }
-END_TEST
 
 /* Cuboctahedra, octahedra, cubes and tetrahedra: in fast flow C_d = 5.31 - 4.88
  * psi, and in slow flow 1/(0.843 log10(psi / 0.065)) times that of a sphere, as
  * measured [Pettyjohn48]. In fast flow one fit is there within 9 %, in slow
  * flow the other one within 4.3 %. */
-START_TEST(pettyjohn48_isometric_grains_have_the_measured_drag)
+FACT_FOR_EACH(pettyjohn48_isometric_grains_have_the_measured_drag, 4)
 {
     static const double psi[] = {0.906, 0.846, 0.806, 0.670};
     static const double fast[] = {0.955, 0.987, 1.011, 1.088};
@@ -209,10 +201,9 @@ START_TEST(pettyjohn48_isometric_grains_have_the_measured_drag)
             log10(p / 0.065),
         slow[_i], 1e-3);
 }
-END_TEST
 
 /* Their formulas for a cube by another program, to six digits. */
-START_TEST(fits_for_a_cube_are_those_of_another_program)
+FACT_FOR_EACH(fits_for_a_cube_are_those_of_another_program, 3)
 {
     static const double Re[] = {1.0, 100.0, 1e4};
     static const double haider[] = {30.6375, 1.28457, 1.39154};
@@ -227,19 +218,4 @@ START_TEST(fits_for_a_cube_are_those_of_another_program)
         C_d * shape_named("hoelzer-sommerfeld")->factor(0.806, Re[_i]) /
             hoelzer[_i],
         1.0, 2e-6);
-}
-END_TEST
-
-FACTS("drag_published")
-{
-    FACT_FOR_EACH(ls_5_2_one_sphere_has_the_published_drag, ROWS);
-    FACT(every_law_is_in_the_table);
-    FACT_FOR_EACH(ls_5_27_a_packed_bed_has_the_published_pressure_drop, ROWS);
-    FACT(ls_5_27_erguns_drop_is_that_of_another_program);
-    FACT_FOR_EACH(richardson54_suspensions_settle_as_measured, 5);
-    FACT(kaneda86_few_spheres_feel_inertia_by_its_square);
-    FACT(the_shape_of_a_sphere_changes_no_bit);
-    FACT(slow_drag_on_two_touching_spheres);
-    FACT_FOR_EACH(pettyjohn48_isometric_grains_have_the_measured_drag, 4);
-    FACT_FOR_EACH(fits_for_a_cube_are_those_of_another_program, 3);
 }

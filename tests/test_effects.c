@@ -73,7 +73,7 @@ static struct simulation *build(const char *named)
 }
 
 /* Which, by name, in any order of the case's list. */
-START_TEST(a_case_has_the_effects_that_it_names_and_no_others)
+FACT(a_case_has_the_effects_that_it_names_and_no_others)
 {
     static const struct {
         const char *named, *has;
@@ -95,7 +95,6 @@ START_TEST(a_case_has_the_effects_that_it_names_and_no_others)
         build_free(sim);
     }
 }
-END_TEST
 
 static int calls_before, calls_after;
 
@@ -115,7 +114,7 @@ static void spy_after(void *memory, struct simulation *sim)
 
 /* The loop calls effects only through its list: one call a step and hook for an
  * effect in the list, none for others, none where the hook is missing. */
-START_TEST(an_effect_that_is_not_named_is_never_called)
+FACT(an_effect_that_is_not_named_is_never_called)
 {
     static const struct effect both = {
         .name = "spy", .before_particles = spy_before, .after_step = spy_after};
@@ -138,11 +137,10 @@ START_TEST(an_effect_that_is_not_named_is_never_called)
     sim->n_effects = 0;
     build_free(sim);
 }
-END_TEST
 
 /* The lists of pairs grow until they fit, nothing else; after some steps they
  * do. */
-START_TEST(a_step_allocates_nothing)
+FACT(a_step_allocates_nothing)
 {
     struct simulation *const sim =
         build("effects = { gravity = [0.0, -9.81, 0.0];\n"
@@ -156,9 +154,8 @@ START_TEST(a_step_allocates_nothing)
     ck_assert_int_eq(allocations, 0);
     build_free(sim);
 }
-END_TEST
 
-START_TEST(every_effect_is_known_by_its_name_and_has_a_row)
+FACT(every_effect_is_known_by_its_name_and_has_a_row)
 {
     for (int i = 0; effects[i] != NULL; i++) {
         char path[64];
@@ -168,14 +165,13 @@ START_TEST(every_effect_is_known_by_its_name_and_has_a_row)
     }
     ck_assert_ptr_null(effect_named("magnetism"));
 }
-END_TEST
 
 /* --- [SX15 11-14] ------------------------------------------------------- */
 
 /* A pulse of one step, of weight dt, is seen at the age t as [SX15 11] has it,
  * dt exp(-t / b_t) / b_t, to the first order in dt / b_t = 0.001. All these
  * weights add up to 1; the line under (11) prints 0. */
-START_TEST(sx15_11_a_value_counts_by_its_age)
+FACT(sx15_11_a_value_counts_by_its_age)
 {
     const double dt = 1e-3, b_t = 1.0, alpha = time_average_weight(dt, b_t);
     const double pulse = 1.0, nothing = 0.0;
@@ -190,18 +186,16 @@ START_TEST(sx15_11_a_value_counts_by_its_age)
     }
     ck_assert_double_eq_tol(sum, 1.0, 1e-12);
 }
-END_TEST
 
-START_TEST(sx15_14_weight_is_one_over_one_plus_dt_over_b)
+FACT(sx15_14_weight_is_one_over_one_plus_dt_over_b)
 {
     ck_assert_double_eq_tol(time_average_weight(0.1, 0.4), 0.8, 1e-15);
     ck_assert_double_eq_tol(time_average_weight(0.0, 0.4), 1.0, 1e-15);
 }
-END_TEST
 
 /* A constant stays; a step is followed as implicit Euler follows [SX15 13]:
  * after n steps 1 - alpha^n, which tends to 1 - exp(-t / b) with order one. */
-START_TEST(sx15_13_mean_follows_a_step_with_order_one)
+FACT(sx15_13_mean_follows_a_step_with_order_one)
 {
     double error[2];
     for (int k = 0; k < 2; k++) {
@@ -216,16 +210,4 @@ START_TEST(sx15_13_mean_follows_a_step_with_order_one)
         error[k] = mean - (1.0 - exp(-1.0 / 0.5));
     }
     ck_assert_double_eq_tol(log2(error[0] / error[1]), 1.0, 0.03);
-}
-END_TEST
-
-FACTS("effects")
-{
-    FACT(a_case_has_the_effects_that_it_names_and_no_others);
-    FACT(an_effect_that_is_not_named_is_never_called);
-    FACT(a_step_allocates_nothing);
-    FACT(every_effect_is_known_by_its_name_and_has_a_row);
-    FACT(sx15_11_a_value_counts_by_its_age);
-    FACT(sx15_14_weight_is_one_over_one_plus_dt_over_b);
-    FACT(sx15_13_mean_follows_a_step_with_order_one);
 }

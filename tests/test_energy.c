@@ -89,7 +89,8 @@ static double share_left(int scene, struct dem_options *o, double part)
  * a quarter, or less where the errors of single contacts, which depend on where
  * in a step they begin, leave no more than 5e-6. What Heun's method itself adds
  * to the motion where nothing damps it is of third order, 3e-3 at that step. */
-START_TEST(the_energy_budget_closes_to_second_order_with_all_that_acts)
+FACT_FOR_EACH(the_energy_budget_closes_to_second_order_with_all_that_acts,
+              SCENES * 3 * 3 * 2)
 {
     static const struct dem_method *const list[] = {
         &fast_verlet, &reference_link_cells, &reference_all_pairs};
@@ -107,7 +108,6 @@ START_TEST(the_energy_budget_closes_to_second_order_with_all_that_acts)
     ck_assert_double_lt(fabs(share_left(scene, &o, 1.0)), gains ? 3e-3 : 5e-4);
     ck_assert_double_lt(fabs(quarter), 0.35 * fabs(half) + 5e-6);
 }
-END_TEST
 
 /* A spring that becomes harder, F = k delta (1 + (delta/a)^2): its energy is
  * half of F delta for a small overlap and a quarter of it for a large one. */
@@ -166,7 +166,7 @@ static double worst_residual(const struct contact_law *law,
 
 /* Simpson's rule with 1000 intervals; its error for delta^(3/2), whose second
  * derivative has no bound at 0, is 1e-7. */
-START_TEST(a_law_stores_the_integral_of_its_elastic_force)
+FACT_FOR_EACH(a_law_stores_the_integral_of_its_elastic_force, LAWS)
 {
     const struct dem_options o = spheres_options(NULL, 1.0, 1.0);
     const struct contact_law law = law_number(_i);
@@ -182,9 +182,9 @@ START_TEST(a_law_stores_the_integral_of_its_elastic_force)
     const double stored = law.respond(&k, deepest, 0.0025, 1e-3).stored;
     ck_assert_double_eq_tol(stored / sum, 1.0, 1e-6);
 }
-END_TEST
 
-START_TEST(the_energy_budget_closes_to_second_order_where_nothing_damps)
+FACT_FOR_EACH(the_energy_budget_closes_to_second_order_where_nothing_damps,
+              2 * LAWS)
 {
     const struct contact_law law = law_number(_i % LAWS);
     const struct dem_method *const method =
@@ -196,7 +196,6 @@ START_TEST(the_energy_budget_closes_to_second_order_where_nothing_damps)
     ck_assert_double_gt(coarse / fine, 12.0); /* 16, up to where it touches */
     ck_assert_double_lt(coarse / fine, 20.0);
 }
-END_TEST
 
 /* --- one term at a time --------------------------------------------------- */
 
@@ -240,7 +239,7 @@ static void done(const struct lone *one)
 
 /* One bounce at 0.8: of (1/2) m v^2 the normal dashpot takes 1 - e^2. A tenth
  * of a step's error in 200 a contact. */
-START_TEST(the_normal_dashpot_takes_1_less_e_squared)
+FACT(the_normal_dashpot_takes_1_less_e_squared)
 {
     const struct lone one = lone(0.8, 0.0, 0.0, 0.001, 0.0);
 
@@ -251,10 +250,9 @@ START_TEST(the_normal_dashpot_takes_1_less_e_squared)
     ck_assert_double_eq_tol(e.normal, 0.0, 1e-15 * one.m);
     done(&one);
 }
-END_TEST
 
 /* The work of gravity is m g h, to rounding, on the way down. */
-START_TEST(the_work_of_gravity_is_the_height_lost)
+FACT(the_work_of_gravity_is_the_height_lost)
 {
     const struct lone one = lone(1.0, 0.0, 0.0, 0.5, 9.81);
     const struct energy e = after(&one, 0.1);
@@ -265,12 +263,11 @@ START_TEST(the_work_of_gravity_is_the_height_lost)
     ck_assert_double_eq_tol(e.added, 0.0, 1e-18);
     done(&one);
 }
-END_TEST
 
 /* A sphere that is thrown along the floor rolls in the end, at 5/7 of its
  * speed; sliding takes 2/7 of its energy, whatever the friction. It floats at
  * rest on its spring when it begins: the overlap is m g / k. */
-START_TEST(sliding_takes_two_sevenths_until_it_rolls)
+FACT(sliding_takes_two_sevenths_until_it_rolls)
 {
     struct lone one = lone(0.5, 0.3, 0.0, 0.0, 10.0);
 
@@ -284,11 +281,10 @@ START_TEST(sliding_takes_two_sevenths_until_it_rolls)
     ck_assert_double_lt(fabs(e.damped_t) + fabs(e.released), 2e-3 * whole);
     done(&one);
 }
-END_TEST
 
 /* A sphere that rolls is stopped by rolling friction, which takes all of
  * (7/10) m v^2. */
-START_TEST(rolling_friction_takes_what_a_rolling_sphere_has)
+FACT(rolling_friction_takes_what_a_rolling_sphere_has)
 {
     struct lone one = lone(0.5, 0.8, 0.1, 0.0, 10.0);
 
@@ -302,11 +298,10 @@ START_TEST(rolling_friction_takes_what_a_rolling_sphere_has)
     ck_assert_double_lt(fabs(energy_residual(&e)), 0.01 * whole);
     done(&one);
 }
-END_TEST
 
 /* A sphere hit by a plane that moves at 0.2 m/s leaves at 0.4 m/s: the work of
  * the plane is (1/2) m v^2, the whole energy at the end. */
-START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
+FACT(a_wall_that_moves_does_the_work_that_it_gives)
 {
     struct particles *const ps = particles_create(1);
     struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
@@ -332,13 +327,12 @@ START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* The same with a sphere of prescribed motion, from rest: the prescribed motion
  * also gives this sphere its kinetic energy, which it keeps when it is
  * released. Off the line of centres, with friction and a dashpot, the budget
  * still closes. */
-START_TEST(a_prescribed_sphere_does_the_work_that_it_gives)
+FACT_FOR_EACH(a_prescribed_sphere_does_the_work_that_it_gives, 4)
 {
     const int rough = _i % 2, stops = _i / 2;
     struct particles *const ps = particles_create(2);
@@ -368,14 +362,13 @@ START_TEST(a_prescribed_sphere_does_the_work_that_it_gives)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A sphere that is pushed with V against a wall, a plate, or a sphere that
  * stays in its place by prescription: its dashpot is that of a free sphere of
  * its mass there, which takes eta V^2 a second, eta = 2 zeta sqrt(k m*). Made
  * for the mass of what nothing moves it took a million times as much. The
  * tolerance is the part of the first and the last step. */
-START_TEST(dashpots_of_prescribed_spheres_know_their_own_mass)
+FACT_FOR_EACH(dashpots_of_prescribed_spheres_know_their_own_mass, 3)
 {
     const double V = 0.01, span = 0.1;
     const struct prescribed_particle two[] = {
@@ -409,11 +402,10 @@ START_TEST(dashpots_of_prescribed_spheres_know_their_own_mass)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Two unlike charges fall towards each other: their kinetic energy is the work
  * of Coulomb's force, q^2/(4 pi eps_0) (1/l - 1/l_0). */
-START_TEST(attractions_do_the_work_that_comes_out_as_motion)
+FACT(attractions_do_the_work_that_comes_out_as_motion)
 {
     struct particles *const ps = particles_create(2);
     struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
@@ -445,11 +437,10 @@ START_TEST(attractions_do_the_work_that_comes_out_as_motion)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- around runs ---------------------------------------------------------- */
 
-START_TEST(energy_added_between_runs_is_counted)
+FACT(energy_added_between_runs_is_counted)
 {
     struct lone one = lone(1.0, 0.0, 0.0, 0.5, 0.0);
 
@@ -465,7 +456,6 @@ START_TEST(energy_added_between_runs_is_counted)
     ck_assert_double_eq_tol(energy_residual(&e) / one.m, 0.0, 1e-13);
     done(&one);
 }
-END_TEST
 
 /* In pieces, with any number of threads, or not at all: the motion has the
  * same bits, and the budget, too, in one run as in pieces to rounding. */
@@ -492,7 +482,7 @@ static struct particles *moved(const struct contact_law *law, int keep,
     return ps;
 }
 
-START_TEST(a_budget_changes_no_bit_and_does_not_depend_on_threads)
+FACT_FOR_EACH(a_budget_changes_no_bit_and_does_not_depend_on_threads, 2)
 {
     const struct contact_law *const law = contact_laws[_i];
     struct energy one, three, pieces;
@@ -514,24 +504,8 @@ START_TEST(a_budget_changes_no_bit_and_does_not_depend_on_threads)
     particles_free(b);
     particles_free(c);
 }
-END_TEST
 
-FACTS("energy")
+FACTS
 {
     tcase_set_timeout(facts, 30);
-    FACT_FOR_EACH(the_energy_budget_closes_to_second_order_with_all_that_acts,
-                  SCENES * 3 * 3 * 2);
-    FACT_FOR_EACH(a_law_stores_the_integral_of_its_elastic_force, LAWS);
-    FACT_FOR_EACH(the_energy_budget_closes_to_second_order_where_nothing_damps,
-                  2 * LAWS);
-    FACT(the_normal_dashpot_takes_1_less_e_squared);
-    FACT(the_work_of_gravity_is_the_height_lost);
-    FACT(sliding_takes_two_sevenths_until_it_rolls);
-    FACT(rolling_friction_takes_what_a_rolling_sphere_has);
-    FACT_FOR_EACH(a_prescribed_sphere_does_the_work_that_it_gives, 4);
-    FACT_FOR_EACH(dashpots_of_prescribed_spheres_know_their_own_mass, 3);
-    FACT(a_wall_that_moves_does_the_work_that_it_gives);
-    FACT(attractions_do_the_work_that_comes_out_as_motion);
-    FACT(energy_added_between_runs_is_counted);
-    FACT_FOR_EACH(a_budget_changes_no_bit_and_does_not_depend_on_threads, 2);
 }

@@ -130,7 +130,7 @@ static const struct {
     {"drag:haider-levenspiel", "eps_f=0.62 Re=37", "F", 5.71378251957274, "-"},
 };
 
-START_TEST(every_equation_has_its_independent_value)
+FACT(every_equation_has_its_independent_value)
 {
     const size_t n = sizeof known / sizeof known[0];
 
@@ -156,17 +156,15 @@ START_TEST(every_equation_has_its_independent_value)
         ck_assert_msg(shown > 0, "%s has no value here", e.key);
     }
 }
-END_TEST
 
-START_TEST(value_is_one_line_with_symbol_and_unit)
+FACT(value_is_one_line_with_symbol_and_unit)
 {
     ck_assert_int_eq(evaluate("XS11:3.6", "zeta=0.5", out, err), 0);
     ck_assert_str_eq(out, "K = 0.31640625 [-]\n");
     ck_assert_str_eq(err, "");
 }
-END_TEST
 
-START_TEST(order_of_the_inputs_does_not_matter)
+FACT(order_of_the_inputs_does_not_matter)
 {
     static char other[CAPTURE_TEXT];
 
@@ -174,7 +172,6 @@ START_TEST(order_of_the_inputs_does_not_matter)
     ck_assert_int_eq(evaluate("XS11:2.13", "eps_f=0.6 Re=50", other, err), 0);
     ck_assert_str_eq(out, other);
 }
-END_TEST
 
 static void refused(const char *key, const char *inputs, const char *part)
 {
@@ -183,7 +180,7 @@ static void refused(const char *key, const char *inputs, const char *part)
     ck_assert_msg(strstr(err, part) != NULL, "no \"%s\" in %s", part, err);
 }
 
-START_TEST(wrong_inputs_are_refused_with_what_it_takes)
+FACT(wrong_inputs_are_refused_with_what_it_takes)
 {
     refused("XS11:2.13", "Re=50", "eps_f is missing; it takes Re [-], eps_f");
     refused("XS11:2.13", "", "Re is missing");
@@ -196,15 +193,13 @@ START_TEST(wrong_inputs_are_refused_with_what_it_takes)
     refused("xs11:2.133", "", "did you mean XS11:2.13?");
     refused("elephant", "", "winnow eval lists all");
 }
-END_TEST
 
-START_TEST(value_that_is_no_number_is_refused)
+FACT(value_that_is_no_number_is_refused)
 {
     refused("LS:5.26", "alpha=0 Re=1", "C_d has no value");
 }
-END_TEST
 
-START_TEST(list_names_every_equation_with_units_and_function)
+FACT(list_names_every_equation_with_units_and_function)
 {
     struct capture c = capture_begin(1);
 
@@ -217,15 +212,4 @@ START_TEST(list_names_every_equation_with_units_and_function)
         ck_assert_ptr_nonnull(strstr(out, e.function));
         ck_assert_int_le(equations_inputs(&e), EQUATIONS_INPUTS);
     }
-}
-END_TEST
-
-FACTS("eval")
-{
-    FACT(every_equation_has_its_independent_value);
-    FACT(value_is_one_line_with_symbol_and_unit);
-    FACT(order_of_the_inputs_does_not_matter);
-    FACT(wrong_inputs_are_refused_with_what_it_takes);
-    FACT(value_that_is_no_number_is_refused);
-    FACT(list_names_every_equation_with_units_and_function);
 }

@@ -119,7 +119,7 @@ static double blown(const struct blow *w, int component)
 
 /* Any fluid fraction from 0.4 to 1 in each cell. At 0.4 the mean stream is 2.5
  * times the inlet's; nothing is much faster. */
-START_TEST(a_bed_of_random_cells_stays_bounded_by_any_scheme)
+FACT_FOR_EACH(a_bed_of_random_cells_stays_bounded_by_any_scheme, 5)
 {
     struct blow w = {.bed = EACH_CELL_ANY, .depth = 1, .steps = 150};
     w.convection = convection_schemes[_i]->name;
@@ -131,10 +131,9 @@ START_TEST(a_bed_of_random_cells_stays_bounded_by_any_scheme)
         ck_assert_double_lt(blown(&w, -1), 1.3 * 2.5);
     }
 }
-END_TEST
 
 /* Three directions, walls, cells that are full or empty at random. */
-START_TEST(so_does_one_of_full_and_empty_cells_between_walls)
+FACT_FOR_EACH(so_does_one_of_full_and_empty_cells_between_walls, 5)
 {
     struct blow w = {.bed = FULL_OR_EMPTY,
                      .time = "euler",
@@ -149,12 +148,11 @@ START_TEST(so_does_one_of_full_and_empty_cells_between_walls)
         ck_assert_double_lt(blown(&w, -1), 2.0 * 2.5);
     }
 }
-END_TEST
 
 /* A bed with flat surfaces has the exact flow of one column, with u_x = 0. What
  * a trace of noise starts along them dies out. With central convection alone,
  * and no drag, it rings, but does not grow beyond the stream. */
-START_TEST(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded)
+FACT_FOR_EACH(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded, 5)
 {
     struct blow w = {.bed = ALL_CELLS_FULL,
                      .time = "bdf2",
@@ -168,12 +166,8 @@ START_TEST(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded)
         ck_assert_double_lt(blown(&w, 0), _i == 1 ? 5.0 * 2.5 : 5e-3);
     }
 }
-END_TEST
 
-FACTS("jump")
+FACTS
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(a_bed_of_random_cells_stays_bounded_by_any_scheme, 5);
-    FACT_FOR_EACH(so_does_one_of_full_and_empty_cells_between_walls, 5);
-    FACT_FOR_EACH(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded, 5);
 }

@@ -65,7 +65,7 @@ static void shake(struct mesh *m, double most, uint64_t seed)
 /* The closed values: with the corner's solid angle arccos(23/27), with the
  * angle arccos(1/3) between two faces, half a ball, a ball less four caps that
  * touch each other, all of the ball, all of the tetrahedron. */
-START_TEST(a_ball_on_and_in_a_tetrahedron)
+FACT(a_ball_on_and_in_a_tetrahedron)
 {
     struct mesh *const m = tetrahedron(regular);
     struct facets *const f = facets_create(m);
@@ -92,11 +92,10 @@ START_TEST(a_ball_on_and_in_a_tetrahedron)
     facets_free(f);
     mesh_free(m);
 }
-END_TEST
 
 /* A cube of edge 2 R around a corner of it: of three numbers up to R, half
  * satisfy the triangle inequality, by the symmetry of the three faces. */
-START_TEST(a_cube_on_and_in_a_tetrahedron)
+FACT(a_cube_on_and_in_a_tetrahedron)
 {
     struct mesh *const m = tetrahedron(regular);
     struct facets *const f = facets_create(m);
@@ -111,7 +110,6 @@ START_TEST(a_cube_on_and_in_a_tetrahedron)
     facets_free(f);
     mesh_free(m);
 }
-END_TEST
 
 /* Where tetrahedron p is above (x, y): from z[0] to z[1]. */
 static void column(const struct facets *f, double x, double y, double z[2])
@@ -131,7 +129,7 @@ static void column(const struct facets *f, double x, double y, double z[2])
 
 /* Any tetrahedron, anywhere, against a sum over 1000 x 1000 columns: as exact
  * as that is. */
-START_TEST(the_flux_is_the_volume)
+FACT_FOR_EACH(the_flux_is_the_volume, 8)
 {
     enum { N = 1000 };
     double p[4][3], sum = 0.0;
@@ -171,11 +169,10 @@ START_TEST(the_flux_is_the_volume)
     facets_free(f);
     mesh_free(m);
 }
-END_TEST
 
 /* The code for boxes and the code for all cells agree: bodies of a twentieth of
  * a cell up to four, centres on faces and corners among them. */
-START_TEST(a_box_by_its_facets_is_the_box)
+FACT(a_box_by_its_facets_is_the_box)
 {
     struct mesh *const m = lattice(1, (const double[3]){0.0, 0.0, 0.0});
     struct facets *const f = facets_create(m);
@@ -200,7 +197,6 @@ START_TEST(a_box_by_its_facets_is_the_box)
     facets_free(f);
     mesh_free(m);
 }
-END_TEST
 
 /* Bodies wholly inside any mesh: their parts add up to them, and no part is
  * more than the cell or than the part of the cube. Cells with oblique, bent and
@@ -236,7 +232,7 @@ static void add_up(struct mesh *m, double least, double most)
     facets_free(f);
 }
 
-START_TEST(the_parts_of_a_ball_in_any_cells_add_up_to_it)
+FACT_FOR_EACH(the_parts_of_a_ball_in_any_cells_add_up_to_it, 5)
 {
     static const char *const files[] = {"box", "shuffled", "dual"};
     struct mesh *m;
@@ -253,14 +249,4 @@ START_TEST(the_parts_of_a_ball_in_any_cells_add_up_to_it)
     const double width = m->hi[0] - m->lo[0];
     add_up(m, 0.002 * width, 0.2 * fmin(width, m->hi[2] - m->lo[2]));
     mesh_free(m);
-}
-END_TEST
-
-FACTS("facets")
-{
-    FACT(a_ball_on_and_in_a_tetrahedron);
-    FACT(a_cube_on_and_in_a_tetrahedron);
-    FACT_FOR_EACH(the_flux_is_the_volume, 8);
-    FACT(a_box_by_its_facets_is_the_box);
-    FACT_FOR_EACH(the_parts_of_a_ball_in_any_cells_add_up_to_it, 5);
 }

@@ -33,7 +33,7 @@ static rlim_t limit_file_size(rlim_t bytes)
     return before;
 }
 
-START_TEST(a_file_has_its_name_only_when_it_is_whole)
+FACT(a_file_has_its_name_only_when_it_is_whole)
 {
     const char *const path = scratch_path(dir, "a");
     struct file *const f = file_create(path);
@@ -46,9 +46,8 @@ START_TEST(a_file_has_its_name_only_when_it_is_whole)
     scratch_assert_text(path, "whole");
     ck_assert(!scratch_exists(scratch_path(dir, "a.partial")));
 }
-END_TEST
 
-START_TEST(the_old_file_stays_until_the_new_one_is_whole)
+FACT(the_old_file_stays_until_the_new_one_is_whole)
 {
     const char *const path = scratch_path(dir, "a");
 
@@ -66,9 +65,8 @@ START_TEST(the_old_file_stays_until_the_new_one_is_whole)
     scratch_assert_text(path, "new");
     file_discard(NULL);
 }
-END_TEST
 
-START_TEST(a_link_with_the_name_of_a_part_is_not_followed)
+FACT(a_link_with_the_name_of_a_part_is_not_followed)
 {
     const char *const path = scratch_path(dir, "a");
 
@@ -80,9 +78,8 @@ START_TEST(a_link_with_the_name_of_a_part_is_not_followed)
     scratch_assert_text(path, "new");
     scratch_assert_text(scratch_path(dir, "mine"), "mine");
 }
-END_TEST
 
-START_TEST(of_two_that_write_one_file_the_last_to_begin_has_it)
+FACT(of_two_that_write_one_file_the_last_to_begin_has_it)
 {
     const char *const path = scratch_path(dir, "a");
     struct file *const first = file_create(path);
@@ -94,19 +91,18 @@ START_TEST(of_two_that_write_one_file_the_last_to_begin_has_it)
     ck_assert_int_eq(file_commit(second), 0);
     scratch_assert_text(path, "second");
 }
-END_TEST
 
-START_TEST(a_partial_file_that_is_removed_is_reported)
+FACT(a_partial_file_that_is_removed_is_reported)
 {
     scratch_listen(dir);
     struct file *const f = file_create(scratch_path(dir, "a"));
     ck_assert_int_eq(remove(scratch_path(dir, "a.partial")), 0);
     ck_assert_int_ne(file_commit(f), 0);
 }
-END_TEST
 
 /* 1000 bytes fail only when they are flushed, 100000 while they are written. */
-START_TEST(a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing)
+FACT_FOR_EACH(a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing,
+              2)
 {
     const int size = _i == 0 ? 1000 : 100000;
     const char *const path = scratch_path(dir, "a");
@@ -128,9 +124,8 @@ START_TEST(a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing)
     ck_assert_str_eq(said, expected);
     free(said);
 }
-END_TEST
 
-START_TEST(a_file_in_a_missing_folder_is_refused_with_its_path)
+FACT(a_file_in_a_missing_folder_is_refused_with_its_path)
 {
     scratch_listen(dir);
     ck_assert_ptr_null(file_create(scratch_path(dir, "none/a")));
@@ -139,9 +134,8 @@ START_TEST(a_file_in_a_missing_folder_is_refused_with_its_path)
     ck_assert_ptr_nonnull(strstr(said, strerror(ENOENT)));
     free(said);
 }
-END_TEST
 
-START_TEST(a_name_that_is_a_folder_is_reported_and_leaves_nothing)
+FACT(a_name_that_is_a_folder_is_reported_and_leaves_nothing)
 {
     scratch_listen(dir);
     ck_assert_int_eq(file_make_dirs(scratch_path(dir, "a/b")), 0);
@@ -153,9 +147,8 @@ START_TEST(a_name_that_is_a_folder_is_reported_and_leaves_nothing)
     ck_assert_ptr_nonnull(strstr(said, scratch_path(dir, "a:")));
     free(said);
 }
-END_TEST
 
-START_TEST(folders_are_made_with_those_above_and_may_be_there_already)
+FACT(folders_are_made_with_those_above_and_may_be_there_already)
 {
     for (int i = 0; i < 2; i++)
         ck_assert_int_eq(file_make_dirs(scratch_path(dir, "a//b/c/")), 0);
@@ -163,9 +156,8 @@ START_TEST(folders_are_made_with_those_above_and_may_be_there_already)
     ck_assert_int_eq(stat(scratch_path(dir, "a/b/c"), &s), 0);
     ck_assert(S_ISDIR(s.st_mode));
 }
-END_TEST
 
-START_TEST(a_folder_below_a_file_is_refused_with_its_path)
+FACT(a_folder_below_a_file_is_refused_with_its_path)
 {
     scratch_listen(dir);
     scratch_write(scratch_path(dir, "a"), "");
@@ -175,20 +167,8 @@ START_TEST(a_folder_below_a_file_is_refused_with_its_path)
     ck_assert_ptr_nonnull(strstr(said, scratch_path(dir, "a/b: ")));
     free(said);
 }
-END_TEST
 
-FACTS("file")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(a_file_has_its_name_only_when_it_is_whole);
-    FACT(the_old_file_stays_until_the_new_one_is_whole);
-    FACT(a_link_with_the_name_of_a_part_is_not_followed);
-    FACT(of_two_that_write_one_file_the_last_to_begin_has_it);
-    FACT(a_partial_file_that_is_removed_is_reported);
-    FACT_FOR_EACH(
-        a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing, 2);
-    FACT(a_file_in_a_missing_folder_is_refused_with_its_path);
-    FACT(a_name_that_is_a_folder_is_reported_and_leaves_nothing);
-    FACT(folders_are_made_with_those_above_and_may_be_there_already);
-    FACT(a_folder_below_a_file_is_refused_with_its_path);
 }

@@ -70,7 +70,7 @@ static double wave(const struct mesh *m, int c, double shift)
  * and the solvers' tolerance (1e-10 of the flux). */
 /* 1190 were measured on a box, of them 300 for the mesh; the largest at any
  * time, also while the coarse levels are made. */
-START_TEST(a_cell_takes_at_most_1300_bytes)
+FACT(a_cell_takes_at_most_1300_bytes)
 {
     const double size[3] = {1, 1, 1}, before = alloc_peak();
     const struct boundary b[6] = {{BOUNDARY_NO_SLIP}, {BOUNDARY_NO_SLIP},
@@ -89,9 +89,8 @@ START_TEST(a_cell_takes_at_most_1300_bytes)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(a_uniform_stream_stays_uniform_on_graded_cells)
+FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_graded_cells, 3)
 {
     static const double steps[] = {1e-5, 1e-3, 10.0};
     const double U = 0.3, size[3] = {0.1, 0.2, 0.05};
@@ -119,12 +118,11 @@ START_TEST(a_uniform_stream_stays_uniform_on_graded_cells)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* The momentum equation alone: eps jumps in time, and did so in space (now it
  * must not, or the pressure would), fluxes that do not meet continuity, and
  * yet a uniform velocity is its solution. */
-START_TEST(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps)
+FACT(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps)
 {
     const double size[3] = {1.0, 1.0, 1.0};
     struct mesh *const m = box(size, 5, 4, 3, 1.0, 1, 1, 1);
@@ -148,9 +146,8 @@ START_TEST(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(fluid_at_rest_stays_at_rest_whatever_eps_is)
+FACT(fluid_at_rest_stays_at_rest_whatever_eps_is)
 {
     const double size[3] = {1.0, 1.0, 1.0};
     struct mesh *const m = box(size, 5, 4, 3, 2.0, 0, 0, 0);
@@ -171,7 +168,6 @@ START_TEST(fluid_at_rest_stays_at_rest_whatever_eps_is)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* --- a packed column ---------------------------------------------------- */
 
@@ -212,18 +208,16 @@ static void column(int shared, double K, double dt, enum continuity form)
     mesh_free(m);
 }
 
-START_TEST(step_in_eps_has_the_exact_pressure_drop_and_no_wiggle)
+FACT_FOR_EACH(step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 8)
 {
     column(_i % 2, 1e6, _i < 4 ? 1e-3 : 1e-2,
            _i / 2 % 2 ? CONTINUITY_VOID_RATE : CONTINUITY_MIXTURE);
 }
-END_TEST
 
-START_TEST(friction_of_1e12_is_as_stable_as_any)
+FACT_FOR_EACH(friction_of_1e12_is_as_stable_as_any, 2)
 {
     column(_i, 1e12, 1e-2, CONTINUITY_MIXTURE);
 }
-END_TEST
 
 /* --- the time step ------------------------------------------------------ */
 
@@ -255,7 +249,7 @@ static void around_a_block(double dt, int steps, double *p, double *u)
     mesh_free(m);
 }
 
-START_TEST(a_steady_flow_does_not_depend_on_the_time_step)
+FACT(a_steady_flow_does_not_depend_on_the_time_step)
 {
     double p1[60], p2[60], u1[180], u2[180], scale = 0.0;
     around_a_block(0.1, 600, p1, u1);
@@ -268,7 +262,6 @@ START_TEST(a_steady_flow_does_not_depend_on_the_time_step)
                                 2e-5);
     }
 }
-END_TEST
 
 /* --- conservation ------------------------------------------------------- */
 
@@ -278,7 +271,7 @@ END_TEST
  * by each time scheme, when the step changes, with the weights of ddt.c, and
  * with a predictor that leaves a tenth to the next step. 1e-12 of what the
  * forces did. */
-START_TEST(momentum_changes_only_by_the_forces_on_it)
+FACT_FOR_EACH(momentum_changes_only_by_the_forces_on_it, 12)
 {
     const double size[3] = {1.0, 1.0, 1.0};
     struct mesh *const m = box(size, 6, 5, 4, 1.0, 1, 1, 1);
@@ -330,10 +323,9 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* The report against the same sum written out anew from the fluxes. */
-START_TEST(mass_residual_is_what_the_fluxes_leave)
+FACT(mass_residual_is_what_the_fluxes_leave)
 {
     const double size[3] = {1.0, 1.0, 1.0};
     struct mesh *const m = box(size, 6, 5, 4, 1.0, 1, 1, 1);
@@ -361,7 +353,6 @@ START_TEST(mass_residual_is_what_the_fluxes_leave)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* --- viscosity ---------------------------------------------------------- */
 
@@ -390,13 +381,12 @@ static double channel_error(int n)
     return sum / (3.0 * 0.005 * 0.005 / (3.0 * 0.1)) - 1.0;
 }
 
-START_TEST(ls_3_13_flow_between_plates_converges_with_order_two)
+FACT(ls_3_13_flow_between_plates_converges_with_order_two)
 {
     const double coarse = channel_error(8), fine = channel_error(16);
     ck_assert_double_lt(fabs(fine), 0.01);
     ck_assert_double_eq_tol(log2(coarse / fine), 2.0, 0.05);
 }
-END_TEST
 
 /* Taylor and Green's vortices decay as exp(-2 nu k^2 t). Returns the largest
  * error of u over its start value, at t = 0.1. */
@@ -434,28 +424,26 @@ static double vortex_error(int n, double dt, const char *scheme)
     return worst;
 }
 
-START_TEST(ls_3_13_vortices_decay_with_order_two_in_space)
+FACT(ls_3_13_vortices_decay_with_order_two_in_space)
 {
     const double coarse = vortex_error(16, 2e-3, "linear");
     const double fine = vortex_error(32, 2e-3, "linear");
     ck_assert_double_gt(log2(coarse / fine), 1.9);
     ck_assert_double_lt(fine, 2e-3);
 }
-END_TEST
 
 /* Upwind adds a viscosity of |u| dx / 2: order one. */
-START_TEST(upwind_has_order_one_and_linear_is_better)
+FACT(upwind_has_order_one_and_linear_is_better)
 {
     const double coarse = vortex_error(16, 2e-3, "upwind");
     const double fine = vortex_error(32, 2e-3, "upwind");
     ck_assert_double_eq_tol(log2(coarse / fine), 1.0, 0.3);
     ck_assert_double_gt(fine, 2.0 * vortex_error(32, 2e-3, "linear"));
 }
-END_TEST
 
 /* --- boundaries --------------------------------------------------------- */
 
-START_TEST(an_inlet_follows_its_course_in_time)
+FACT(an_inlet_follows_its_course_in_time)
 {
     const double t[] = {0.0, 15.0, 30.0}, U[] = {0.0, 1.5, 0.0};
     const struct boundary b = {
@@ -466,9 +454,8 @@ START_TEST(an_inlet_follows_its_course_in_time)
     ck_assert_double_eq_tol(boundary_inlet_velocity(&b, 22.5), 0.75, 1e-15);
     ck_assert_double_eq_tol(boundary_inlet_velocity(&b, 99.0), 0.0, 1e-15);
 }
-END_TEST
 
-START_TEST(what_enters_leaves_while_the_inlet_ramps_up)
+FACT(what_enters_leaves_while_the_inlet_ramps_up)
 {
     const double t[] = {0.0, 0.01}, U[] = {0.0, 0.5};
     const double size[3] = {0.04, 0.1, 0.01};
@@ -494,11 +481,10 @@ START_TEST(what_enters_leaves_while_the_inlet_ramps_up)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* A jet of 10 times the mean speed beside an outlet draws fluid back in; it
  * must be counted and must not blow up. */
-START_TEST(backflow_through_an_outlet_is_counted_and_stays_bounded)
+FACT(backflow_through_an_outlet_is_counted_and_stays_bounded)
 {
     const double U = 1.0, size[3] = {0.1, 0.1, 0.01};
     struct mesh *const m = box(size, 10, 10, 1, 1.0, 0, 0, 0);
@@ -522,9 +508,8 @@ START_TEST(backflow_through_an_outlet_is_counted_and_stays_bounded)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(a_closed_box_of_one_cell_and_of_many_is_solved)
+FACT_FOR_EACH(a_closed_box_of_one_cell_and_of_many_is_solved, 2)
 {
     const double size[3] = {1.0, 1.0, 1.0};
     struct mesh *const m = _i ? box(size, 4, 4, 4, 1.0, 0, 0, 0)
@@ -542,9 +527,8 @@ START_TEST(a_closed_box_of_one_cell_and_of_many_is_solved)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(convection_schemes_are_known_by_name)
+FACT(convection_schemes_are_known_by_name)
 {
     ck_assert_ptr_null(convection_scheme_named("quick"));
     const double phi = -1.0, w = 0.3;
@@ -556,13 +540,12 @@ START_TEST(convection_schemes_are_known_by_name)
         ck_assert_double_eq(share, expected[i]);
     }
 }
-END_TEST
 
 /* Cells that are ten times shorter in one direction: the hierarchy joins them
  * across their large faces, as S.S / S.d of each face tells it. Measured: 9;
  * with one component of S or d miscounted 69 and more in some direction.
  * Without the folder of multigrid there is no hierarchy: Jacobi takes 222. */
-START_TEST(the_pressure_of_flat_cells_takes_few_iterations)
+FACT_FOR_EACH(the_pressure_of_flat_cells_takes_few_iterations, 3)
 {
     const double size[3] = {_i == 0 ? 0.1 : 1.0, _i == 1 ? 0.1 : 1.0,
                             _i == 2 ? 0.1 : 1.0};
@@ -577,27 +560,8 @@ START_TEST(the_pressure_of_flat_cells_takes_few_iterations)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-FACTS("fluid")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_graded_cells, 3);
-    FACT(a_cell_takes_at_most_1300_bytes);
-    FACT(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps);
-    FACT(fluid_at_rest_stays_at_rest_whatever_eps_is);
-    FACT_FOR_EACH(step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 8);
-    FACT_FOR_EACH(friction_of_1e12_is_as_stable_as_any, 2);
-    FACT(a_steady_flow_does_not_depend_on_the_time_step);
-    FACT_FOR_EACH(momentum_changes_only_by_the_forces_on_it, 12);
-    FACT(mass_residual_is_what_the_fluxes_leave);
-    FACT(ls_3_13_flow_between_plates_converges_with_order_two);
-    FACT(ls_3_13_vortices_decay_with_order_two_in_space);
-    FACT(upwind_has_order_one_and_linear_is_better);
-    FACT(an_inlet_follows_its_course_in_time);
-    FACT(what_enters_leaves_while_the_inlet_ramps_up);
-    FACT(backflow_through_an_outlet_is_counted_and_stays_bounded);
-    FACT_FOR_EACH(a_closed_box_of_one_cell_and_of_many_is_solved, 2);
-    FACT(convection_schemes_are_known_by_name);
-    FACT_FOR_EACH(the_pressure_of_flat_cells_takes_few_iterations, 3);
 }

@@ -52,7 +52,7 @@ static void run_once(const char *where)
     folder_free(f);
 }
 
-START_TEST(what_is_listed_goes_and_what_is_not_stays)
+FACT(what_is_listed_goes_and_what_is_not_stays)
 {
     run_once(name);
     scratch_write(scratch_path(name, "notes.txt"), "mine");
@@ -71,14 +71,13 @@ START_TEST(what_is_listed_goes_and_what_is_not_stays)
     scratch_assert_text(scratch_path(name, "fluid/mine.vtr"), "mine");
     scratch_assert_text(scratch_path(name, "manifest.txt"), MANIFEST_HEAD);
 }
-END_TEST
 
 static const char *const named[] = {"history.csv.partial",
                                     "checkpoint.grains.0", "fluid.pvd",
                                     "frames/gnuplot.log"};
 
 /* By content where there is some, not by the name alone. */
-START_TEST(what_no_run_has_written_is_in_the_way_whatever_its_name)
+FACT_FOR_EACH(what_no_run_has_written_is_in_the_way_whatever_its_name, 4)
 {
     char list[256];
 
@@ -92,10 +91,9 @@ START_TEST(what_no_run_has_written_is_in_the_way_whatever_its_name)
     assert_said(named[_i]);
     scratch_assert_text(scratch_path(name, named[_i]), "mine");
 }
-END_TEST
 
 /* The first run locks the folder in another process, which is then killed. */
-START_TEST(a_second_run_is_refused_and_a_dead_one_holds_nothing)
+FACT(a_second_run_is_refused_and_a_dead_one_holds_nothing)
 {
     char number[32];
     int ready[2], status;
@@ -119,13 +117,12 @@ START_TEST(a_second_run_is_refused_and_a_dead_one_holds_nothing)
     ck_assert_ptr_nonnull(f);
     folder_free(f);
 }
-END_TEST
 
 static const char *const strange[] = {
     "../x\n",  "/tmp/x\n", "..\n",   "fluid/../x\n", "\n",
     "a/b/c\n", "./x\n",    "a/b/\n", "fluid/..\n",   "a\001b\n"};
 
-START_TEST(a_manifest_that_names_what_is_not_inside_is_refused)
+FACT_FOR_EACH(a_manifest_that_names_what_is_not_inside_is_refused, 10)
 {
     char text[128];
 
@@ -139,18 +136,16 @@ START_TEST(a_manifest_that_names_what_is_not_inside_is_refused)
     scratch_assert_text(scratch_path(dir, "x"), "mine");
     assert_said("manifest.txt:3: not the list of a run's files");
 }
-END_TEST
 
-START_TEST(a_manifest_of_another_program_is_refused)
+FACT(a_manifest_of_another_program_is_refused)
 {
     scratch_write(scratch_path(dir, "manifest.txt"), "summary.json\n");
     ck_assert_ptr_null(folder_open(dir));
     assert_said("manifest.txt:1: not the list of a run's files");
     scratch_assert_text(scratch_path(dir, "manifest.txt"), "summary.json\n");
 }
-END_TEST
 
-START_TEST(a_line_cut_short_by_a_crash_is_no_name)
+FACT(a_line_cut_short_by_a_crash_is_no_name)
 {
     run_once(name);
     scratch_write(scratch_path(name, "notes"), "mine");
@@ -162,7 +157,6 @@ START_TEST(a_line_cut_short_by_a_crash_is_no_name)
     folder_free(f);
     ck_assert(scratch_exists(scratch_path(name, "notes")));
 }
-END_TEST
 
 /* Lists of others, and the last name of each, which holds "mine". */
 static const struct {
@@ -179,7 +173,7 @@ static const struct {
                {"case/\ncase/thesis.doc\n", "case/thesis.doc"}};
 enum { FOREIGN = sizeof foreign / sizeof foreign[0] };
 
-START_TEST(a_list_removes_only_what_a_run_has_written)
+FACT_FOR_EACH(a_list_removes_only_what_a_run_has_written, FOREIGN)
 {
     char text[128];
 
@@ -193,9 +187,8 @@ START_TEST(a_list_removes_only_what_a_run_has_written)
     scratch_assert_text(scratch_path(name, foreign[_i].name), "mine");
     assert_said("and no run has written that");
 }
-END_TEST
 
-START_TEST(a_link_in_the_place_of_a_file_of_a_run_stays)
+FACT(a_link_in_the_place_of_a_file_of_a_run_stays)
 {
     char away[72];
 
@@ -207,9 +200,8 @@ START_TEST(a_link_in_the_place_of_a_file_of_a_run_stays)
     ck_assert_ptr_null(folder_open(name));
     ck_assert(scratch_exists(scratch_path(name, "summary.json")));
 }
-END_TEST
 
-START_TEST(a_file_of_the_case_goes_with_the_case_that_names_it)
+FACT(a_file_of_the_case_goes_with_the_case_that_names_it)
 {
     run_once(name);
     file_make_dirs(scratch_path(name, "case"));
@@ -227,13 +219,12 @@ START_TEST(a_file_of_the_case_goes_with_the_case_that_names_it)
     folder_free(f);
     ck_assert(!scratch_exists(scratch_path(name, "case")));
 }
-END_TEST
 
 static const char *const wanted[] = {"summary.json", "particles.pvd",
                                      "fluid/fluid_000009.vtu",
                                      "profiles/eps_f_y1mm.csv"};
 
-START_TEST(a_foreign_file_that_would_be_overwritten_refuses_the_folder)
+FACT_FOR_EACH(a_foreign_file_that_would_be_overwritten_refuses_the_folder, 4)
 {
     file_make_dirs(scratch_path(name, "fluid"));
     file_make_dirs(scratch_path(name, "profiles"));
@@ -243,9 +234,8 @@ START_TEST(a_foreign_file_that_would_be_overwritten_refuses_the_folder)
     ck_assert(!scratch_exists(scratch_path(name, "manifest.txt")));
     assert_said(wanted[_i]);
 }
-END_TEST
 
-START_TEST(a_link_out_of_the_folder_is_not_followed)
+FACT(a_link_out_of_the_folder_is_not_followed)
 {
     char away[72];
 
@@ -260,9 +250,8 @@ START_TEST(a_link_out_of_the_folder_is_not_followed)
     scratch_assert_text(scratch_path(away, "fluid_000000.vtr"), "mine");
     assert_said("fluid is in the way");
 }
-END_TEST
 
-START_TEST(a_folder_in_which_nothing_was_begun_goes_with_those_above)
+FACT(a_folder_in_which_nothing_was_begun_goes_with_those_above)
 {
     struct folder *f = folder_open(scratch_path(dir, "a//b/c/"));
 
@@ -276,22 +265,8 @@ START_TEST(a_folder_in_which_nothing_was_begun_goes_with_those_above)
     folder_free(f);
     ck_assert(scratch_exists(scratch_path(dir, "a/summary.json")));
 }
-END_TEST
 
-FACTS("folder")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(what_is_listed_goes_and_what_is_not_stays);
-    FACT_FOR_EACH(what_no_run_has_written_is_in_the_way_whatever_its_name, 4);
-    FACT(a_second_run_is_refused_and_a_dead_one_holds_nothing);
-    FACT_FOR_EACH(a_manifest_that_names_what_is_not_inside_is_refused, 10);
-    FACT(a_manifest_of_another_program_is_refused);
-    FACT(a_line_cut_short_by_a_crash_is_no_name);
-    FACT_FOR_EACH(a_list_removes_only_what_a_run_has_written, FOREIGN);
-    FACT(a_link_in_the_place_of_a_file_of_a_run_stays);
-    FACT(a_file_of_the_case_goes_with_the_case_that_names_it);
-    FACT_FOR_EACH(a_foreign_file_that_would_be_overwritten_refuses_the_folder,
-                  4);
-    FACT(a_link_out_of_the_folder_is_not_followed);
-    FACT(a_folder_in_which_nothing_was_begun_goes_with_those_above);
 }

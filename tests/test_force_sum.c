@@ -38,7 +38,7 @@ static const double ratios[] = {10.0, 2.65, 1.0, 0.1};
 /* Every force of [LS 5.8] on, in a closed periodic box: what the particles gain
  * the fluid loses, in 4 densities x 2 treatments x 2 integrations of the slip x
  * both forms of the momentum equation. 1e-12: as in test_coupling. */
-START_TEST(ls_5_8_the_sum_of_all_forces_keeps_total_momentum)
+FACT_FOR_EACH(ls_5_8_the_sum_of_all_forces_keeps_total_momentum, 32)
 {
     struct scene s = all_on(ratios[_i % 4]);
     double before[3], after[3];
@@ -64,10 +64,9 @@ START_TEST(ls_5_8_the_sum_of_all_forces_keeps_total_momentum)
                   sim->effects[e].effect == effect_named("fluid_torque"));
     discard(sim);
 }
-END_TEST
 
 /* The order of all sums is fixed; the particles are told apart by their ids. */
-START_TEST(ls_5_8_one_thread_and_two_give_the_same_bits)
+FACT(ls_5_8_one_thread_and_two_give_the_same_bits)
 {
     double v[2] = {0.0, 0.0};
 
@@ -83,11 +82,4 @@ START_TEST(ls_5_8_one_thread_and_two_give_the_same_bits)
         discard(sim);
     }
     ck_assert_double_eq(v[0], v[1]);
-}
-END_TEST
-
-FACTS("force_sum")
-{
-    FACT_FOR_EACH(ls_5_8_the_sum_of_all_forces_keeps_total_momentum, 32);
-    FACT(ls_5_8_one_thread_and_two_give_the_same_bits);
 }

@@ -72,7 +72,7 @@ static const double *force_in(struct simulation *sim, int cell)
 /* (rho_s + rho/2) dv/dt = (rho_s - rho) g from rest: light spheres rise with
  * up to 2 g, not with 9 g. The drag of 10 steps, 0.44 of the dynamic pressure,
  * comes to 3 C_d v^2/(4 d (ratio + 1/2)) t, below 1e-5 of v after 1e-4 s. */
-START_TEST(ls_5_3_a_released_sphere_falls_with_its_added_mass)
+FACT_FOR_EACH(ls_5_3_a_released_sphere_falls_with_its_added_mass, 4)
 {
     struct scene s = inviscid(ratios[_i]);
     s.gravity[1] = -9.81;
@@ -86,13 +86,12 @@ START_TEST(ls_5_3_a_released_sphere_falls_with_its_added_mass)
                             1e-5 * fabs(g) * 1e-5 + 1e-18);
     discard(sim);
 }
-END_TEST
 
 /* A fluid that is accelerated as a whole accelerates a sphere: pressure and
  * virtual mass give (ratio + C) dv/dt = (1 + C) du/dt, so that a sphere of the
  * fluid's density moves with it and a lighter one moves faster. The first step
  * has no earlier field and so only the pressure: it is left out. */
-START_TEST(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead)
+FACT_FOR_EACH(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead, 4)
 {
     struct scene s = inviscid(ratios[_i]);
     const double step = 1e-6, a = 5.0;
@@ -110,12 +109,11 @@ START_TEST(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead)
                             1e-4 * u);
     discard(sim);
 }
-END_TEST
 
 /* u . grad u: a steady stream that speeds up along its way. u = c x between
  * the centres gives c^2 x; this is the acceleration that acts on a free sphere
  * there. */
-START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
+FACT(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
 {
     const struct scene s = held(0.5);
     struct simulation *const sim = build(&s);
@@ -141,12 +139,11 @@ START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
                             c * c * m->centre[3 * host], 1e-12);
     discard(sim);
 }
-END_TEST
 
 /* The momentum of the added mass is taken from the fluid: 4 densities x 2
  * treatments x 2 relaxations x both forms of the momentum equation. 1e-12: as
  * in test_coupling. Light spheres would be unstable without the added mass. */
-START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
+FACT_FOR_EACH(ls_5_3_virtual_mass_and_model_b_keep_total_momentum, 32)
 {
     struct scene s = air;
     double before[3], after[3];
@@ -171,7 +168,6 @@ START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
         ck_assert_double_lt(fabs(sim->particles->vx[i]), 0.6);
     discard(sim);
 }
-END_TEST
 
 /* The stress alone acts on the sphere in the centre of a cell, along one axis,
  * by the volume times this gradient [Pa/m]. */
@@ -187,7 +183,7 @@ static void is_pushed_along(struct simulation *sim, int cell, int axis,
 
 /* u_x = a y^2 between the centres: lap u = 2 a in every cell but those at the
  * ends, wherever the sphere is. */
-START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
+FACT(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
 {
     const struct scene s = held(0.0);
     struct simulation *const sim = build(&s);
@@ -202,12 +198,11 @@ START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
     is_pushed_along(sim, host, 0, s.mu * 2.0 * a, 1e-10);
     discard(sim);
 }
-END_TEST
 
 /* The same of u_y = a x^2 where links are oblique: without the rest of S, the
  * terms along x and along the slanted links would add up to 1 + 2 s^2 times
  * it. */
-START_TEST(ls_5_1_oblique_links_do_not_change_the_stress_of_a_parabola)
+FACT(ls_5_1_oblique_links_do_not_change_the_stress_of_a_parabola)
 {
     struct scene s = held(0.0);
     s.shear = 0.5;
@@ -222,11 +217,10 @@ START_TEST(ls_5_1_oblique_links_do_not_change_the_stress_of_a_parabola)
     is_pushed_along(sim, host, 1, s.mu * 2.0 * a, 1e-9);
     discard(sim);
 }
-END_TEST
 
 /* A decaying shear wave: the force of the stress on the sphere is that on the
  * fluid in its place, rho V du/dt, to the tolerance of the predictor. */
-START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
+FACT(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
 {
     struct scene s = held(0.0);
     s.mu = 10.0;
@@ -246,12 +240,11 @@ START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
     ck_assert_double_eq_tol(sim->held_force[0], force, 1e-8 * fabs(force));
     discard(sim);
 }
-END_TEST
 
 /* The fluid receives the reaction: explicit and implicit drag, frozen and
  * relaxed, model A and B, in a liquid thick enough for stress to matter. 1e-12
  * as above. */
-START_TEST(ls_5_1_viscous_stress_keeps_total_momentum)
+FACT_FOR_EACH(ls_5_1_viscous_stress_keeps_total_momentum, 4)
 {
     struct scene s = air;
     double before[3], after[3];
@@ -274,7 +267,6 @@ START_TEST(ls_5_1_viscous_stress_keeps_total_momentum)
             1e-12 * scale);
     discard(sim);
 }
-END_TEST
 
 /* Largest difference of a velocity between the two forms after 2 ms, before any
  * two of 64 spheres in a liquid meet. */
@@ -306,7 +298,7 @@ static double difference(int halvings)
 /* The same forces, with the reaction at once (A) or a step later (B): the
  * trajectories differ by what a step is worth, and half of it with half the
  * step. */
-START_TEST(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero)
+FACT(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero)
 {
     const double coarse = difference(0), fine = difference(2);
 
@@ -314,18 +306,8 @@ START_TEST(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero)
     ck_assert_double_gt(coarse / fine, 3.4);
     ck_assert_double_lt(coarse / fine, 4.6);
 }
-END_TEST
 
-FACTS("forces")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(ls_5_3_a_released_sphere_falls_with_its_added_mass, 4);
-    FACT_FOR_EACH(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead, 4);
-    FACT(ls_5_3_a_converging_stream_accelerates_what_is_in_it);
-    FACT_FOR_EACH(ls_5_3_virtual_mass_and_model_b_keep_total_momentum, 32);
-    FACT(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume);
-    FACT(ls_5_1_oblique_links_do_not_change_the_stress_of_a_parabola);
-    FACT(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place);
-    FACT_FOR_EACH(ls_5_1_viscous_stress_keeps_total_momentum, 4);
-    FACT(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero);
 }

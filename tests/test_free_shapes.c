@@ -39,7 +39,7 @@ static struct body_shape free_cylinder(double d, double length, double x,
  */
 
 /* Its triangles are another way to the same numbers, up to rounding. */
-START_TEST(ew18_3_a_turned_box_is_the_box_of_its_triangles)
+FACT(ew18_3_a_turned_box_is_the_box_of_its_triangles)
 {
     const struct body_shape box = box_turned_by(0.3, -0.5, 0.7);
     struct body_outline *const o = box.outline;
@@ -69,10 +69,9 @@ START_TEST(ew18_3_a_turned_box_is_the_box_of_its_triangles)
     body_outline_free(same);
     body_outline_free(o);
 }
-END_TEST
 
 /* m (R^2/4 + L^2/12) across the axis and m R^2/2 about it. */
-START_TEST(ew18_3_moments_of_a_cylinder_along_any_axis)
+FACT(ew18_3_moments_of_a_cylinder_along_any_axis)
 {
     const double a[3] = {2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0};
     const struct body_shape c = free_cylinder(0.2, 0.5, 2.0, -1.0, 2.0);
@@ -89,11 +88,10 @@ START_TEST(ew18_3_moments_of_a_cylinder_along_any_axis)
     ck_assert_double_eq_tol(c.outline->volume, M_PI * 0.01 * 0.5, 1e-16);
     body_outline_free(c.outline);
 }
-END_TEST
 
 /* The width is 0.2 m, so points are 0.1 m apart or less; the largest face has
  * then 5 x 4 of them, and its corners are there. */
-START_TEST(ls_4_3_the_points_that_touch_lie_on_the_surface)
+FACT(ls_4_3_the_points_that_touch_lie_on_the_surface)
 {
     const struct body_shape box = box_turned_by(0.0, 0.0, 0.0);
     const struct body_outline *const o = box.outline;
@@ -120,7 +118,6 @@ START_TEST(ls_4_3_the_points_that_touch_lie_on_the_surface)
     ck_assert_int_le(o->flat, 40);
     body_outline_free(box.outline);
 }
-END_TEST
 
 static void put_corner(double corner[3], const double at[2], double z)
 {
@@ -154,7 +151,7 @@ static int extrude(int n, const double (*x)[2], double depth, double (*t)[3][3])
 /* A plate of 0.01 m and an L with legs of 0.025 m, turned in their file by 0.6
  * about z and then about x; their boxes are ten times as wide. The points that
  * touch are half of that apart, or a 48th of the longest side. */
-START_TEST(ls_4_3_a_closed_surface_is_as_thin_as_most_of_it)
+FACT_FOR_EACH(ls_4_3_a_closed_surface_is_as_thin_as_most_of_it, 2)
 {
     static const double plate[4][2] = {{0, 0},
                                        {0.5, 0},
@@ -191,7 +188,6 @@ START_TEST(ls_4_3_a_closed_surface_is_as_thin_as_most_of_it)
     }
     body_outline_free(o);
 }
-END_TEST
 
 /* --- contacts --------------------------------------------------------------
  */
@@ -259,7 +255,7 @@ static void two_boxes(struct pool *p, int edges)
 
 /* In the moment of the impact: the impulses are equal and opposite and act in
  * one place. Neither comes deeper than a quarter of the width, 0.2 m. */
-START_TEST(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular)
+FACT_FOR_EACH(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular, 2)
 {
     struct pool p;
     double P[3], L[3], P_0[3], L_0[3], deepest = 0.0;
@@ -283,7 +279,6 @@ START_TEST(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular)
     ck_assert_double_ge(p.bodies->ps->vy[1], -0.9); /* it was slowed down */
     pool_free(&p);
 }
-END_TEST
 
 /* Two bodies from wall to wall, the upper one thrown at the lower one off its
  * middle: discs, or square boxes one of which stands on an edge. Their ends are
@@ -310,7 +305,7 @@ static void two_between_walls(struct pool *p, int squares)
     ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
 }
 
-START_TEST(ls_4_4_bodies_between_two_walls_collide)
+FACT_FOR_EACH(ls_4_4_bodies_between_two_walls_collide, 2)
 {
     struct pool p;
     struct solid_bodies *const b = dry_box(&p, 2, 1, 1, 0.8);
@@ -335,11 +330,10 @@ START_TEST(ls_4_4_bodies_between_two_walls_collide)
         ck_assert(ps->vz[i] == 0.0 && ps->wx[i] == 0.0 && ps->wy[i] == 0.0);
     pool_free(&p);
 }
-END_TEST
 
 /* A box thrown onto the floor with a corner first, without losses and without
  * friction: translation turns into spin, the sum stays to the step's error. */
-START_TEST(ls_4_4_an_elastic_box_keeps_its_energy)
+FACT(ls_4_4_an_elastic_box_keeps_its_energy)
 {
     struct pool p;
     struct solid_bodies *const b = dry_box(&p, 1, 1, 1, 1.0);
@@ -358,7 +352,6 @@ START_TEST(ls_4_4_an_elastic_box_keeps_its_energy)
     ck_assert_double_eq_tol(add_up(b, P, L) / before, 1.0, 0.02);
     pool_free(&p);
 }
-END_TEST
 
 /* Velocity along y of point k of body 0 [m/s]. */
 static double speed_of_point(const struct solid_bodies *b, int k)
@@ -375,7 +368,7 @@ static double speed_of_point(const struct solid_bodies *b, int k)
  * box's. Since surfaces do not attract, a restitution of 0.5 becomes exp(-2
  * zeta/w atan(w/zeta)) = 0.551 with w^2 = 1 - zeta^2. The box turns meanwhile
  * by a degree. The whole mass in the dashpot would give 0.35. */
-START_TEST(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material)
+FACT(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material)
 {
     struct pool p;
     struct solid_bodies *const b = dry_box(&p, 1, 1, 40, 0.5);
@@ -398,12 +391,11 @@ START_TEST(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material)
     ck_assert_double_eq_tol(speed_of_point(b, corner), 0.551, 0.04);
     pool_free(&p);
 }
-END_TEST
 
 /* Let go on an edge or on a rim, they come to rest on one of their sides: the
  * centre then is at half of a size, less the overlap that carries the weight.
  */
-START_TEST(ls_4_4_a_block_comes_to_rest_on_one_of_its_sides)
+FACT_FOR_EACH(ls_4_4_a_block_comes_to_rest_on_one_of_its_sides, 3)
 {
     static const double half[3][3] = {
         {0.2, 0.1, 0.15}, {0.2, 0.1, 0.15}, {0.1, 0.15, 0.1}};
@@ -429,14 +421,13 @@ START_TEST(ls_4_4_a_block_comes_to_rest_on_one_of_its_sides)
     ck_assert_double_le(off, 2e-3);
     pool_free(&p);
 }
-END_TEST
 
 /* --- in the fluid ----------------------------------------------------------
  */
 
 /* A periodic box with a free body that turns and drifts: fluid and body keep
  * their momentum (24.13) to the solver's tolerance, 1e-10. */
-START_TEST(ew18_2_a_free_block_and_the_fluid_keep_their_momentum)
+FACT_FOR_EACH(ew18_2_a_free_block_and_the_fluid_keep_their_momentum, 2)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {12, 12, 12},
@@ -465,19 +456,4 @@ START_TEST(ew18_2_a_free_block_and_the_fluid_keep_their_momentum)
     ck_assert_double_le(p.bodies->ps->vx[0], 0.45);
     ck_assert_double_le(p.bodies->ps->wz[0], 1.9);
     pool_free(&p);
-}
-END_TEST
-
-FACTS("free shapes")
-{
-    FACT(ew18_3_a_turned_box_is_the_box_of_its_triangles);
-    FACT(ew18_3_moments_of_a_cylinder_along_any_axis);
-    FACT(ls_4_3_the_points_that_touch_lie_on_the_surface);
-    FACT_FOR_EACH(ls_4_3_a_closed_surface_is_as_thin_as_most_of_it, 2);
-    FACT_FOR_EACH(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular, 2);
-    FACT_FOR_EACH(ls_4_4_bodies_between_two_walls_collide, 2);
-    FACT(ls_4_4_an_elastic_box_keeps_its_energy);
-    FACT(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material);
-    FACT_FOR_EACH(ls_4_4_a_block_comes_to_rest_on_one_of_its_sides, 3);
-    FACT_FOR_EACH(ew18_2_a_free_block_and_the_fluid_keep_their_momentum, 2);
 }

@@ -37,7 +37,7 @@ static void update(struct fluid *fl)
 
 /* On graded cells, where a face is not midway. Differences of p lose three
  * digits over a cell. */
-START_TEST(the_gradient_of_a_linear_pressure_is_exact_inside)
+FACT(the_gradient_of_a_linear_pressure_is_exact_inside)
 {
     static const double G[3] = {3.0, -5.0, 7.0};
     struct mesh *const m = box(6, 5, 4, 3.0, 0);
@@ -62,10 +62,9 @@ START_TEST(the_gradient_of_a_linear_pressure_is_exact_inside)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* Also at the walls: the surface of each cell is closed. */
-START_TEST(a_constant_pressure_has_no_gradient_anywhere)
+FACT(a_constant_pressure_has_no_gradient_anywhere)
 {
     struct mesh *const m = box(6, 5, 4, 3.0, 0);
     const struct fluid_options o = options();
@@ -79,7 +78,6 @@ START_TEST(a_constant_pressure_has_no_gradient_anywhere)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* Largest error for a wave of n cells [Pa/m]. */
 static double wave_error(int n)
@@ -102,14 +100,13 @@ static double wave_error(int n)
 }
 
 /* The next term of the error changes the ratio by (2 pi / 32)^2 / 4 = 1 %. */
-START_TEST(the_gradient_of_a_wave_has_order_two)
+FACT(the_gradient_of_a_wave_has_order_two)
 {
     ck_assert_double_eq_tol(wave_error(32) / wave_error(64), 4.0, 0.04);
 }
-END_TEST
 
 /* Gauss: only the boundary counts. */
-START_TEST(the_gradients_of_all_cells_sum_to_the_pressure_on_the_boundary)
+FACT(the_gradients_of_all_cells_sum_to_the_pressure_on_the_boundary)
 {
     struct mesh *const m = box(6, 5, 4, 3.0, 0);
     const struct fluid_options o = options();
@@ -132,13 +129,12 @@ START_TEST(the_gradients_of_all_cells_sum_to_the_pressure_on_the_boundary)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* A column at rest: the pressure rises from centre to centre as the force of
  * each half demands, and each cell must find its own force, however it jumps,
  * up to the walls. Where the particles take their share of the gradient (_i),
  * the force is over eps. */
-START_TEST(forces_that_jump_from_cell_to_cell_are_the_gradient_of_each)
+FACT_FOR_EACH(forces_that_jump_from_cell_to_cell_are_the_gradient_of_each, 2)
 {
     struct mesh *const m = box(12, 1, 1, 4.0, 0);
     struct fluid_options o = options();
@@ -160,15 +156,4 @@ START_TEST(forces_that_jump_from_cell_to_cell_are_the_gradient_of_each)
         ck_assert_double_eq_tol(fl->grad_p[3 * c], slope[c], 1e-11);
     fluid_free(fl);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("gradient")
-{
-    FACT(the_gradient_of_a_linear_pressure_is_exact_inside);
-    FACT(a_constant_pressure_has_no_gradient_anywhere);
-    FACT(the_gradient_of_a_wave_has_order_two);
-    FACT(the_gradients_of_all_cells_sum_to_the_pressure_on_the_boundary);
-    FACT_FOR_EACH(forces_that_jump_from_cell_to_cell_are_the_gradient_of_each,
-                  2);
 }

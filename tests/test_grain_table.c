@@ -44,7 +44,7 @@ static void are_the_two(const struct insertion_sphere *list, long n)
 
 /* Two snapshots of LIGGGHTS, the columns in its order; the second one counts,
  * and its radius is half a diameter. */
-START_TEST(the_last_snapshot_of_a_dump_is_read)
+FACT(the_last_snapshot_of_a_dump_is_read)
 {
     long n;
     const char *const path = file_of(
@@ -58,10 +58,9 @@ START_TEST(the_last_snapshot_of_a_dump_is_read)
     are_the_two(list, n);
     free(list);
 }
-END_TEST
 
 /* A place that goes on across the periods counts where there is no other. */
-START_TEST(unwrapped_places_of_a_dump_are_read)
+FACT(unwrapped_places_of_a_dump_are_read)
 {
     long n;
     struct insertion_sphere *const list = grain_table_read(
@@ -72,11 +71,10 @@ START_TEST(unwrapped_places_of_a_dump_are_read)
     are_the_two(list, n);
     free(list);
 }
-END_TEST
 
 static const char *const marks[] = {"", CSV_UTF_8};
 
-START_TEST(a_table_is_read_by_the_names_of_its_columns)
+FACT_FOR_EACH(a_table_is_read_by_the_names_of_its_columns, 2)
 {
     long n;
     char text[128];
@@ -93,11 +91,10 @@ START_TEST(a_table_is_read_by_the_names_of_its_columns)
     ck_assert_double_eq(list[1].d, 0.25);
     free(list);
 }
-END_TEST
 
 /* As LAMMPS writes it, and by hand with a remark for a title: the head is of no
  * interest, nor is what follows the atoms. */
-START_TEST(a_data_file_has_its_spheres_in_the_section_of_atoms)
+FACT(a_data_file_has_its_spheres_in_the_section_of_atoms)
 {
     static const char *const heads[] = {"LAMMPS data file, timestep = 5\n",
                                         "# by hand\n"};
@@ -118,10 +115,9 @@ START_TEST(a_data_file_has_its_spheres_in_the_section_of_atoms)
         free(list);
     }
 }
-END_TEST
 
 /* Atoms of another style have no diameter. */
-START_TEST(a_data_file_of_other_atoms_is_refused)
+FACT(a_data_file_of_other_atoms_is_refused)
 {
     long n;
 
@@ -134,10 +130,9 @@ START_TEST(a_data_file_of_other_atoms_is_refused)
     ck_assert_ptr_nonnull(strstr(said, "found the style atomic"));
     free(said);
 }
-END_TEST
 
 /* Numbers alone are x y z d, as ever. */
-START_TEST(a_file_without_names_is_no_table)
+FACT(a_file_without_names_is_no_table)
 {
     long n;
     const char *const path = file_of("# x y z d\n1 2 3 0.5\n");
@@ -147,7 +142,6 @@ START_TEST(a_file_without_names_is_no_table)
     ck_assert_double_eq(list[0].d, 0.5);
     free(list);
 }
-END_TEST
 
 /* What a remark, brackets, a count or the name of units state of the rows is
  * believed or refused: d of the first sphere [m], or the message. YADE's
@@ -188,7 +182,8 @@ static const struct {
      0.0, "it counts 2 atoms, but has 1"},
 };
 
-START_TEST(what_a_file_states_of_its_rows_is_believed_or_refused)
+FACT_FOR_EACH(what_a_file_states_of_its_rows_is_believed_or_refused,
+              sizeof stated / sizeof *stated)
 {
     long n;
 
@@ -204,9 +199,8 @@ START_TEST(what_a_file_states_of_its_rows_is_believed_or_refused)
     free(said);
     free(list);
 }
-END_TEST
 
-START_TEST(a_table_without_sizes_or_with_half_a_row_is_refused)
+FACT(a_table_without_sizes_or_with_half_a_row_is_refused)
 {
     static const char *const texts[] = {"x y z\n1 2 3\n",
                                         "x y z d\n1 2 3\n",
@@ -225,18 +219,8 @@ START_TEST(a_table_without_sizes_or_with_half_a_row_is_refused)
     ck_assert_ptr_nonnull(strstr(said, "line 2: expected 4 numbers"));
     free(said);
 }
-END_TEST
 
-FACTS("grain table")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(the_last_snapshot_of_a_dump_is_read);
-    FACT(unwrapped_places_of_a_dump_are_read);
-    FACT(a_data_file_has_its_spheres_in_the_section_of_atoms);
-    FACT(a_data_file_of_other_atoms_is_refused);
-    FACT_FOR_EACH(a_table_is_read_by_the_names_of_its_columns, 2);
-    FACT(a_file_without_names_is_no_table);
-    FACT_FOR_EACH(what_a_file_states_of_its_rows_is_believed_or_refused,
-                  sizeof stated / sizeof *stated);
-    FACT(a_table_without_sizes_or_with_half_a_row_is_refused);
 }

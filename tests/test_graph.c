@@ -24,7 +24,7 @@ static void pairs_along_x(const struct links *b, double h, int *root,
 /* Cells of 1 x 2 x 4 m in a box of 3 x 3 x 3 of them. */
 static const double h[3] = {1.0, 2.0, 4.0};
 
-START_TEST(a_cell_inside_has_no_wall_and_one_in_a_corner_has_three)
+FACT(a_cell_inside_has_no_wall_and_one_in_a_corner_has_three)
 {
     struct links b = links_box(3, 3, 3, h, (int[3]){0, 0, 0});
     struct graph *const g = graph_of(&b);
@@ -38,9 +38,8 @@ START_TEST(a_cell_inside_has_no_wall_and_one_in_a_corner_has_three)
     graph_free(g);
     links_free(&b);
 }
-END_TEST
 
-START_TEST(a_periodic_box_has_no_walls)
+FACT(a_periodic_box_has_no_walls)
 {
     struct links b = links_box(3, 4, 5, h, (int[3]){1, 1, 1});
     struct graph *const g = graph_of(&b);
@@ -50,12 +49,11 @@ START_TEST(a_periodic_box_has_no_walls)
     graph_free(g);
     links_free(&b);
 }
-END_TEST
 
 /* Pairs along x of a box are a box of cells twice as long: half the strength in
  * x, twice in y and z, in which two links lie side by side. All numbers are
  * powers of two, so nothing is rounded. */
-START_TEST(pairs_of_a_box_are_the_box_of_longer_cells)
+FACT(pairs_of_a_box_are_the_box_of_longer_cells)
 {
     struct links b = links_box(4, 3, 2, h, (int[3]){0, 0, 0});
     struct links B =
@@ -106,11 +104,10 @@ START_TEST(pairs_of_a_box_are_the_box_of_longer_cells)
     links_free(&b);
     links_free(&B);
 }
-END_TEST
 
 /* Two aggregates in a ring touch on both sides: one link would have the length
  * zero. */
-START_TEST(links_that_lead_opposite_ways_are_not_joined)
+FACT(links_that_lead_opposite_ways_are_not_joined)
 {
     struct links b = links_box(4, 1, 1, h, (int[3]){1, 0, 0});
     struct graph *const g = graph_of(&b);
@@ -128,13 +125,4 @@ START_TEST(links_that_lead_opposite_ways_are_not_joined)
     graph_free(g);
     graph_free(big);
     links_free(&b);
-}
-END_TEST
-
-FACTS("graph")
-{
-    FACT(a_cell_inside_has_no_wall_and_one_in_a_corner_has_three);
-    FACT(a_periodic_box_has_no_walls);
-    FACT(pairs_of_a_box_are_the_box_of_longer_cells);
-    FACT(links_that_lead_opposite_ways_are_not_joined);
 }

@@ -113,28 +113,25 @@ static void compare_forces(struct dem_options o, int n, double spread)
     particles_free(ps);
 }
 
-START_TEST(ls_5_15_list_finds_all_pairs_between_walls)
+FACT(ls_5_15_list_finds_all_pairs_between_walls)
 {
     compare_forces(box("linear", 8e-3, 20e-3, 8e-3, 0, 0, 0), 300, 0.3);
 }
-END_TEST
 
 /* y is the slowest direction, and so short in z that there are two cells. */
-START_TEST(ls_5_15_list_finds_all_pairs_across_periodic_ends)
+FACT(ls_5_15_list_finds_all_pairs_across_periodic_ends)
 {
     compare_forces(box("linear", 8e-3, 20e-3, 4e-3, 1, 1, 1), 250, 0.2);
     compare_forces(box("linear", 8e-3, 20e-3, 6e-3, 0, 1, 0), 300, 0.2);
     compare_forces(box("linear", 8e-3, 20e-3, 6e-3, 1, 0, 1), 300, 0.2);
 }
-END_TEST
 
 /* Several chunks (2100 particles: two), also around the periodic end. */
-START_TEST(ls_5_15_list_finds_all_pairs_between_chunks)
+FACT(ls_5_15_list_finds_all_pairs_between_chunks)
 {
     compare_forces(box("linear", 15e-3, 20e-3, 15e-3, 0, 0, 0), 2100, 0.1);
     compare_forces(box("linear", 15e-3, 20e-3, 15e-3, 0, 1, 0), 2100, 0.1);
 }
-END_TEST
 
 /* Pairs with a gap of at most `skin` where they will be after `ahead`. */
 static int near_pairs(const struct particles *ps, const struct dem_options *o,
@@ -161,7 +158,7 @@ static int near_pairs(const struct particles *ps, const struct dem_options *o,
 
 /* The list has the pairs that all comparisons find where the particles will be,
  * the fastest 0.3 skins from where it is: other pairs than those of now. */
-START_TEST(ls_5_15_the_list_is_for_the_places_a_little_later)
+FACT_FOR_EACH(ls_5_15_the_list_is_for_the_places_a_little_later, 2)
 {
     const struct dem_options o = box("linear", 8e-3, 20e-3, 8e-3, _i, _i, _i);
     struct particles *const ps = cloud(&o, 600, 1e-3, 0.0, 1.0, 5);
@@ -180,7 +177,6 @@ START_TEST(ls_5_15_the_list_is_for_the_places_a_little_later)
     neighbours_free(nb);
     particles_free(ps);
 }
-END_TEST
 
 static struct particles *thrown(const struct dem_options *o, int n, int threads)
 {
@@ -202,7 +198,7 @@ static struct particles *thrown(const struct dem_options *o, int n, int threads)
 }
 
 /* 4100 particles are four chunks; the last adds loads to the first. */
-START_TEST(same_bits_for_any_threads_around_a_periodic_end)
+FACT(same_bits_for_any_threads_around_a_periodic_end)
 {
     struct dem_options o = box("hertz", 20e-3, 25e-3, 20e-3, 0, 1, 0);
 
@@ -219,14 +215,13 @@ START_TEST(same_bits_for_any_threads_around_a_periodic_end)
     particles_free(many);
     particles_free(one);
 }
-END_TEST
 
 /* A heap of rough grains goes on alike when it is sorted anew every few steps
  * and when it is not: the springs stay with their pairs, and change sign where
  * owner and partner swap. (With e = 1 now: a start takes the damping force of v
  * now, and not of half a step before.) Losing a spring changes v by 1e-3 m/s
  * here; the order of the sums, by rounding that a heap amplifies. */
-START_TEST(springs_find_their_pairs_in_any_order)
+FACT(springs_find_their_pairs_in_any_order)
 {
     struct dem_options o = box("linear", 6e-3, 8e-3, 6e-3, 0, 0, 0);
     struct particles *const a = cloud(&o, 150, 1e-3, 0.1, 0.1, 4);
@@ -268,15 +263,8 @@ START_TEST(springs_find_their_pairs_in_any_order)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
-FACTS("grid")
+FACTS
 {
     tcase_set_timeout(facts, 60);
-    FACT(ls_5_15_list_finds_all_pairs_between_walls);
-    FACT(ls_5_15_list_finds_all_pairs_across_periodic_ends);
-    FACT(ls_5_15_list_finds_all_pairs_between_chunks);
-    FACT_FOR_EACH(ls_5_15_the_list_is_for_the_places_a_little_later, 2);
-    FACT(same_bits_for_any_threads_around_a_periodic_end);
-    FACT(springs_find_their_pairs_in_any_order);
 }

@@ -19,7 +19,7 @@ static int closed(const struct simulation *sim)
 /* Continuity to some times the solver's 1e-6; the impulse on the fluid is the
  * opposite of that on the particles, to rounding (sums of some thousand terms),
  * also where a cap leaves part of the spheres out of eps_s. */
-START_TEST(hard_cases_stay_finite_bounded_and_balanced)
+FACT_FOR_EACH(hard_cases_stay_finite_bounded_and_balanced, 2 * HARD_SCENES)
 {
     const struct hard *const h = &hard_scenes[_i / 2];
     struct simulation *const sim =
@@ -50,11 +50,10 @@ START_TEST(hard_cases_stay_finite_bounded_and_balanced)
         ck_assert(sim->fluid->eps[c] > 0.29 && sim->fluid->eps[c] <= 1.0);
     build_free(sim);
 }
-END_TEST
 
 /* Three layers of cells, each full of one sphere, beside three empty ones; all
  * change cells in the same step, again and again. Momentum to rounding. */
-START_TEST(full_cells_become_empty_ones_in_one_step)
+FACT_FOR_EACH(full_cells_become_empty_ones_in_one_step, 2)
 {
     struct scene s = air;
     double before[3], after[3];
@@ -85,11 +84,8 @@ START_TEST(full_cells_become_empty_ones_in_one_step)
     ck_assert_double_lt(sim->dem_report.max_speed, 0.5);
     discard(sim);
 }
-END_TEST
 
-FACTS("hard scenes")
+FACTS
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(hard_cases_stay_finite_bounded_and_balanced, 2 * HARD_SCENES);
-    FACT_FOR_EACH(full_cells_become_empty_ones_in_one_step, 2);
 }

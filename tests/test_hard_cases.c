@@ -13,7 +13,7 @@
 
 /* 400 spheres of 1 mm lie around one of 30 mm at random, none nearer than
  * touching: the list has exactly the pairs that all 80 200 comparisons find. */
-START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
+FACT_FOR_EACH(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 2)
 {
     const double D = 0.03, d = 1e-3, skin = 2e-4;
     const double lo[3] = {-0.02, -0.02, -0.02}, hi[3] = {0.02, 0.02, 0.02};
@@ -56,12 +56,11 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     neighbours_free(nb);
     particles_free(ps);
 }
-END_TEST
 
 /* A grain hits a boulder of 30 times its width, 27 000 times its mass, at an
  * angle: it leaves with e of its normal speed, and the momentum of both stays.
  * 0.5 % is what a 500th of the contact leaves of e. */
-START_TEST(ls_4_4_a_grain_rebounds_from_a_boulder)
+FACT_FOR_EACH(ls_4_4_a_grain_rebounds_from_a_boulder, 2)
 {
     const double e = 0.7, v = 0.5, d = 1e-3;
     const struct contact_law *const law = contact_laws[_i];
@@ -83,14 +82,13 @@ START_TEST(ls_4_4_a_grain_rebounds_from_a_boulder)
                             1.0, 1e-12);
     particles_free(ps);
 }
-END_TEST
 
 /* --- a contact of a million newtons --------------------------------------- */
 
 /* Two steel spheres of 0.2 m in a press of 1e6 N come to rest where Hertz says,
  * delta = (3 F/(4 E* sqrt(R*)))^(2/3), or F/k for a spring; e = 0, so that they
  * do come to rest, to 1e-9 of the overlap. */
-START_TEST(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium)
+FACT_FOR_EACH(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 2)
 {
     const int hertz = contact_laws[_i] == &contact_hertz;
     const double F = 1e6, d = 0.2, E = 208e9, nu = 0.3;
@@ -117,14 +115,13 @@ START_TEST(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- e = 1 and e = 0 ------------------------------------------------------ */
 
 /* e = 1, mu = 0: in a closed box one sphere has the speed that it had, after
  * hundreds of impacts. Each leaves an error of its own sign in the second order
  * of the step, 1e-5 here, and they do not add up. */
-START_TEST(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy)
+FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy, 2)
 {
     struct dem_options o = spheres_options(contact_laws[_i], 5e-6, 0.02);
     struct particles *const ps = particles_create(1);
@@ -146,11 +143,10 @@ START_TEST(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* e = 0: a column of spheres falls on the floor and lies there, each bearing
  * those above it, at the height of the closed form. */
-START_TEST(ls_4_11_a_column_that_gives_nothing_back_lies_still)
+FACT(ls_4_11_a_column_that_gives_nothing_back_lies_still)
 {
     const double d = 0.01, k = 1e4, g = 9.81;
     struct dem_options o = spheres_options(&contact_linear, 1e-5, 0.05);
@@ -175,12 +171,11 @@ START_TEST(ls_4_11_a_column_that_gives_nothing_back_lies_still)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- no particles --------------------------------------------------------- */
 
 /* With every option at once: several materials that roll, and an attraction. */
-START_TEST(no_particle_or_one_is_no_trouble_with_everything_on)
+FACT_FOR_EACH(no_particle_or_one_is_no_trouble_with_everything_on, 2)
 {
     const struct material other = {.young = 1e6,
                                    .poisson = 0.2,
@@ -215,15 +210,8 @@ START_TEST(no_particle_or_one_is_no_trouble_with_everything_on)
         particles_free(ps);
     }
 }
-END_TEST
 
-FACTS("hard_cases")
+FACTS
 {
     omp_set_num_threads(1);
-    FACT_FOR_EACH(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 2);
-    FACT_FOR_EACH(ls_4_4_a_grain_rebounds_from_a_boulder, 2);
-    FACT_FOR_EACH(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 2);
-    FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy, 2);
-    FACT(ls_4_11_a_column_that_gives_nothing_back_lies_still);
-    FACT_FOR_EACH(no_particle_or_one_is_no_trouble_with_everything_on, 2);
 }

@@ -11,20 +11,19 @@
 #include "facts.h"
 #include "cloud.h"
 
-START_TEST(ew18_20_half_the_height_is_at_half_of_delta)
+FACT(ew18_20_half_the_height_is_at_half_of_delta)
 {
     const double sigma = averaging_sigma(1.2e-3);
     ck_assert_double_eq_tol(
         images_kernel(0.6e-3, sigma) / images_kernel(0.0, sigma), 0.5, 1e-14);
 }
-END_TEST
 
 static double shell(double r, void *sigma)
 {
     return 4.0 * M_PI * r * r * images_kernel(r, *(double *)sigma);
 }
 
-START_TEST(ew18_19_encloses_one)
+FACT(ew18_19_encloses_one)
 {
     double sigma = 0.3, sum, error;
     gsl_integration_workspace *const w = gsl_integration_workspace_alloc(100);
@@ -34,10 +33,9 @@ START_TEST(ew18_19_encloses_one)
     ck_assert_double_eq_tol(sum, 1.0, 1e-9);
     gsl_integration_workspace_free(w);
 }
-END_TEST
 
 /* EW18 and SX15 write one kernel in two ways. */
-START_TEST(ew18_19_is_sx15_6_of_that_bandwidth)
+FACT(ew18_19_is_sx15_6_of_that_bandwidth)
 {
     const double delta = 0.7;
     for (double r = 0.0; r < 2.0; r += 0.3)
@@ -46,7 +44,6 @@ START_TEST(ew18_19_is_sx15_6_of_that_bandwidth)
                 diffusion_kernel(r, averaging_bandwidth(delta)),
             1.0, 1e-13);
 }
-END_TEST
 
 /* Integral of a Gaussian of width b around x over direction k of cell c, and
  * over 9 images to each side. */
@@ -73,7 +70,7 @@ static double along(const struct mesh *m, int k, int c, double x, double b)
 /* All meshes, also graded, with periods and of one cell, particles on all
  * walls and corners; no stencils, and nothing cut off. What a Gaussian has
  * beyond 3 b, which the method shares out, is 4.4e-4 of it. */
-START_TEST(ew18_21_it_is_the_gaussian_with_all_its_images)
+FACT_FOR_EACH(ew18_21_it_is_the_gaussian_with_all_its_images, CLOUD_SHAPES)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i]);
     struct particles *const ps = cloud_create(m, 60);
@@ -95,12 +92,11 @@ START_TEST(ew18_21_it_is_the_gaussian_with_all_its_images)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* An even bed, 8 particles a cell, b of 2 cells, in a closed box. With
  * images it is even up to the walls and into the corners, to what is cut off;
  * without them the cell in the corner has six tenths of the right value. */
-START_TEST(ew18_21_an_even_bed_is_even_up_to_the_walls)
+FACT(ew18_21_an_even_bed_is_even_up_to_the_walls)
 {
     struct mesh *const m = closed_box(8.0, 8.0, 8.0, 8, 8, 8);
     struct particles *const ps = particles_create(4096);
@@ -118,12 +114,11 @@ START_TEST(ew18_21_an_even_bed_is_even_up_to_the_walls)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* cos(pi x / L) is even about both walls, so the Gaussian with its images only
  * damps it, by exp(-(k b / 2)^2). 40 cells: their steps are 1e-3, what is cut
  * off beyond 3 b is 4e-4. Without images the ends would have half of it. */
-START_TEST(ew18_17_a_wave_comes_back_damped_and_nothing_else)
+FACT(ew18_17_a_wave_comes_back_damped_and_nothing_else)
 {
     const double b = 0.15, damped = exp(-0.25 * M_PI * M_PI * b * b);
     const struct averaging_options o = {.bandwidth = b};
@@ -145,11 +140,10 @@ START_TEST(ew18_17_a_wave_comes_back_damped_and_nothing_else)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* Bandwidths below a thousandth of a cell: the integrals are 0 and 1, or 1/2
  * for a particle on a face; no particle is on one. */
-START_TEST(ew18_18_a_narrow_gaussian_is_pcm)
+FACT(ew18_18_a_narrow_gaussian_is_pcm)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[4]);
     struct particles *const ps = cloud_create(m, 100);
@@ -170,16 +164,4 @@ START_TEST(ew18_18_a_narrow_gaussian_is_pcm)
     free(g);
     particles_free(ps);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("images")
-{
-    FACT(ew18_20_half_the_height_is_at_half_of_delta);
-    FACT(ew18_19_encloses_one);
-    FACT(ew18_19_is_sx15_6_of_that_bandwidth);
-    FACT_FOR_EACH(ew18_21_it_is_the_gaussian_with_all_its_images, CLOUD_SHAPES);
-    FACT(ew18_21_an_even_bed_is_even_up_to_the_walls);
-    FACT(ew18_17_a_wave_comes_back_damped_and_nothing_else);
-    FACT(ew18_18_a_narrow_gaussian_is_pcm);
 }

@@ -46,12 +46,11 @@ static double off_the_box(int n, int periodic)
 /* Cells of 1.1 b, 0.4 b; measured 1.7e-3 and 6e-4, the latter for what is cut
  * off: a cube of 6 b there, a ball here. With the value at the centre of a cell
  * for its integral it would be 8 per cent in each direction on the first. */
-START_TEST(ew18_21_a_box_of_faces_comes_to_the_box)
+FACT_FOR_EACH(ew18_21_a_box_of_faces_comes_to_the_box, 2)
 {
     ck_assert_double_lt(off_the_box(3, _i), 2.5e-3);
     ck_assert_double_lt(off_the_box(8, _i), 1e-3);
 }
-END_TEST
 
 static int step_there(const int at[3])
 {
@@ -142,7 +141,7 @@ static double unevenness(const struct mesh *m, struct particles *ps,
 
 /* b of two cells; without images the cells at the walls are off by a quarter
  * and more. In the curved meshes the lattice does not follow the walls. */
-START_TEST(ew18_21_an_even_bed_is_even_up_to_walls_of_any_shape)
+FACT_FOR_EACH(ew18_21_an_even_bed_is_even_up_to_walls_of_any_shape, ROOMS)
 {
     struct mesh *const m = blocks_create(&rooms[_i].blocks);
     struct particles *const ps = even_bed(m);
@@ -152,7 +151,6 @@ START_TEST(ew18_21_an_even_bed_is_even_up_to_walls_of_any_shape)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* A row of cells turned by 30 degrees. */
 static void turned_row(double x[3])
@@ -186,7 +184,7 @@ static double step_at_wall(int fine, const char *method)
 
 /* The field has no slope there: the first two cells differ by their width
  * squared. Without images by the width. */
-START_TEST(ew18_21_no_flux_leads_into_a_wall)
+FACT(ew18_21_no_flux_leads_into_a_wall)
 {
     const double coarse = step_at_wall(4, "images");
     const double fine = step_at_wall(8, "images");
@@ -194,9 +192,8 @@ START_TEST(ew18_21_no_flux_leads_into_a_wall)
     ck_assert_double_lt(coarse, 0.1);
     ck_assert_double_eq_tol(coarse / fine, 4.0, 0.2);
 }
-END_TEST
 
-START_TEST(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape)
+FACT(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape)
 {
     struct mesh *const m = poly_read("tests/data/poly/dual", NULL);
     struct particles *const ps = particles_create(50);
@@ -222,11 +219,10 @@ START_TEST(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* A has half the inverse of b^2 / 2 + M, off the diagonal too. A body of
  * parallel faces has a third of the mean r r^T of its eight corners. */
-START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
+FACT(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
 {
     const struct box_spec spec = {
         {0.3, 0.2, 0.25}, {1, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -268,14 +264,4 @@ START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
     wall_images_free(none);
     facets_free(f);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("images_poly")
-{
-    FACT_FOR_EACH(ew18_21_a_box_of_faces_comes_to_the_box, 2);
-    FACT_FOR_EACH(ew18_21_an_even_bed_is_even_up_to_walls_of_any_shape, ROOMS);
-    FACT(ew18_21_no_flux_leads_into_a_wall);
-    FACT(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape);
-    FACT(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments);
 }

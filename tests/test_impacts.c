@@ -15,7 +15,7 @@ static const double degree = M_PI / 180.0;
 /* Tsuji's dashpot gives e exactly where the contact ends at no overlap. Our
  * thousand steps a contact miss by 0.1 % at e = 0.2; without the factor
  * sqrt(5/6) of Hertz's slope e = 0.8 would miss by 2 %. */
-START_TEST(chung_ooi_test_3_a_normal_impact_returns_e)
+FACT_FOR_EACH(chung_ooi_test_3_a_normal_impact_returns_e, 10)
 {
     const double e = 0.2 * (1 + _i / 2);
     const struct impact c = {.partner = RIGID_PLANE,
@@ -28,7 +28,6 @@ START_TEST(chung_ooi_test_3_a_normal_impact_returns_e)
 
     ck_assert_double_eq_tol(impact_run(&c).v_n / (3.9 * e), 1.0, 2e-3);
 }
-END_TEST
 
 /* --- [Kharaz01], [Chung11] test 4: oblique impacts at 3.9 m/s
  * ---------------------
@@ -62,14 +61,14 @@ static const double measured_angle[][2] = {
 
 /* 2 degrees and 0.05 are how far other codes lie from the measurement. Without
  * friction the angle at 20 degrees would be 20.4. */
-START_TEST(kharaz_the_sphere_leaves_at_the_measured_angle)
+FACT_FOR_EACH(kharaz_the_sphere_leaves_at_the_measured_angle,
+              sizeof measured_angle / sizeof *measured_angle)
 {
     const struct impact c = kharaz(measured_angle[_i][0]);
     const struct rebound b = impact_run(&c);
     ck_assert_double_eq_tol(atan2(b.v_t, b.v_n) / degree, measured_angle[_i][1],
                             2.0);
 }
-END_TEST
 
 /* angle of the impact [deg], measured: tangential restitution [-]; at 2 and 4
  * degrees a part of a degree in the angle is more than the band. */
@@ -78,13 +77,13 @@ static const double measured_e_t[][2] = {
     {39.3031, 0.7719}, {49.5459, 0.8469}, {59.8416, 0.9019},
 };
 
-START_TEST(kharaz_the_sphere_keeps_the_measured_part_of_its_speed_along)
+FACT_FOR_EACH(kharaz_the_sphere_keeps_the_measured_part_of_its_speed_along,
+              sizeof measured_e_t / sizeof *measured_e_t)
 {
     const struct impact c = kharaz(measured_e_t[_i][0]);
     ck_assert_double_eq_tol(impact_run(&c).v_t / c.v_t, measured_e_t[_i][1],
                             0.05);
 }
-END_TEST
 
 /* angle of the impact [deg], measured: spin [rad/s] */
 static const double measured_spin[][2] = {
@@ -94,14 +93,14 @@ static const double measured_spin[][2] = {
 
 /* 8 % but for 11 degrees, where the curve is steep: there 16 % (chapter
  * "Particles, verified"). */
-START_TEST(kharaz_the_sphere_leaves_with_the_measured_spin)
+FACT_FOR_EACH(kharaz_the_sphere_leaves_with_the_measured_spin,
+              sizeof measured_spin / sizeof *measured_spin)
 {
     const struct impact c = kharaz(measured_spin[_i][0]);
     const double band = _i == 0 ? 0.16 : 0.08;
     ck_assert_double_eq_tol(-impact_run(&c).spin / measured_spin[_i][1], 1.0,
                             band);
 }
-END_TEST
 
 /* Aluminium oxide on a rigid plane, the curves of [Chung11]: angle of the
  * impact [deg], e_t [-], spin [rad/s]. */
@@ -112,7 +111,8 @@ static const double chung_4[][3] = {
 };
 
 /* The curves were read from a print, to about 0.01 and 5 rad/s. */
-START_TEST(chung_ooi_test_4_oblique_impacts_lie_on_the_published_curves)
+FACT_FOR_EACH(chung_ooi_test_4_oblique_impacts_lie_on_the_published_curves,
+              sizeof chung_4 / sizeof *chung_4)
 {
     const double a = chung_4[_i][0] * degree;
     const struct impact c = {.partner = RIGID_PLANE,
@@ -128,7 +128,6 @@ START_TEST(chung_ooi_test_4_oblique_impacts_lie_on_the_published_curves)
     ck_assert_double_eq_tol(b.v_t / c.v_t, chung_4[_i][1], 0.012);
     ck_assert_double_eq_tol(-b.spin, chung_4[_i][2], 10.0);
 }
-END_TEST
 
 /* --- [Chung11] test 5: which angle, which spin
  * ---------------------------------
@@ -158,21 +157,20 @@ static const double wu[][2] = {
 /* A contact with one spring sticks or slides as a whole; in the elastic bodies
  * a ring of it slides at any angle. So at small angles there is less spin, by
  * up to 0.55; the published particle code has up to 0.8 too much. */
-START_TEST(chung_ooi_test_5_spin_is_near_that_of_finite_elements)
+FACT_FOR_EACH(chung_ooi_test_5_spin_is_near_that_of_finite_elements,
+              sizeof wu / sizeof *wu)
 {
     const struct impact c = steel(wu[_i][0]);
     ck_assert_double_eq_tol(c.R * impact_run(&c).spin / 1.5, wu[_i][1], 0.6);
 }
-END_TEST
 
 /* In full sliding J_t = mu m (1 + e) v_n and R omega = -(5/2) J_t/m, up to the
  * end of the contact, where it may stick: 0.3 %. */
-START_TEST(chung_ooi_test_5_beyond_the_sliding_angle_spin_is_5_mu_v)
+FACT_FOR_EACH(chung_ooi_test_5_beyond_the_sliding_angle_spin_is_5_mu_v, 2)
 {
     const struct impact c = steel(_i == 0 ? 8.0 : 20.0);
     ck_assert_double_eq_tol(c.R * impact_run(&c).spin / 1.5, -5.0, 0.015);
 }
-END_TEST
 
 /* --- [Chung11] tests 6 to 8: a spinning sphere
  * ---------------------------------
@@ -211,18 +209,18 @@ static const double chung_6[][2] = {
 
 /* 0.06 is the largest difference, where sliding ends. Beyond theta = 2.5 the
  * answer is the tangential dashpot's, and codes have different ones. */
-START_TEST(chung_ooi_test_6_slip_of_a_spinning_sphere_is_stopped_by_friction)
+FACT_FOR_EACH(chung_ooi_test_6_slip_of_a_spinning_sphere_is_stopped_by_friction,
+              sizeof chung_6 / sizeof *chung_6)
 {
     const struct impact c = spinning(RIGID_PLANE, 0, chung_6[_i][0]);
     ck_assert_double_eq_tol(surface_speed(&c), chung_6[_i][1], 0.06);
 }
-END_TEST
 
 /* Two spheres with equal spins act as planes on each other; so does a sphere
  * that is 125 000 times as heavy. The planes of [Chung11] are rigid and its
  * spheres are elastic, which makes no difference to the friction in full
  * sliding. */
-START_TEST(chung_ooi_tests_7_and_8_repeat_test_6)
+FACT_FOR_EACH(chung_ooi_tests_7_and_8_repeat_test_6, 6)
 {
     static const double theta[] = {0.2, 0.6, 0.9};
     const int nylon = _i % 2;
@@ -233,25 +231,4 @@ START_TEST(chung_ooi_tests_7_and_8_repeat_test_6)
 
     ck_assert_double_eq_tol(surface_speed(&pair), beta, 5e-4);
     ck_assert_double_eq_tol(surface_speed(&big), beta, 5e-4);
-}
-END_TEST
-
-#define LOOP(tc, test, table)                                                  \
-    tcase_add_loop_test(tc, test, 0, (int)(sizeof table / sizeof *table))
-
-FACTS("impacts")
-{
-    FACT_FOR_EACH(chung_ooi_test_3_a_normal_impact_returns_e, 10);
-    LOOP(facts, kharaz_the_sphere_leaves_at_the_measured_angle, measured_angle);
-    LOOP(facts, kharaz_the_sphere_keeps_the_measured_part_of_its_speed_along,
-         measured_e_t);
-    LOOP(facts, kharaz_the_sphere_leaves_with_the_measured_spin, measured_spin);
-    LOOP(facts, chung_ooi_test_4_oblique_impacts_lie_on_the_published_curves,
-         chung_4);
-    LOOP(facts, chung_ooi_test_5_spin_is_near_that_of_finite_elements, wu);
-    FACT_FOR_EACH(chung_ooi_test_5_beyond_the_sliding_angle_spin_is_5_mu_v, 2);
-    LOOP(facts,
-         chung_ooi_test_6_slip_of_a_spinning_sphere_is_stopped_by_friction,
-         chung_6);
-    FACT_FOR_EACH(chung_ooi_tests_7_and_8_repeat_test_6, 6);
 }

@@ -29,7 +29,7 @@ static struct particles *held_back(double x, double added, double dt)
 /* v(t) = v_end + (v_0 - v_end) exp(-k t/(m + m_a)), v_end = F/k, to rounding,
  * however long the step is; in two runs, so that half steps meet; and (m + m_a)
  * times the change of v is the impulse of F and the drag. */
-START_TEST(an_added_mass_and_a_drag_are_solved_exactly)
+FACT_FOR_EACH(an_added_mass_and_a_drag_are_solved_exactly, 18)
 {
     static const double rate[] = {0.0, 1e-9, 0.01, 1.0, 30.0, 1e5};
     static const double added[] = {0.0, 0.5, 10.0};
@@ -53,11 +53,10 @@ START_TEST(an_added_mass_and_a_drag_are_solved_exactly)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A prescribed particle has its prescribed velocity, and the reaction on the
  * fluid is that of the drag alone: -k v dt a step. */
-START_TEST(a_prescribed_particle_acts_on_the_fluid_by_drag_alone)
+FACT(a_prescribed_particle_acts_on_the_fluid_by_drag_alone)
 {
     const struct prescribed_particle one = {
         .id = 0, .motion = {.velocity = {0.1, 0.0, -0.4}}};
@@ -80,12 +79,11 @@ START_TEST(a_prescribed_particle_acts_on_the_fluid_by_drag_alone)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A sphere without drag and added mass moves as with rows_advance, with spin,
  * wall and friction. Tolerance: a rounding a step, doubled by each of two
  * bounces. */
-START_TEST(implicit_drag_of_zero_changes_nothing)
+FACT(implicit_drag_of_zero_changes_nothing)
 {
     double end[2][4];
 
@@ -109,11 +107,10 @@ START_TEST(implicit_drag_of_zero_changes_nothing)
     for (int k = 0; k < 4; k++)
         ck_assert_double_eq_tol(end[1][k], end[0][k], 1e-11);
 }
-END_TEST
 
 /* Pressed on the floor in honey, r dt = 50: it sinks in until F = k delta,
  * without overshoot. */
-START_TEST(a_sphere_in_honey_creeps_to_its_balance)
+FACT(a_sphere_in_honey_creeps_to_its_balance)
 {
     const double dt = 1e-4;
     struct particles *const ps = held_back(50.0, 0.0, dt);
@@ -135,13 +132,12 @@ START_TEST(a_sphere_in_honey_creeps_to_its_balance)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* The added mass is part of the kinetic energy, (m + m_a) v^2 / 2, which equals
  * the work of force and drag: that of the force to rounding, the drag to the
  * square of its rate, 1e-4 of the energy; without m_a three quarters of it
  * would be missing. */
-START_TEST(the_added_mass_is_part_of_the_energy)
+FACT_FOR_EACH(the_added_mass_is_part_of_the_energy, 2)
 {
     const double dt = 1e-4;
     struct particles *const ps = held_back(_i ? 0.01 : 0.0, 3.0, dt);
@@ -161,23 +157,11 @@ START_TEST(the_added_mass_is_part_of_the_energy)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(the_gain_is_one_at_rest_and_falls_like_one_over_x)
+FACT(the_gain_is_one_at_rest_and_falls_like_one_over_x)
 {
     ck_assert_double_eq(implicit_drag_gain(0.0), 1.0);
     ck_assert_double_eq_tol(implicit_drag_gain(1e-12), 1.0 - 5e-13, 1e-15);
     ck_assert_double_eq_tol(implicit_drag_gain(1.0), 1.0 - exp(-1.0), 1e-15);
     ck_assert_double_eq(implicit_drag_gain(1e6), 1e-6);
-}
-END_TEST
-
-FACTS("response")
-{
-    FACT_FOR_EACH(an_added_mass_and_a_drag_are_solved_exactly, 18);
-    FACT(a_prescribed_particle_acts_on_the_fluid_by_drag_alone);
-    FACT(implicit_drag_of_zero_changes_nothing);
-    FACT(a_sphere_in_honey_creeps_to_its_balance);
-    FACT_FOR_EACH(the_added_mass_is_part_of_the_energy, 2);
-    FACT(the_gain_is_one_at_rest_and_falls_like_one_over_x);
 }

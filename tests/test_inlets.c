@@ -22,7 +22,7 @@ static const char file[] = "build/inlets.cfg";
 /* --- formulas ------------------------------------------------------------- */
 
 /* The rules of C, but for ^, whose exponent is a whole power from the right. */
-START_TEST(a_formula_has_the_value_of_its_arithmetic)
+FACT(a_formula_has_the_value_of_its_arithmetic)
 {
     static const double at[3] = {0.3, 0.7, -1.2}, t = 2.5;
     const double x = at[0], y = at[1], z = at[2];
@@ -54,9 +54,8 @@ START_TEST(a_formula_has_the_value_of_its_arithmetic)
         formula_free(f);
     }
 }
-END_TEST
 
-START_TEST(a_formula_that_is_none_is_refused_at_its_place)
+FACT(a_formula_that_is_none_is_refused_at_its_place)
 {
     static const char *const rows[][2] = {
         {"", "at sign 1"},       {"2*", "at sign 3"},  {"(1+x", "expected )"},
@@ -73,7 +72,6 @@ START_TEST(a_formula_that_is_none_is_refused_at_its_place)
     deep[sizeof deep - 1] = '\0';
     ck_assert_ptr_null(formula_create(deep, said, sizeof said));
 }
-END_TEST
 
 /* --- cases ---------------------------------------------------------------- */
 
@@ -135,7 +133,7 @@ static struct simulation *inlet(const char *text)
 }
 
 /* Means over the faces: exact, but for rounding. */
-START_TEST(a_parabola_by_formula_is_that_between_the_walls_of_a_box)
+FACT(a_parabola_by_formula_is_that_between_the_walls_of_a_box)
 {
     struct simulation *const a = inlet("inlet = 2.0; profile = \"parabola\";");
     struct simulation *const b =
@@ -148,9 +146,8 @@ START_TEST(a_parabola_by_formula_is_that_between_the_walls_of_a_box)
     build_free(a);
     build_free(b);
 }
-END_TEST
 
-START_TEST(a_formula_of_time_enters_as_it_says)
+FACT(a_formula_of_time_enters_as_it_says)
 {
     struct simulation *const sim =
         inlet("inlet = 2.0; profile = \"formula\"; formula = \"y*min(1,t)\";");
@@ -169,7 +166,6 @@ START_TEST(a_formula_of_time_enters_as_it_says)
                             1e-13);
     build_free(sim);
 }
-END_TEST
 
 static void write_file(const char *text)
 {
@@ -179,7 +175,7 @@ static void write_file(const char *text)
 }
 
 /* A straight line is its own mean at the middle of each face; in time, too. */
-START_TEST(a_profile_from_a_table_or_a_file_is_linear_between_its_rows)
+FACT(a_profile_from_a_table_or_a_file_is_linear_between_its_rows)
 {
     static const char *const files[] = {
         "y [m],u [-]\n-1,-0.5\n# in between\n2,4\n",
@@ -206,10 +202,9 @@ START_TEST(a_profile_from_a_table_or_a_file_is_linear_between_its_rows)
     }
     build_free(a);
 }
-END_TEST
 
 /* At a row itself the nearest point counts alone; a constant stays one. */
-START_TEST(a_profile_of_points_in_a_plane_keeps_a_constant)
+FACT(a_profile_of_points_in_a_plane_keeps_a_constant)
 {
     write_file("y,z,u\n0,0,3\n1,0,3\n0,1,3\n1,0.1,3\n0.4,0.05,3\n");
     struct simulation *const sim =
@@ -220,11 +215,10 @@ START_TEST(a_profile_of_points_in_a_plane_keeps_a_constant)
             boundary_inlet_profile(&sim->boundaries[0], j, 0.0), 3.0, 1e-13);
     build_free(sim);
 }
-END_TEST
 
 /* 400 points in mixed order, 1 below the middle and 3 above: a face away from
  * the middle sees its own side alone, though the points are sorted in y. */
-START_TEST(only_the_four_nearest_points_of_many_count)
+FACT(only_the_four_nearest_points_of_many_count)
 {
     char text[16000];
     size_t at = (size_t)sprintf(text, "y,z,u\n");
@@ -246,9 +240,8 @@ START_TEST(only_the_four_nearest_points_of_many_count)
     }
     build_free(sim);
 }
-END_TEST
 
-START_TEST(an_inlet_that_cannot_be_is_refused)
+FACT(an_inlet_that_cannot_be_is_refused)
 {
 #define INLET(text)                                                            \
     "left = { inlet = 1.0; " text " }; right = { outlet = 0.0; }; "            \
@@ -278,7 +271,6 @@ START_TEST(an_inlet_that_cannot_be_is_refused)
             "bottom_top = \"no-slip\"; front_back = \"slip\";",
             "found a group");
 }
-END_TEST
 
 /* --- a pressure that drives ----------------------------------------------- */
 
@@ -286,7 +278,7 @@ END_TEST
  * wall half a cell away and the velocity in the middles of n cells the discrete
  * flow is larger by 2 / n^2. If the fluid entered at rest, rho U^2 = 0.25 Pa of
  * the 12 would be lost. */
-START_TEST(a_pressure_at_the_inlet_drives_poiseuille_flow)
+FACT(a_pressure_at_the_inlet_drives_poiseuille_flow)
 {
     struct simulation *const sim = start(
         "size = [2.0, 1.0, 0.1]; cells = [4, 16, 1];",
@@ -302,7 +294,6 @@ START_TEST(a_pressure_at_the_inlet_drives_poiseuille_flow)
     ck_assert_double_lt(sim->fluid->report.momentum_residual, 1e-12);
     build_free(sim);
 }
-END_TEST
 
 /* --- walls that rotate ---------------------------------------------------- */
 
@@ -336,7 +327,7 @@ static double torque_on(const struct simulation *sim, const char *name)
 
 /* 4 pi mu Omega r1^2 r2^2 / (r2^2 - r1^2) on 1 m. The error falls with the
  * square of the cells: 1.0e-3 with 16, 3.0e-4 with 32 across the gap. */
-START_TEST(taylor_couette_flow_has_its_torque_to_a_thousandth)
+FACT(taylor_couette_flow_has_its_torque_to_a_thousandth)
 {
     const double exact = 4.0 * M_PI * 4.0 / 3.0;
 
@@ -349,11 +340,10 @@ START_TEST(taylor_couette_flow_has_its_torque_to_a_thousandth)
     ck_assert_double_eq_tol(torque_on(sim, "outer"), exact, 1e-3 * exact);
     build_free(sim);
 }
-END_TEST
 
 /* A fluid that turns as a whole with its wall has no shear: each of 200 patches
  * feels nothing but the pressure. And there may be as many patches. */
-START_TEST(a_wall_of_200_patches_turns_its_fluid_as_a_whole)
+FACT(a_wall_of_200_patches_turns_its_fluid_as_a_whole)
 {
     static char fluid[20000];
     int n = 0;
@@ -375,7 +365,6 @@ START_TEST(a_wall_of_200_patches_turns_its_fluid_as_a_whole)
     }
     build_free(sim);
 }
-END_TEST
 
 /* Checks the torque on tetrahedra, 4 across the gap and `around` about it. */
 static void check_torque(int around, double tolerance)
@@ -399,25 +388,23 @@ static void check_torque(int around, double tolerance)
  * two or three times as long as wide. With the velocity of a slip wall taken
  * for that in the middles of its faces the errors were 2.6 and 4.4 %; hexahedra
  * of this size have 1.8 and 2.0 %. */
-START_TEST(taylor_couette_flow_on_tetrahedra_has_its_torque)
+FACT(taylor_couette_flow_on_tetrahedra_has_its_torque)
 {
     check_torque(32, 0.015);
 }
-END_TEST
 
 /* Links at 81 degrees to the normals of their faces. With the terms of
  * deferred_correction.c there, too, the flow broke down in the third step. */
-START_TEST(taylor_couette_flow_on_flat_tetrahedra_holds)
+FACT(taylor_couette_flow_on_flat_tetrahedra_holds)
 {
     check_torque(64, 0.015);
 }
-END_TEST
 
 /* Omega x x in all cells: the walls turn with it, the round ones and the ends.
  * The wall of an end has its velocity below the centre of the cell; with that
  * in the middle of the face the shear would be of the size of mu Omega, on the
  * finest mesh, too. 1e-10: rounding. */
-START_TEST(walls_that_turn_with_their_fluid_on_tetrahedra_feel_no_shear)
+FACT(walls_that_turn_with_their_fluid_on_tetrahedra_feel_no_shear)
 {
     make_ring("-v nr=2 -v nt=32 -v tetrahedra=2");
     struct simulation *const sim =
@@ -437,31 +424,10 @@ START_TEST(walls_that_turn_with_their_fluid_on_tetrahedra_feel_no_shear)
                 vector_length(wall_stress(sim->fluid, i, j).shear), 1e-10);
     build_free(sim);
 }
-END_TEST
 
-START_TEST(a_wall_that_would_turn_through_itself_is_refused)
+FACT(a_wall_that_would_turn_through_itself_is_refused)
 {
     refused("bottom_top = { rotation = [0.0, 0.0, 1.0]; }; sides = \"slip\"; "
             "front_back = \"slip\";",
             "move through itself");
-}
-END_TEST
-
-FACTS("inlets")
-{
-    FACT(a_formula_has_the_value_of_its_arithmetic);
-    FACT(a_formula_that_is_none_is_refused_at_its_place);
-    FACT(a_parabola_by_formula_is_that_between_the_walls_of_a_box);
-    FACT(a_formula_of_time_enters_as_it_says);
-    FACT(a_profile_from_a_table_or_a_file_is_linear_between_its_rows);
-    FACT(a_profile_of_points_in_a_plane_keeps_a_constant);
-    FACT(only_the_four_nearest_points_of_many_count);
-    FACT(an_inlet_that_cannot_be_is_refused);
-    FACT(a_pressure_at_the_inlet_drives_poiseuille_flow);
-    FACT(taylor_couette_flow_has_its_torque_to_a_thousandth);
-    FACT(a_wall_of_200_patches_turns_its_fluid_as_a_whole);
-    FACT(taylor_couette_flow_on_tetrahedra_has_its_torque);
-    FACT(taylor_couette_flow_on_flat_tetrahedra_holds);
-    FACT(walls_that_turn_with_their_fluid_on_tetrahedra_feel_no_shear);
-    FACT(a_wall_that_would_turn_through_itself_is_refused);
 }

@@ -74,7 +74,7 @@ static double error_of_adaptive(double e, double error)
 
 /* 2, 1, 2 without damping; the velocity of half a step before makes it 1, 1, 2
  * with. */
-START_TEST(each_integrator_has_its_order)
+FACT_FOR_EACH(each_integrator_has_its_order, 6)
 {
     static const double order[2][3] = {{2.0, 1.0, 2.0}, {1.0, 1.0, 2.0}};
     const int damped = _i / 3, which = _i % 3;
@@ -85,7 +85,6 @@ START_TEST(each_integrator_has_its_order)
     ck_assert_double_eq_tol(log2(coarse / fine), order[damped][which], 0.1);
     ck_assert_double_lt(fine, order[damped][which] > 1.5 ? 1e-4 : 0.02);
 }
-END_TEST
 
 /* An oblique impact with friction that never slides: springs, dashpots and
  * rotation together, up to the middle of the contact; against 64 times as many
@@ -111,7 +110,7 @@ static double spin_after(const char *integrator, const struct contact_law *law,
     return w;
 }
 
-START_TEST(heun_is_of_second_order_with_springs_dashpots_and_spin)
+FACT_FOR_EACH(heun_is_of_second_order_with_springs_dashpots_and_spin, 2)
 {
     const struct contact_law *const law = contact_laws[_i];
     const double exact = spin_after("heun", law, 0.7, 6400);
@@ -121,9 +120,8 @@ START_TEST(heun_is_of_second_order_with_springs_dashpots_and_spin)
     ck_assert_double_eq_tol(log2(coarse / fine), 2.0, 0.25);
     ck_assert_double_lt(fine, 2e-3 * fabs(exact));
 }
-END_TEST
 
-START_TEST(the_integrators_agree_in_the_end)
+FACT_FOR_EACH(the_integrators_agree_in_the_end, 2)
 {
     const struct contact_law *const law = contact_laws[_i];
     const double exact = spin_after("heun", law, 0.7, 6400);
@@ -132,7 +130,6 @@ START_TEST(the_integrators_agree_in_the_end)
         ck_assert_double_eq_tol(spin_after(names[k], law, 0.7, 6400) / exact,
                                 1.0, 2e-3);
 }
-END_TEST
 
 /* A sphere that hangs between two others, which it touches always, for 200
  * periods of 25 steps: Verlet and Euler keep the energy for ever, Heun gains
@@ -161,7 +158,7 @@ static double energy_after(const char *integrator, int steps)
     return gained;
 }
 
-START_TEST(verlet_and_euler_keep_energy_and_heun_gains_it)
+FACT(verlet_and_euler_keep_energy_and_heun_gains_it)
 {
     const double w_dt = 2.0 * M_PI / 25.0;
     const double exact = pow(1.0 + 0.25 * gsl_pow_4(w_dt), 5000.0);
@@ -170,7 +167,6 @@ START_TEST(verlet_and_euler_keep_energy_and_heun_gains_it)
     ck_assert_double_eq_tol(energy_after(names[1], 5000), 1.0, 0.3);
     ck_assert_double_eq_tol(energy_after(names[2], 5000) / exact, 1.0, 0.01);
 }
-END_TEST
 
 /* --- the rest ------------------------------------------------------------- */
 
@@ -196,7 +192,7 @@ static struct particles *moved(const char *integrator, int pieces)
     return ps;
 }
 
-START_TEST(no_integrator_depends_on_the_number_of_threads)
+FACT_FOR_EACH(no_integrator_depends_on_the_number_of_threads, 4)
 {
     omp_set_num_threads(1);
     struct particles *const one = moved(names[_i], 1);
@@ -209,9 +205,8 @@ START_TEST(no_integrator_depends_on_the_number_of_threads)
     particles_free(one);
     particles_free(two);
 }
-END_TEST
 
-START_TEST(velocity_verlet_is_the_default_to_the_bit)
+FACT(velocity_verlet_is_the_default_to_the_bit)
 {
     struct particles *const named = moved("velocity-verlet", 1);
     struct particles *const none = moved(NULL, 1);
@@ -220,10 +215,9 @@ START_TEST(velocity_verlet_is_the_default_to_the_bit)
     particles_free(named);
     particles_free(none);
 }
-END_TEST
 
 /* A run in pieces is the same run: each begins where the last one ended. */
-START_TEST(a_run_in_pieces_is_one_run)
+FACT_FOR_EACH(a_run_in_pieces_is_one_run, 4)
 {
     struct particles *const whole = moved(names[_i], 1);
     struct particles *const pieces = moved(names[_i], 8);
@@ -236,9 +230,8 @@ START_TEST(a_run_in_pieces_is_one_run)
     particles_free(whole);
     particles_free(pieces);
 }
-END_TEST
 
-START_TEST(energy_closes_by_heun_to_second_order)
+FACT(energy_closes_by_heun_to_second_order)
 {
     double share[2];
 
@@ -265,7 +258,6 @@ START_TEST(energy_closes_by_heun_to_second_order)
     ck_assert_double_gt(log2(share[0] / share[1]), 1.8);
     ck_assert_double_lt(share[1], 1e-4);
 }
-END_TEST
 
 /* --- steps that adapt ----------------------------------------------------- */
 
@@ -273,7 +265,7 @@ static const double g = 9.81; /* [m/s^2] */
 
 /* One step of 1.2/w in parts: the error falls with that of a part, which is of
  * second order in its length, with damping and without. */
-START_TEST(the_error_of_steps_that_adapt_falls_as_they_are_told)
+FACT_FOR_EACH(the_error_of_steps_that_adapt_falls_as_they_are_told, 2)
 {
     const double e = _i ? 0.5 : 1.0;
     const double coarse = error_of_adaptive(e, 4e-4);
@@ -282,7 +274,6 @@ START_TEST(the_error_of_steps_that_adapt_falls_as_they_are_told)
     ck_assert_double_eq_tol(log2(coarse / fine) / 6.0, 1.0, 0.1);
     ck_assert_double_lt(fine, 1e-4);
 }
-END_TEST
 
 /* The height [m] of a sphere that falls from 1 m, after `end` [s]: parabolas
  * and damped oscillations, joined. */
@@ -313,7 +304,7 @@ static double exact_height(double end, double k, double eta, double m)
 
 /* Three rebounds with e = 0.9 in 2.9 s, each in 1 ms: 2191 parts of the steps
  * of 5 ms, where Verlet takes 58,000 steps of a twentieth of a contact. */
-START_TEST(a_sphere_falls_in_long_steps_and_bounces_in_short_ones)
+FACT(a_sphere_falls_in_long_steps_and_bounces_in_short_ones)
 {
     struct particles *const ps = particles_create(1);
     struct dem_options o = adaptive_options(5e-3, 1e-4, 3.0);
@@ -334,10 +325,9 @@ START_TEST(a_sphere_falls_in_long_steps_and_bounces_in_short_ones)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* 25 diameters a step: against another sphere, a wall, and a sheet. */
-START_TEST(no_step_that_adapts_passes_over_a_contact)
+FACT_FOR_EACH(no_step_that_adapts_passes_over_a_contact, 3)
 {
     double corner[1][3][3] = {
         {{0.2, -0.5, -0.5}, {0.2, 0.5, -0.5}, {0.2, 0.0, 0.9}}};
@@ -366,20 +356,8 @@ START_TEST(no_step_that_adapts_passes_over_a_contact)
     particles_free(ps);
     triangles_free((struct triangles *)(uintptr_t)sheet.triangles);
 }
-END_TEST
 
-FACTS("integrators")
+FACTS
 {
     tcase_set_timeout(facts, 30);
-    FACT_FOR_EACH(each_integrator_has_its_order, 6);
-    FACT_FOR_EACH(heun_is_of_second_order_with_springs_dashpots_and_spin, 2);
-    FACT_FOR_EACH(the_integrators_agree_in_the_end, 2);
-    FACT(verlet_and_euler_keep_energy_and_heun_gains_it);
-    FACT_FOR_EACH(no_integrator_depends_on_the_number_of_threads, 4);
-    FACT(velocity_verlet_is_the_default_to_the_bit);
-    FACT_FOR_EACH(a_run_in_pieces_is_one_run, 4);
-    FACT(energy_closes_by_heun_to_second_order);
-    FACT_FOR_EACH(the_error_of_steps_that_adapt_falls_as_they_are_told, 2);
-    FACT(a_sphere_falls_in_long_steps_and_bounces_in_short_ones);
-    FACT_FOR_EACH(no_step_that_adapts_passes_over_a_contact, 3);
 }

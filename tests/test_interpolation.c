@@ -71,7 +71,7 @@ static int touches_the_boundary(const struct mesh *m, int c)
 }
 
 /* Rounding of gradients of order 1 on cells of 0.1. Shape 4 is graded. */
-START_TEST(linear_is_exact_for_linear_fields_in_the_interior)
+FACT(linear_is_exact_for_linear_fields_in_the_interior)
 {
     struct scene s = scene_of(&cloud_shapes[4], "pcm");
     int inside = 0;
@@ -89,10 +89,9 @@ START_TEST(linear_is_exact_for_linear_fields_in_the_interior)
     ck_assert_int_gt(inside, 20);
     scene_free(&s);
 }
-END_TEST
 
 /* All shapes without a period: also one cell, and one direction. */
-START_TEST(linear_is_exact_at_boundaries_whose_values_are_given)
+FACT_FOR_EACH(linear_is_exact_at_boundaries_whose_values_are_given, 3)
 {
     static const int closed[] = {0, 1, 4};
     struct scene s = scene_of(&cloud_shapes[closed[_i]], "pcm");
@@ -106,13 +105,12 @@ START_TEST(linear_is_exact_at_boundaries_whose_values_are_given)
     }
     scene_free(&s);
 }
-END_TEST
 
 /* Three cells in a row, 1, 2 and 4 wide: a parabola has another slope on either
  * side of the middle one. Weighed by the inverse square of the distances, the
  * fitted slope is the mean of the two; by the distances alone it would be
  * nearer to that of the wide cell. */
-START_TEST(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides)
+FACT(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides)
 {
     const struct box_spec spec = {
         {7.0, 1.0, 1.0}, {3, 1, 1}, {4.0, 1.0, 1.0}, {0, 0, 0}};
@@ -132,12 +130,11 @@ START_TEST(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* Graded, closed, in one and in three directions: without values on the
  * boundary the slope is fitted, and is all of it also in corners. Half of it,
  * as with f_f = f_c on a wall, would be off by 0.1. */
-START_TEST(linear_without_boundary_values_is_exact_at_walls_too)
+FACT_FOR_EACH(linear_without_boundary_values_is_exact_at_walls_too, 2)
 {
     static const int closed[] = {1, 4};
     struct scene s = scene_of(&cloud_shapes[closed[_i]], "pcm");
@@ -156,7 +153,6 @@ START_TEST(linear_without_boundary_values_is_exact_at_walls_too)
     }
     scene_free(&s);
 }
-END_TEST
 
 /* Largest error of one way for a wave in a box periodic in x and y. */
 static double wave_error(const char *way, int n)
@@ -179,16 +175,15 @@ static double wave_error(const char *way, int n)
 
 /* The particles include those on corners and faces, where the error is at its
  * largest and of a regular size; also across the period. */
-START_TEST(linear_is_of_second_order_and_nearest_of_first)
+FACT(linear_is_of_second_order_and_nearest_of_first)
 {
     const double linear = wave_error("linear", 20) / wave_error("linear", 40);
     const double near = wave_error("nearest", 20) / wave_error("nearest", 40);
     ck_assert_double_eq_tol(log2(linear), 2.0, 0.2);
     ck_assert_double_eq_tol(log2(near), 1.0, 0.2);
 }
-END_TEST
 
-START_TEST(nearest_is_the_value_of_the_particles_cell)
+FACT_FOR_EACH(nearest_is_the_value_of_the_particles_cell, CLOUD_SHAPES)
 {
     struct scene s = scene_of(&cloud_shapes[_i], "pcm");
 
@@ -200,9 +195,8 @@ START_TEST(nearest_is_the_value_of_the_particles_cell)
                       s.field[M * averaging_cells(s.a)->cell[i] + k]);
     scene_free(&s);
 }
-END_TEST
 
-START_TEST(same_is_the_adjoint_of_the_averaging)
+FACT_FOR_EACH(same_is_the_adjoint_of_the_averaging, CLOUD_SHAPES)
 {
     struct scene s = scene_of(&cloud_shapes[_i], "kernel");
     double *const g = alloc_doubles(M * N);
@@ -214,9 +208,8 @@ START_TEST(same_is_the_adjoint_of_the_averaging)
     free(g);
     scene_free(&s);
 }
-END_TEST
 
-START_TEST(every_interpolation_is_exact_for_constants)
+FACT_FOR_EACH(every_interpolation_is_exact_for_constants, CLOUD_SHAPES)
 {
     for (int w = 0; interpolations[w] != NULL; w++) {
         struct scene s = scene_of(&cloud_shapes[_i], "diffusion");
@@ -228,10 +221,9 @@ START_TEST(every_interpolation_is_exact_for_constants)
         scene_free(&s);
     }
 }
-END_TEST
 
 /* Capped cells too: a slip velocity cut down by the share would be wrong. */
-START_TEST(the_cap_of_pcm_does_not_reduce_the_fluid_velocity_at_particles)
+FACT(the_cap_of_pcm_does_not_reduce_the_fluid_velocity_at_particles)
 {
     const struct averaging_options o = {.cap = 0.004};
     struct scene s = scene_of(&cloud_shapes[4], "pcm");
@@ -249,27 +241,11 @@ START_TEST(the_cap_of_pcm_does_not_reduce_the_fluid_velocity_at_particles)
                 1e-15);
     scene_free(&s);
 }
-END_TEST
 
-START_TEST(an_unknown_interpolation_is_not_found)
+FACT(an_unknown_interpolation_is_not_found)
 {
     ck_assert_ptr_null(interpolation_named("cubic"));
     for (int w = 0; interpolations[w] != NULL; w++)
         ck_assert_ptr_eq(interpolation_named(interpolations[w]->name),
                          interpolations[w]);
-}
-END_TEST
-
-FACTS("interpolation")
-{
-    FACT(linear_is_exact_for_linear_fields_in_the_interior);
-    FACT_FOR_EACH(linear_is_exact_at_boundaries_whose_values_are_given, 3);
-    FACT_FOR_EACH(linear_without_boundary_values_is_exact_at_walls_too, 2);
-    FACT(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides);
-    FACT(linear_is_of_second_order_and_nearest_of_first);
-    FACT_FOR_EACH(nearest_is_the_value_of_the_particles_cell, CLOUD_SHAPES);
-    FACT_FOR_EACH(same_is_the_adjoint_of_the_averaging, CLOUD_SHAPES);
-    FACT_FOR_EACH(every_interpolation_is_exact_for_constants, CLOUD_SHAPES);
-    FACT(the_cap_of_pcm_does_not_reduce_the_fluid_velocity_at_particles);
-    FACT(an_unknown_interpolation_is_not_found);
 }

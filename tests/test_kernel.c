@@ -13,7 +13,7 @@
 enum { N = 90 };
 
 /* (1 - zeta^2)^4 worked out: (15/16)^4, (3/4)^4, 0.19^4. */
-START_TEST(xs11_3_6_values)
+FACT(xs11_3_6_values)
 {
     ck_assert(kernel_polynomial(0.0) == 1.0);
     ck_assert_double_eq_tol(kernel_polynomial(0.25), 50625.0 / 65536.0, 1e-16);
@@ -22,7 +22,6 @@ START_TEST(xs11_3_6_values)
     ck_assert(kernel_polynomial(1.0) == 0.0);
     ck_assert(kernel_polynomial(1.5) == 0.0 && kernel_polynomial(-7.0) == 0.0);
 }
-END_TEST
 
 struct scene {
     struct mesh *mesh;
@@ -128,25 +127,24 @@ static void check_against_all_cells(struct scene s)
 
 /* 0.16 and 0.3 m on cells of 0.1 m: b of 1.6 to 3 cells. The amounts are any
  * numbers: volumes as well as the forces of [XS11 3.8]. */
-START_TEST(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives)
+FACT_FOR_EACH(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
+              3 * CLOUD_SHAPES)
 {
     static const double b[] = {0.03, 0.16, 0.3};
     check_against_all_cells(scene_of(_i / 3, b[_i % 3]));
 }
-END_TEST
 
 /* Cut off at 3 b, which is at most the smallest period of these meshes. */
-START_TEST(sx15_6_the_gaussian_weight_falls_as_it_should)
+FACT_FOR_EACH(sx15_6_the_gaussian_weight_falls_as_it_should, 2 * CLOUD_SHAPES)
 {
     static const double b[] = {0.011, 0.0971}; /* 3 b between centres */
     check_against_all_cells(scene_with(_i / 2, b[_i % 2], 1));
 }
-END_TEST
 
 /* The velocity of a cell: two particles weighed by volume and distance, by the
  * book. u = 1 and 3 m/s of volumes 1 and 0.125; the middle cell is nearer to
  * the small one. */
-START_TEST(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance)
+FACT(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance)
 {
     const struct averaging_options o = {.bandwidth = 2.0};
     const double V[2] = {1.0, 0.125}, u[2] = {1.0, 3.0}, x[2] = {0.7, 1.9};
@@ -176,10 +174,9 @@ START_TEST(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* [XS11 3.9]: gathered, the weights sum to one; spread, [XS11 3.4]. */
-START_TEST(xs11_3_4_the_weights_of_each_particle_sum_to_one)
+FACT_FOR_EACH(xs11_3_4_the_weights_of_each_particle_sum_to_one, CLOUD_SHAPES)
 {
     struct scene s = scene_of(_i, 0.16);
     double q[N];
@@ -200,11 +197,10 @@ START_TEST(xs11_3_4_the_weights_of_each_particle_sum_to_one)
         ck_assert_double_eq_tol(q[i], 1.0, 1e-14);
     scene_free(&s);
 }
-END_TEST
 
 /* b = 1 mm, cells of 10 cm: only a particle in a cell's very middle has a
  * centre within b. Bit for bit, as 1 / V and then summed or divided differ. */
-START_TEST(a_kernel_narrower_than_a_cell_is_pcm)
+FACT_FOR_EACH(a_kernel_narrower_than_a_cell_is_pcm, CLOUD_SHAPES)
 {
     struct scene s = scene_of(_i, 0.001);
     const struct averaging_options o = {.cap = 0.0};
@@ -223,7 +219,6 @@ START_TEST(a_kernel_narrower_than_a_cell_is_pcm)
     free(f);
     scene_free(&s);
 }
-END_TEST
 
 /* The largest distance from 1 of an even bed averaged on n cells, the last four
  * times as wide as the first, at cells beyond the influence of the walls. */
@@ -263,7 +258,7 @@ static double unevenness(int n, const char *method, double b, double reach)
  * even bed is even to second order in the width of a cell, with 1.7e-4 on 32
  * cells. Without the volume it is off by 5e-3 or 7e-3 there, and on any number
  * of them. */
-START_TEST(an_even_bed_is_even_on_cells_of_several_sizes)
+FACT_FOR_EACH(an_even_bed_is_even_on_cells_of_several_sizes, 2)
 {
     const char *const method = _i == 0 ? "kernel" : "gaussian";
     const double b = _i == 0 ? 0.2 : 0.08, reach = _i == 0 ? 0.2 : 0.24;
@@ -273,11 +268,10 @@ START_TEST(an_even_bed_is_even_on_cells_of_several_sizes)
     ck_assert_double_lt(coarse, 2e-4);
     ck_assert_double_eq_tol(coarse / fine, 4.0, 0.2);
 }
-END_TEST
 
 /* A kernel that is 1 all over the mesh: each cell gets its part of the volume,
  * and the field is the mean. */
-START_TEST(a_very_wide_kernel_gives_the_mean)
+FACT_FOR_EACH(a_very_wide_kernel_gives_the_mean, 2)
 {
     struct scene s = scene_with(4, 1e6, _i);
     double q[N], sum = 0.0, all = 0.0;
@@ -291,20 +285,4 @@ START_TEST(a_very_wide_kernel_gives_the_mean)
     for (int c = 0; c < s.mesh->n_cells; c++)
         ck_assert_double_eq_tol(s.field[c], sum / all, 1e-10);
     scene_free(&s);
-}
-END_TEST
-
-FACTS("kernel")
-{
-    FACT(xs11_3_6_values);
-    FACT_FOR_EACH(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
-                  3 * CLOUD_SHAPES);
-    FACT(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance);
-    FACT_FOR_EACH(sx15_6_the_gaussian_weight_falls_as_it_should,
-                  2 * CLOUD_SHAPES);
-    FACT_FOR_EACH(xs11_3_4_the_weights_of_each_particle_sum_to_one,
-                  CLOUD_SHAPES);
-    FACT_FOR_EACH(an_even_bed_is_even_on_cells_of_several_sizes, 2);
-    FACT_FOR_EACH(a_very_wide_kernel_gives_the_mean, 2);
-    FACT_FOR_EACH(a_kernel_narrower_than_a_cell_is_pcm, CLOUD_SHAPES);
 }

@@ -49,28 +49,26 @@ static double wave_error(int n, double b, int periodic, double from, double to)
 }
 
 /* b halves, and the cells with it: a quarter of the error. */
-START_TEST(ew18_b_8_inside_the_gradient_is_of_second_order)
+FACT(ew18_b_8_inside_the_gradient_is_of_second_order)
 {
     const double e1 = wave_error(24, 0.08, 1, 0.0, 1.0);
     const double e2 = wave_error(48, 0.04, 1, 0.0, 1.0);
     ck_assert_double_eq_tol(log2(e1 / e2), 2.0, 0.15);
 }
-END_TEST
 
 /* Next to a wall, within b / 2 of it: of first order, and larger. */
-START_TEST(ew18_b_6_at_a_wall_it_is_of_first_order)
+FACT(ew18_b_6_at_a_wall_it_is_of_first_order)
 {
     const double e1 = wave_error(24, 0.08, 0, 0.0, 0.04);
     const double e2 = wave_error(48, 0.04, 0, 0.0, 0.02);
     ck_assert_double_lt(log2(e1 / e2), 1.5);
     ck_assert_double_gt(e1, wave_error(24, 0.08, 1, 0.0, 1.0));
 }
-END_TEST
 
 /* One direction, equal cells, a plane, a particle in the middle of a cell: all
  * is symmetric, and the slope exact; [EW18 B.7] is then the whole system. With
  * two fields, and none in the directions of one cell. */
-START_TEST(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row)
+FACT(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row)
 {
     struct mesh *const m = closed_box(3.0, 0.1, 0.1, 30, 1, 1);
     struct particles *const ps = particles_create(1);
@@ -95,11 +93,10 @@ START_TEST(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* On walls, in corners, in graded cells: where the kernel is cut off the sum of
  * r W is not 0, and only the difference to the mean makes it so. */
-START_TEST(ew18_b_10_a_constant_has_no_slope_anywhere)
+FACT_FOR_EACH(ew18_b_10_a_constant_has_no_slope_anywhere, CLOUD_SHAPES)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i]);
     struct particles *const ps = cloud_create(m, 60);
@@ -120,10 +117,9 @@ START_TEST(ew18_b_10_a_constant_has_no_slope_anywhere)
     particles_free(ps);
     mesh_free(m);
 }
-END_TEST
 
 /* A random sum of squares times a known vector; then without a direction. */
-START_TEST(ew18_b_8_the_small_system_is_solved)
+FACT(ew18_b_8_the_small_system_is_solved)
 {
     double A[6] = {0.0}, x[3];
     const double known[3] = {1.0, -2.0, 0.5};
@@ -146,14 +142,4 @@ START_TEST(ew18_b_8_the_small_system_is_solved)
     const double c[3] = {1.0, 0.0, 1.0};
     vector_solve(flat, c, x);
     ck_assert(x[0] == 0.5 && x[1] == 0.0 && x[2] == 0.25);
-}
-END_TEST
-
-FACTS("slope")
-{
-    FACT(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row);
-    FACT_FOR_EACH(ew18_b_10_a_constant_has_no_slope_anywhere, CLOUD_SHAPES);
-    FACT(ew18_b_8_the_small_system_is_solved);
-    FACT(ew18_b_8_inside_the_gradient_is_of_second_order);
-    FACT(ew18_b_6_at_a_wall_it_is_of_first_order);
 }

@@ -134,7 +134,7 @@ static const char *const schemes[][2] = {
     {"fluid.time=bdf2", "fluid.outer_correctors=1"},
     {"fluid.time=bdf2", NULL}};
 
-START_TEST(the_files_of_a_closed_box_have_the_momentum_of_its_start)
+FACT_FOR_EACH(the_files_of_a_closed_box_have_the_momentum_of_its_start, 24)
 {
     const char *const *const scheme = schemes[_i % 3];
     const int resumes = _i / 3 % 2, seed = _i / 6;
@@ -153,10 +153,8 @@ START_TEST(the_files_of_a_closed_box_have_the_momentum_of_its_start)
                                 scheme[1] ? 1e-5 : 2e-4);
     scratch_clear(dir);
 }
-END_TEST
 
-FACTS("ledger")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(the_files_of_a_closed_box_have_the_momentum_of_its_start, 24);
 }

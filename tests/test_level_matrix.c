@@ -63,7 +63,7 @@ static void release(struct products *p)
 }
 
 /* Seven terms of order one in single precision; of order ten in double. */
-START_TEST(a_matrix_that_is_stored_for_speed_is_that_by_rows)
+FACT_FOR_EACH(a_matrix_that_is_stored_for_speed_is_that_by_rows, 3)
 {
     struct links b = links_of(_i);
     struct products rows = products_of(&level_matrix_rows, &b);
@@ -80,10 +80,9 @@ START_TEST(a_matrix_that_is_stored_for_speed_is_that_by_rows)
     release(&rows);
     links_free(&b);
 }
-END_TEST
 
 /* A constant loses only what the row sums say: 1 where they are 1. */
-START_TEST(the_rows_have_the_sums_that_were_given)
+FACT_FOR_EACH(the_rows_have_the_sums_that_were_given, 3)
 {
     struct links b = links_of(_i);
     double *const one = alloc_doubles(b.n), *const y = alloc_doubles(b.n);
@@ -104,11 +103,4 @@ START_TEST(the_rows_have_the_sums_that_were_given)
     free(y);
     free(g);
     links_free(&b);
-}
-END_TEST
-
-FACTS("level_matrix")
-{
-    FACT_FOR_EACH(a_matrix_that_is_stored_for_speed_is_that_by_rows, 3);
-    FACT_FOR_EACH(the_rows_have_the_sums_that_were_given, 3);
 }

@@ -9,15 +9,14 @@
 /* --- Saffman ------------------------------------------------------------- */
 
 /* Re_G of a shear of 3 1/s in water, d = 0.1 mm. */
-START_TEST(ls_5_5_reynolds_number_of_a_shear)
+FACT(ls_5_5_reynolds_number_of_a_shear)
 {
     ck_assert_double_eq_tol(saffman_reynolds(1e-4, 1e-6, 3.0), 0.03, 1e-16);
 }
-END_TEST
 
 /* The vector form is the printed one, but for 1.615 and 1.61: a slip along x
  * and u_x that grows with y. */
-START_TEST(ls_5_6_vector_form_is_the_printed_one)
+FACT(ls_5_6_vector_form_is_the_printed_one)
 {
     const double rho = 1000.0, mu = 1e-3, d = 1e-4, G = 3.0;
     const double w[3] = {1e-9, 0.0, 0.0}, curl[3] = {0.0, 0.0, -G};
@@ -34,13 +33,12 @@ START_TEST(ls_5_6_vector_form_is_the_printed_one)
     ck_assert_double_eq(F[0], 0.0);
     ck_assert_double_eq(F[2], 0.0);
 }
-END_TEST
 
 /* At Re -> 0 the factor is 1; a code that has (1 - 0.3314) sqrt(alpha) misses
  * this by far. At Re = 40 Mei's two branches differ by what the exponential has
  * left there, exp(-4) = 0.018 at most, as 0.0524 sqrt(40) = 0.3314 to 4
  * digits. */
-START_TEST(ls_5_6_meis_factor_starts_at_one_and_is_nearly_continuous)
+FACT(ls_5_6_meis_factor_starts_at_one_and_is_nearly_continuous)
 {
     static const double alpha[] = {0.005, 0.05, 0.4};
 
@@ -53,7 +51,6 @@ START_TEST(ls_5_6_meis_factor_starts_at_one_and_is_nearly_continuous)
         ck_assert_double_lt(saffman_factor(100.0, alpha[i]), 0.34);
     }
 }
-END_TEST
 
 /* One sphere in the middle of a shear u_x = G y with this slip along x, in a
  * fluid that does not feel it. */
@@ -102,7 +99,7 @@ static void act(struct simulation *sim)
 /* A particle that lags (w > 0) is lifted towards the faster fluid, one that
  * leads towards the slower, in a shear of either sign; the size is the
  * formula's to rounding. */
-START_TEST(ls_5_6_who_lags_goes_to_the_faster_side)
+FACT_FOR_EACH(ls_5_6_who_lags_goes_to_the_faster_side, 4)
 {
     const double G = _i % 2 ? 40.0 : -40.0, slip = _i / 2 ? 0.02 : -0.02;
     struct scene s = still();
@@ -118,11 +115,10 @@ START_TEST(ls_5_6_who_lags_goes_to_the_faster_side)
     ck_assert_double_eq_tol(sim->particles->ex[0], 0.0, 1e-12 * fabs(F[1]));
     discard(sim);
 }
-END_TEST
 
 /* u_a = G x_b of any two axes: the curl is along the third, with the sign of
  * their order. */
-START_TEST(ls_5_6_a_shear_along_any_axes_has_its_own_curl)
+FACT_FOR_EACH(ls_5_6_a_shear_along_any_axes_has_its_own_curl, 6)
 {
     const int a = _i / 2, b = (a + 1 + _i % 2) % 3, axis = 3 - a - b;
     const double G = 40.0, w[3] = {0.02, 0.01, -0.015};
@@ -148,12 +144,11 @@ START_TEST(ls_5_6_a_shear_along_any_axes_has_its_own_curl)
     ck_assert_double_eq_tol(ps->ez[0], F[2], size);
     discard(sim);
 }
-END_TEST
 
 /* With a gradient bandwidth the curl is that of a Gaussian: a wave of wave
  * number k has k exp(-(k b)^2 / 4) of it, where differences of the cells have
  * sin(k h) / h. The kernel ends at 3 b and is a sum over cells. */
-START_TEST(ew18_b_6_the_lift_of_a_wave_is_damped_as_the_kernel)
+FACT_FOR_EACH(ew18_b_6_the_lift_of_a_wave_is_damped_as_the_kernel, 2)
 {
     const double slip = 0.02, b = 1.25; /* [m/s], [-] cells */
     struct scene s = still();
@@ -174,13 +169,12 @@ START_TEST(ew18_b_6_the_lift_of_a_wave_is_damped_as_the_kernel)
                             _i ? 2e-3 : 1e-12);
     discard(sim);
 }
-END_TEST
 
 /* --- Magnus --------------------------------------------------------------- */
 
 /* (pi/8) rho d^3 w x Omega of Rubinow and Keller where Re is small; LS 5.7 with
  * their coefficient. */
-START_TEST(ls_5_7_slow_spin_is_rubinow_and_keller)
+FACT(ls_5_7_slow_spin_is_rubinow_and_keller)
 {
     const double rho = 1.2, mu = 1.8e-5, d = 1e-4;
     const double w[3] = {3e-6, -1e-6, 2e-6}, Omega[3] = {1e-3, 2e-3, -1e-3};
@@ -196,21 +190,19 @@ START_TEST(ls_5_7_slow_spin_is_rubinow_and_keller)
                             0.25 * M_PI * rho * d * d, 1e-20);
     ck_assert(spin_force(rho, 0.5, d, -2.0) == -spin_force(rho, 0.5, d, 2.0));
 }
-END_TEST
 
 /* Oesterle and Bui Dinh's coefficient tends to 0.45 for fast spins and
  * slips, where Rubinow and Keller's grows without limit. */
-START_TEST(ls_5_7_the_coefficient_of_a_fast_spin_levels_off)
+FACT(ls_5_7_the_coefficient_of_a_fast_spin_levels_off)
 {
     ck_assert_double_eq_tol(spin_lift_coefficient(1e-6, 2e-6), 2.0, 1e-3);
     ck_assert_double_eq_tol(spin_lift_coefficient(140.0, 1400.0), 0.45, 0.15);
 }
-END_TEST
 
 /* A ball with backspin, on its way along x: spin about z, lift along y. It is
  * the spin against the fluid that counts: a sphere that turns with a shear has
  * none. */
-START_TEST(ls_5_7_backspin_lifts_and_the_fluids_own_turn_does_not)
+FACT_FOR_EACH(ls_5_7_backspin_lifts_and_the_fluids_own_turn_does_not, 2)
 {
     const double G = _i ? 40.0 : 0.0;
     struct scene s = still();
@@ -225,14 +217,13 @@ START_TEST(ls_5_7_backspin_lifts_and_the_fluids_own_turn_does_not)
         ck_assert_double_gt(sim->particles->ey[0], 0.0);
     discard(sim);
 }
-END_TEST
 
 /* --- the torque ------------------------------------------------------------
  */
 
 /* In slow rotation I domega/dt = -pi mu d^3 Omega. The two branches meet at
  * Re_r = 32 within 0.2 %. */
-START_TEST(torque_is_pi_mu_d_cubed_in_slow_rotation)
+FACT(torque_is_pi_mu_d_cubed_in_slow_rotation)
 {
     const double rho = 1.2, mu = 1.8e-5, d = 1e-3, rho_s = 1000.0;
     const double I = M_PI * rho_s * gsl_pow_5(d) / 60.0;
@@ -243,11 +234,10 @@ START_TEST(torque_is_pi_mu_d_cubed_in_slow_rotation)
     ck_assert_double_eq_tol(
         spin_torque_factor(32.0 + 1e-9) / spin_torque_factor(32.0), 1.0, 2e-3);
 }
-END_TEST
 
 /* However long the step, the spin tends to half of the curl and does not swing
  * about it: exp(-r t) to rounding, in one step or in ten. */
-START_TEST(torque_takes_the_spin_to_that_of_the_fluid)
+FACT_FOR_EACH(torque_takes_the_spin_to_that_of_the_fluid, 2)
 {
     const double G = 40.0, omega = 10.0;
     struct scene s = still();
@@ -264,11 +254,10 @@ START_TEST(torque_takes_the_spin_to_that_of_the_fluid)
         -0.5 * G + (omega + 0.5 * G) * exp(-rate * 10.0 * s.dt), 1e-10);
     discard(sim);
 }
-END_TEST
 
 /* Without viscosity lift and torque are the limit of a small one, and none is
  * not a number: Mei's law at large Re, 0.45 for Magnus's, no torque. */
-START_TEST(ls_5_6_lifts_have_their_limit_without_viscosity)
+FACT(ls_5_6_lifts_have_their_limit_without_viscosity)
 {
     const double rho = 1.2, d = 1e-3, least = 1e-300;
     const double w[3] = {0.3, -0.1, 0.2}, turn[3] = {10.0, 20.0, -10.0};
@@ -286,7 +275,6 @@ START_TEST(ls_5_6_lifts_have_their_limit_without_viscosity)
     saffman_lift(rho, 0.0, d, (double[3]){0.0}, turn, at_0);
     ck_assert_double_eq(at_0[0], 0.0);
 }
-END_TEST
 
 /* --- the path of a spinning ball ------------------------------------------ */
 
@@ -304,7 +292,7 @@ static double miss(const struct orders_flight *o, int steps)
  * against the same equations by Runge and Kutta: order one, as of the drag
  * itself. With 400 steps it is found to a 2000th of what the lift bends it by.
  */
-START_TEST(ls_5_7_a_spinning_ball_flies_a_curve_of_order_one)
+FACT(ls_5_7_a_spinning_ball_flies_a_curve_of_order_one)
 {
     struct orders_flight o = orders_flight();
     double bent[ORDERS_Q], exact[ORDERS_Q];
@@ -327,22 +315,4 @@ START_TEST(ls_5_7_a_spinning_ball_flies_a_curve_of_order_one)
     orders_fly(&o, 400, exact, (double[ORDERS_Q]){0.0});
     ck_assert_double_lt(fine, 5e-4 * hypot(bent[ORDERS_X] - exact[ORDERS_X],
                                            bent[ORDERS_Y] - exact[ORDERS_Y]));
-}
-END_TEST
-
-FACTS("lift")
-{
-    FACT(ls_5_5_reynolds_number_of_a_shear);
-    FACT(ls_5_6_vector_form_is_the_printed_one);
-    FACT(ls_5_6_meis_factor_starts_at_one_and_is_nearly_continuous);
-    FACT_FOR_EACH(ls_5_6_who_lags_goes_to_the_faster_side, 4);
-    FACT_FOR_EACH(ls_5_6_a_shear_along_any_axes_has_its_own_curl, 6);
-    FACT_FOR_EACH(ew18_b_6_the_lift_of_a_wave_is_damped_as_the_kernel, 2);
-    FACT(ls_5_7_slow_spin_is_rubinow_and_keller);
-    FACT(ls_5_7_the_coefficient_of_a_fast_spin_levels_off);
-    FACT_FOR_EACH(ls_5_7_backspin_lifts_and_the_fluids_own_turn_does_not, 2);
-    FACT(torque_is_pi_mu_d_cubed_in_slow_rotation);
-    FACT_FOR_EACH(torque_takes_the_spin_to_that_of_the_fluid, 2);
-    FACT(ls_5_6_lifts_have_their_limit_without_viscosity);
-    FACT(ls_5_7_a_spinning_ball_flies_a_curve_of_order_one);
 }

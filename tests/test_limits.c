@@ -7,15 +7,14 @@
 #include "spheres.h"
 
 /* E 1.2e5 Pa, nu 0.33, rho 1000, d 1.2 mm [SX15 Table 1]; worked out apart. */
-START_TEST(ls_5_11_rayleigh_time_of_the_mueller_bed)
+FACT(ls_5_11_rayleigh_time_of_the_mueller_bed)
 {
     const double G = 1.2e5 / (2.0 * 1.33);
     ck_assert_double_eq_tol(
         limits_rayleigh(6e-4, 1000.0, G, 0.33) / 3.016274626753e-4, 1.0, 1e-12);
 }
-END_TEST
 
-START_TEST(linear_contact_time_does_not_depend_on_the_speed)
+FACT(linear_contact_time_does_not_depend_on_the_speed)
 {
     const struct contact_law *const law = contact_law_named("linear");
     const struct material m = {.stiffness = 1000.0, .restitution = 1.0};
@@ -25,10 +24,9 @@ START_TEST(linear_contact_time_does_not_depend_on_the_speed)
     ck_assert_double_eq_tol(t / (M_PI * sqrt(0.5 * mass / 1000.0)), 1.0, 1e-14);
     ck_assert_double_eq(t, limits_contact_time(law, &m, 1e-3, 1000.0, 0.1));
 }
-END_TEST
 
 /* t_c goes as v^(-1/5), and very slow impacts are bounded by Rayleigh. */
-START_TEST(hertz_step_grows_with_slowness_up_to_rayleigh)
+FACT(hertz_step_grows_with_slowness_up_to_rayleigh)
 {
     const struct contact_law *const law = contact_law_named("hertz");
     const struct material m = {
@@ -42,7 +40,6 @@ START_TEST(hertz_step_grows_with_slowness_up_to_rayleigh)
     ck_assert_double_eq_tol(limits_step(law, &m, 1.2e-3, 1000.0, 1e-6),
                             3.016274626753e-5, 1e-15);
 }
-END_TEST
 
 /* The restitution with `part` of the suggested step, if the contact begins at
  * that phase of a step. */
@@ -67,7 +64,7 @@ static double rebound(const struct contact_law *law, double e, double part,
 /* The error that contact.h states: the largest of twenty phases and of ten
  * steps, since it matters where within steps a contact begins and ends. Five
  * thirds of the step break it for either law. */
-START_TEST(suggested_step_keeps_restitution)
+FACT_FOR_EACH(suggested_step_keeps_restitution, 20)
 {
     const struct contact_law *const law = contact_laws[_i / 10];
     const double e = 0.1 * (_i % 10 + 1);
@@ -83,12 +80,11 @@ START_TEST(suggested_step_keeps_restitution)
     }
     ck_assert_double_le(worst, stated);
 }
-END_TEST
 
 /* An infinite contact time must not give an infinite step: at e = 0 there is no
  * rebound within three undamped contact times; with 1/25 of the contact time at
  * e = 1e-6 the spheres would shoot apart. */
-START_TEST(ls_4_11_suggested_step_resolves_critical_damping)
+FACT(ls_4_11_suggested_step_resolves_critical_damping)
 {
     for (int law = 0; law < 2; law++)
         for (int k = 0; k < 2; k++) {
@@ -111,10 +107,9 @@ START_TEST(ls_4_11_suggested_step_resolves_critical_damping)
             particles_free(ps);
         }
 }
-END_TEST
 
 /* Soft and fast: the contact lasts, but a longer step would miss it. */
-START_TEST(in_a_safe_step_nobody_moves_by_more_than_its_radius)
+FACT(in_a_safe_step_nobody_moves_by_more_than_its_radius)
 {
     const struct contact_law *const law = contact_law_named("linear");
     const struct material m = {.stiffness = 100.0, .restitution = 0.9};
@@ -124,15 +119,8 @@ START_TEST(in_a_safe_step_nobody_moves_by_more_than_its_radius)
     ck_assert_double_eq_tol(limits_step(law, &m, 1e-3, 1000.0, 300.0) / 1e-6,
                             1.0, 1e-14);
 }
-END_TEST
 
-FACTS("limits")
+FACTS
 {
     tcase_set_timeout(facts, 60);
-    FACT(ls_5_11_rayleigh_time_of_the_mueller_bed);
-    FACT(linear_contact_time_does_not_depend_on_the_speed);
-    FACT(hertz_step_grows_with_slowness_up_to_rayleigh);
-    FACT_FOR_EACH(suggested_step_keeps_restitution, 20);
-    FACT(in_a_safe_step_nobody_moves_by_more_than_its_radius);
-    FACT(ls_4_11_suggested_step_resolves_critical_damping);
 }

@@ -39,7 +39,7 @@ static void run(struct particles *ps, const struct dem_options *o, int steps)
     dem_free(dem);
 }
 
-START_TEST(cox67_force_begins_at_its_range_and_ends_at_the_roughness)
+FACT(cox67_force_begins_at_its_range_and_ends_at_the_roughness)
 {
     const double k = 6.0 * M_PI * mu * 0.25 * d * 0.25 * d;
     const double R = 0.25 * d;
@@ -51,14 +51,13 @@ START_TEST(cox67_force_begins_at_its_range_and_ends_at_the_roughness)
     ck_assert_double_eq(lubrication_coefficient(mu, R, 0.0, z_min, z_out),
                         lubrication_coefficient(mu, R, z_min, z_min, z_out));
 }
-END_TEST
 
 /* m* dv/dt = -c(z) v with dz/dt = v has dv/dz = -c(z)/m*: two spheres, or one
  * and a wall, lose K (ln(z_out/z_min) + z_min/z_out - 1) on the way from z_out
  * to z_min, K = 6 pi mu R*^2/m*, and K (1 - z_min/z_out) more until they touch.
  * Both loops of the particles. 0.1 %: the steps, 1/2000 of the way through
  * z_min each. */
-START_TEST(cox67_speed_lost_on_approach_is_the_logarithm_of_the_gaps)
+FACT_FOR_EACH(cox67_speed_lost_on_approach_is_the_logarithm_of_the_gaps, 4)
 {
     const struct attraction a = water(mu);
     const int wall = _i / 2;
@@ -94,11 +93,10 @@ START_TEST(cox67_speed_lost_on_approach_is_the_logarithm_of_the_gaps)
     if (!wall) ck_assert_double_eq(ps->vx[0], -ps->vx[1]);
     particles_free(ps);
 }
-END_TEST
 
 /* In honey a step of any length stops a sphere among twelve neighbours, none of
  * which is thrown anywhere: a pair takes at most half of its reduced mass. */
-START_TEST(lubrication_is_stable_however_stiff)
+FACT(lubrication_is_stable_however_stiff)
 {
     const struct attraction a = water(1e3);
     const struct dem_options o = with(&a, "verlet", 1e-5);
@@ -123,12 +121,4 @@ START_TEST(lubrication_is_stable_however_stiff)
         after += ps->vx[i] * ps->vx[i];
     ck_assert_double_lt(after, 0.5 * before);
     particles_free(ps);
-}
-END_TEST
-
-FACTS("lubrication")
-{
-    FACT(cox67_force_begins_at_its_range_and_ends_at_the_roughness);
-    FACT_FOR_EACH(cox67_speed_lost_on_approach_is_the_logarithm_of_the_gaps, 4);
-    FACT(lubrication_is_stable_however_stiff);
 }

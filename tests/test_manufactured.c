@@ -35,7 +35,7 @@ static struct manufactured_error run(struct manufactured a, int n)
 /* Step and mesh halved together: the velocity falls by four, the largest error
  * and the one at the walls, too. The pressure is that of the cell at a wall and
  * falls less there (Chapter "The flow, verified"). */
-START_TEST(a_flow_between_walls_has_order_two_in_u_and_more_than_one_in_p)
+FACT_FOR_EACH(a_flow_between_walls_has_order_two_in_u_and_more_than_one_in_p, 6)
 {
     const struct manufactured_error a = run(setting(_i), 12),
                                     b = run(setting(_i), 24);
@@ -45,10 +45,9 @@ START_TEST(a_flow_between_walls_has_order_two_in_u_and_more_than_one_in_p)
     ck_assert_double_gt(log2(a.p / b.p), 1.3);
     ck_assert_double_lt(b.u, 0.015);
 }
-END_TEST
 
 /* All at once: three directions, graded and sheared, walls on all sides. */
-START_TEST(so_it_has_in_three_dimensions_graded_and_sheared)
+FACT_FOR_EACH(so_it_has_in_three_dimensions_graded_and_sheared, 2)
 {
     struct manufactured a = setting(2);
     a.flat = 0;
@@ -61,7 +60,6 @@ START_TEST(so_it_has_in_three_dimensions_graded_and_sheared)
     ck_assert_double_gt(log2(coarse.u / fine.u), 1.7);
     ck_assert_double_gt(log2(coarse.p / fine.p), 1.0);
 }
-END_TEST
 
 /* The number of correctors that reduce the momentum residual to 1e-6, at the
  * end of five steps in which viscosity crosses a cell. */
@@ -90,18 +88,17 @@ static int correctors(double shear)
  * lags behind by a factor of s / sqrt(1 + s^2) a corrector, 0.45 and 0.71,
  * which is hardly slower than the rest. Taken from the corrector before it
  * would grow from s = 0.35 on. */
-START_TEST(non_orthogonal_links_need_few_more_correctors)
+FACT(non_orthogonal_links_need_few_more_correctors)
 {
     const int straight = correctors(0.0);
     ck_assert_int_le(correctors(0.5), straight + straight / 4);
     ck_assert_int_le(correctors(1.0), straight + straight / 2);
 }
-END_TEST
 
 /* The oblique part of the viscous stress is taken from what is known. The
  * extrapolation of BDF2 would grow where viscosity crosses cells within a step:
  * by x with x^2 + 2 r x - r = 0, r = 0.71 at 45 degrees. */
-START_TEST(two_step_schemes_are_stable_on_non_orthogonal_links)
+FACT(two_step_schemes_are_stable_on_non_orthogonal_links)
 {
     struct manufactured a = setting(3);
     a.steady = 1;
@@ -111,14 +108,8 @@ START_TEST(two_step_schemes_are_stable_on_non_orthogonal_links)
     a.end = 40.0 * a.dt;
     ck_assert_double_lt(manufactured_run(&a).u, 0.05);
 }
-END_TEST
 
-FACTS("made")
+FACTS
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(
-        a_flow_between_walls_has_order_two_in_u_and_more_than_one_in_p, 6);
-    FACT_FOR_EACH(so_it_has_in_three_dimensions_graded_and_sheared, 2);
-    FACT(non_orthogonal_links_need_few_more_correctors);
-    FACT(two_step_schemes_are_stable_on_non_orthogonal_links);
 }

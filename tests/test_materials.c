@@ -20,7 +20,7 @@ static const struct material steel = {.young = 208e9,
 
 /* 1/E* = 0.96/48e9 + 0.91/208e9 and 1/G* = 1.8/20e9 + 1.7/80e9, by hand. A
  * mean of the two moduli would give 6.7e10. */
-START_TEST(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both)
+FACT(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both)
 {
     const struct material_pair p = materials_mixed(&glass, &steel);
     const struct contact_constants k = contact_hertz.constants(&p);
@@ -28,19 +28,17 @@ START_TEST(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both)
     ck_assert_double_eq_tol(k.normal, 4.1025641e10, 1e3);
     ck_assert_double_eq_tol(k.tangential, 8.9887640e9, 1e3);
 }
-END_TEST
 
 /* 2/(1/1e4 + 1/3e4) = 1.5e4, and the value of two equal springs is that of
  * each. */
-START_TEST(ls_4_4_two_linear_springs_act_in_series)
+FACT(ls_4_4_two_linear_springs_act_in_series)
 {
     ck_assert_double_eq_tol(materials_mixed(&glass, &steel).stiffness, 1.5e4,
                             1e-8);
     ck_assert_double_eq(materials_mixed(&glass, &glass).stiffness, 1e4);
 }
-END_TEST
 
-START_TEST(what_is_not_measured_is_the_smaller_one)
+FACT(what_is_not_measured_is_the_smaller_one)
 {
     const struct material_pair p = materials_mixed(&glass, &steel);
 
@@ -48,11 +46,10 @@ START_TEST(what_is_not_measured_is_the_smaller_one)
     ck_assert_double_eq(p.friction, 0.3);
     ck_assert_double_eq(p.rolling, 0.0);
 }
-END_TEST
 
 /* Measured for 1 and 0, looked up for 0 and 1; only the given values are
  * used. */
-START_TEST(measured_pair_values_are_symmetric)
+FACT(measured_pair_values_are_symmetric)
 {
     const struct materials_measured m = {1, 0, -1.0, -1.0, 0.0, 0.7, -1.0};
     const struct materials all = {2, &steel, 1, &m, 0};
@@ -66,13 +63,12 @@ START_TEST(measured_pair_values_are_symmetric)
     ck_assert_double_eq(k[0].friction, 0.3);
     ck_assert_double_eq(k[3].friction, 0.5);
 }
-END_TEST
 
 /* A glass sphere on a steel wall, elastic, at 1 m/s: the energy of the sphere
  * is (8/15) E* sqrt(R) delta^(5/2) at the deepest, in closed form. 0.2 % is
  * what a 1000th of the collision leaves; with the modulus of glass alone, 10 %
  * less force, and with that of steel, 65 % more. */
-START_TEST(ls_4_7_a_glass_sphere_on_a_steel_wall_has_both_moduli)
+FACT(ls_4_7_a_glass_sphere_on_a_steel_wall_has_both_moduli)
 {
     const double R = 0.005, v = 1.0, E = 4.1025641e10;
     const struct materials_measured m = {0, 1, -1.0, -1.0, 1.0, -1.0, -1.0};
@@ -92,7 +88,6 @@ START_TEST(ls_4_7_a_glass_sphere_on_a_steel_wall_has_both_moduli)
     ck_assert_double_eq_tol(c.overlap * 2.0 * R / delta, 1.0, 2e-3);
     particles_free(ps);
 }
-END_TEST
 
 /* Speed that a sphere of the material keeps, from the wall or, if there is
  * one, from a sphere of the other material at rest. */
@@ -122,7 +117,7 @@ static double kept(const struct materials *all, int own, int other)
 
 /* Each partner has its own e; 1 % is what steps of 1/1500 of a contact and
  * the last, attractive moments leave. */
-START_TEST(each_pair_and_the_wall_have_their_own_restitution)
+FACT(each_pair_and_the_wall_have_their_own_restitution)
 {
     const struct materials_measured m[] = {{0, 1, -1, -1, 0.6, -1, -1},
                                            {1, 2, -1, -1, 0.4, -1, -1},
@@ -139,7 +134,6 @@ START_TEST(each_pair_and_the_wall_have_their_own_restitution)
     ck_assert_double_eq_tol(kept(&all, 1, -1), 0.4, 0.01);
     ck_assert_double_eq_tol(kept(&all, 2, -1), 0.9, 0.01);
 }
-END_TEST
 
 /* A cloud that collides, some of them with the walls. */
 static struct particles *stirred(const struct materials *all, int law,
@@ -167,7 +161,7 @@ static struct particles *stirred(const struct materials *all, int law,
 
 /* Three materials that are one, to the bit: the loop with a table computes
  * what the loop without one does. */
-START_TEST(equal_materials_are_one_material_bit_for_bit)
+FACT_FOR_EACH(equal_materials_are_one_material_bit_for_bit, 4)
 {
     struct material same[] = {glass, glass};
     same[0].young = same[1].young = 1e7;
@@ -185,16 +179,8 @@ START_TEST(equal_materials_are_one_material_bit_for_bit)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
-FACTS("materials")
+FACTS
 {
     omp_set_num_threads(1);
-    FACT(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both);
-    FACT(ls_4_4_two_linear_springs_act_in_series);
-    FACT(what_is_not_measured_is_the_smaller_one);
-    FACT(measured_pair_values_are_symmetric);
-    FACT(ls_4_7_a_glass_sphere_on_a_steel_wall_has_both_moduli);
-    FACT(each_pair_and_the_wall_have_their_own_restitution);
-    FACT_FOR_EACH(equal_materials_are_one_material_bit_for_bit, 4);
 }

@@ -8,7 +8,7 @@
 /* 1e9 + {4, 7, 13, 16}: mean 10, spread sqrt(22.5). The difference of sums of
  * squares would have lost all digits of the spread. The tolerance is rounding
  * of 1e9 (1e-7) and its effect on the spread. */
-START_TEST(mean_and_spread_keep_their_digits_far_from_zero)
+FACT(mean_and_spread_keep_their_digits_far_from_zero)
 {
     const double x[4] = {1e9 + 4.0, 1e9 + 7.0, 1e9 + 13.0, 1e9 + 16.0};
     struct mean *const m = mean_create(1);
@@ -20,10 +20,9 @@ START_TEST(mean_and_spread_keep_their_digits_far_from_zero)
     mean_free(m);
     mean_free(NULL);
 }
-END_TEST
 
 /* Weights 1, 2, 5 of 2, -1, 4: mean 20/8, spread from the definition. */
-START_TEST(weights_count_as_repetitions)
+FACT(weights_count_as_repetitions)
 {
     const double x[3] = {2.0, -1.0, 4.0}, w[3] = {1.0, 2.0, 5.0};
     struct mean *const weighted = mean_create(1);
@@ -41,10 +40,9 @@ START_TEST(weights_count_as_repetitions)
     mean_free(weighted);
     mean_free(repeated);
 }
-END_TEST
 
 /* A stretch of 3 dt weighs three times as much. */
-START_TEST(long_intervals_count_more)
+FACT(long_intervals_count_more)
 {
     struct mean *const m = mean_create(1);
 
@@ -53,10 +51,9 @@ START_TEST(long_intervals_count_more)
     ck_assert_double_eq(m->value[0], 2.0);
     mean_free(m);
 }
-END_TEST
 
 /* A sample of weight 0 may be nan: a velocity where nothing moves. */
-START_TEST(without_a_weight_nothing_counts)
+FACT(without_a_weight_nothing_counts)
 {
     const double x[2] = {7.0, 7.0}, nothing[2] = {NAN, NAN};
     const double first[2] = {0.0, 1.0}, never[2] = {0.0, 0.0};
@@ -70,9 +67,8 @@ START_TEST(without_a_weight_nothing_counts)
     ck_assert_double_eq(mean_spread(m, 1), 0.0);
     mean_free(m);
 }
-END_TEST
 
-START_TEST(the_state_carries_a_mean_over_an_interruption)
+FACT(the_state_carries_a_mean_over_an_interruption)
 {
     const double x[4] = {0.1, 0.7, 0.4, 0.9};
     struct mean *const through = mean_create(1), *const first = mean_create(1);
@@ -93,14 +89,4 @@ START_TEST(the_state_carries_a_mean_over_an_interruption)
     mean_free(through);
     mean_free(first);
     mean_free(second);
-}
-END_TEST
-
-FACTS("mean")
-{
-    FACT(mean_and_spread_keep_their_digits_far_from_zero);
-    FACT(weights_count_as_repetitions);
-    FACT(long_intervals_count_more);
-    FACT(without_a_weight_nothing_counts);
-    FACT(the_state_carries_a_mean_over_an_interruption);
 }

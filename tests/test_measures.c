@@ -73,7 +73,7 @@ static const char bubbles[] = "effects = { bubbles = { threshold = 0.8; "
 /* 4 x 3 cells and 2 x 2, which touch in a corner only; one cell, of a diameter
  * of 1.13 mm, is too small; what is at the top is no bubble, though it is
  * joined to cells far down. Volumes are sums of cells: rounding. */
-START_TEST(a_bubble_is_what_is_joined_by_faces_and_closed)
+FACT(a_bubble_is_what_is_joined_by_faces_and_closed)
 {
     struct simulation *const sim = build(bubbles);
 
@@ -89,11 +89,10 @@ START_TEST(a_bubble_is_what_is_joined_by_faces_and_closed)
     ck_assert_double_eq_tol(b[2], sqrt(4.0 * 12e-6 / M_PI), 1e-12);
     build_free(sim);
 }
-END_TEST
 
 /* Three rows high, one row a step: it is in the row from 8 to 9 mm for three
  * steps and is counted once, and so is the next one. */
-START_TEST(a_bubble_that_rises_passes_a_height_once)
+FACT(a_bubble_that_rises_passes_a_height_once)
 {
     struct simulation *const sim = build(bubbles);
 
@@ -105,7 +104,6 @@ START_TEST(a_bubble_that_rises_passes_a_height_once)
     }
     build_free(sim);
 }
-END_TEST
 
 static const char mixing[] = "effects = { mixing = { sample = 1.001e-3; "
                              "direction = [1.0, 0.0, 0.0]; }; };";
@@ -140,7 +138,7 @@ static int by_chance(int i, int n, gsl_rng *r)
 /* The two halves lie in bands of 1 mm in turn, near both ends of each. A sample
  * is as wide as a band, so that each has one kind and M = 0; with samples of
  * another width some have both. Tolerance: rounding. */
-START_TEST(lacey_of_what_is_not_mixed_is_zero)
+FACT(lacey_of_what_is_not_mixed_is_zero)
 {
     struct simulation *const sim = build(mixing);
     struct particles *const ps = sim->particles;
@@ -163,12 +161,11 @@ START_TEST(lacey_of_what_is_not_mixed_is_zero)
     free(before);
     build_free(sim);
 }
-END_TEST
 
 /* Random places give 1 on average, samples of any size; of 4000 draws of 400
  * in 10 samples the mean is known to 0.0002. With 1 / n of the mean sample in
  * place of (K - 1) / (N - 1) it is 1.0025, and without the random part 0.98. */
-START_TEST(lacey_of_random_places_is_one)
+FACT(lacey_of_random_places_is_one)
 {
     struct simulation *const sim = build(mixing);
     gsl_rng *const chance = gsl_rng_alloc(gsl_rng_mt19937);
@@ -183,13 +180,4 @@ START_TEST(lacey_of_random_places_is_one)
     ck_assert_double_gt(row(sim)[0], 0.99);
     gsl_rng_free(chance);
     build_free(sim);
-}
-END_TEST
-
-FACTS("measures")
-{
-    FACT(a_bubble_is_what_is_joined_by_faces_and_closed);
-    FACT(a_bubble_that_rises_passes_a_height_once);
-    FACT(lacey_of_what_is_not_mixed_is_zero);
-    FACT(lacey_of_random_places_is_one);
 }

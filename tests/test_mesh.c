@@ -33,7 +33,7 @@ static struct mesh *shape(int i)
                shapes[i].grading, shapes[i].periodic);
 }
 
-START_TEST(cell_volumes_fill_the_box)
+FACT_FOR_EACH(cell_volumes_fill_the_box, N_SHAPES)
 {
     struct mesh *const m = shape(_i);
     double sum = 0.0;
@@ -44,9 +44,8 @@ START_TEST(cell_volumes_fill_the_box)
     ck_assert_double_eq_tol(sum, 0.3 * 1.2 * 0.5, 1e-15); /* rounding */
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(outline_of_a_box_says_what_the_box_has)
+FACT_FOR_EACH(outline_of_a_box_says_what_the_box_has, N_SHAPES)
 {
     struct mesh *const m = shape(_i);
     const struct box_spec spec = {
@@ -92,19 +91,18 @@ START_TEST(outline_of_a_box_says_what_the_box_has)
     mesh_free(o);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(every_cell_is_closed_where_no_direction_is_periodic_with_one_cell)
+FACT_FOR_EACH(every_cell_is_closed_where_no_direction_is_periodic_with_one_cell,
+              N_SHAPES)
 {
     struct mesh *const m = shape(_i);
     ck_assert_double_lt(mesh_openness(m), 1e-15);
     mesh_free(m);
 }
-END_TEST
 
 /* Gauss: the sum over a cell's faces of x_f . S is 3 V; with x_f measured from
  * the cell centre it needs only links and weights, also across a period. */
-START_TEST(links_weights_and_areas_give_each_volume_back)
+FACT_FOR_EACH(links_weights_and_areas_give_each_volume_back, N_SHAPES)
 {
     struct mesh *const m = shape(_i);
     int directions[3] = {1, 1, 1};
@@ -123,9 +121,8 @@ START_TEST(links_weights_and_areas_give_each_volume_back)
     }
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(grading_is_the_ratio_of_the_last_cell_to_the_first)
+FACT(grading_is_the_ratio_of_the_last_cell_to_the_first)
 {
     struct mesh *const m = box(6, 5, 4, 5.0, 0);
     const double *const e = m->box.edge[0];
@@ -134,10 +131,9 @@ START_TEST(grading_is_the_ratio_of_the_last_cell_to_the_first)
                             1e-12);
     mesh_free(m);
 }
-END_TEST
 
 /* Faces, edges and corners are where a point could be owned twice or never. */
-START_TEST(every_point_of_the_box_has_exactly_one_owner)
+FACT_FOR_EACH(every_point_of_the_box_has_exactly_one_owner, N_SHAPES)
 {
     struct mesh *const m = shape(_i);
     const struct box *const b = &m->box;
@@ -160,7 +156,6 @@ START_TEST(every_point_of_the_box_has_exactly_one_owner)
     ck_assert_int_eq(hits, points);
     mesh_free(m);
 }
-END_TEST
 
 /* The point x along direction k, elsewhere in the middle of the first cell. */
 static int index_at(const struct mesh *m, int k, double x)
@@ -185,7 +180,8 @@ static void check_interval(const struct mesh *m, int k, int i)
 /* To the last bit: at its lower edge, within, and just below its upper edge.
  * On graded cells a division alone is wrong by whole cells, on equal ones for
  * many an edge, because an edge is a rounded number. */
-START_TEST(a_cell_owns_the_points_between_its_edges_to_the_last_bit)
+FACT_FOR_EACH(a_cell_owns_the_points_between_its_edges_to_the_last_bit,
+              N_SHAPES)
 {
     struct mesh *const m = shape(_i);
     for (int k = 0; k < 3; k++)
@@ -199,9 +195,8 @@ START_TEST(a_cell_owns_the_points_between_its_edges_to_the_last_bit)
         mesh_free(line);
     }
 }
-END_TEST
 
-START_TEST(a_point_on_a_face_belongs_to_the_cell_above_it)
+FACT(a_point_on_a_face_belongs_to_the_cell_above_it)
 {
     struct mesh *const m = box(4, 5, 1, 1.0, 0);
     const double y = m->box.edge[1][2];
@@ -213,9 +208,8 @@ START_TEST(a_point_on_a_face_belongs_to_the_cell_above_it)
     ck_assert_int_eq(mesh_cell_at(m, NAN, 0.1, 0.1), -1);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(a_periodic_direction_wraps_points)
+FACT(a_periodic_direction_wraps_points)
 {
     struct mesh *const m = box(4, 5, 3, 1.0, 1);
     const int c = mesh_cell_at(m, 0.01, 0.1, 0.1);
@@ -226,9 +220,8 @@ START_TEST(a_periodic_direction_wraps_points)
     ck_assert_ptr_null(mesh_patch(m, "left"));
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(patches_stand_where_their_names_say)
+FACT(patches_stand_where_their_names_say)
 {
     struct mesh *const m = box(4, 5, 3, 1.0, 0);
     const struct {
@@ -247,11 +240,10 @@ START_TEST(patches_stand_where_their_names_say)
     }
     mesh_free(m);
 }
-END_TEST
 
 /* A row of cells that are 1, 2 and 4 wide, 0.5 deep and 0.3 high: from a centre
  * to the middles of its faces it is half of each. */
-START_TEST(the_measures_of_a_graded_row_are_those_of_its_widths)
+FACT(the_measures_of_a_graded_row_are_those_of_its_widths)
 {
     const struct box_spec spec = {
         {0.3, 7.0, 0.5}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
@@ -267,11 +259,10 @@ START_TEST(the_measures_of_a_graded_row_are_those_of_its_widths)
     ck_assert_double_lt(q.non_orthogonal, 1e-5); /* acos of 1 to rounding */
     mesh_free(m);
 }
-END_TEST
 
 /* The same numbers from cells in a ring, where each face is within: the ends
  * are 4 and 1 wide, and the smallest cell comes last. */
-START_TEST(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes)
+FACT(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes)
 {
     const struct box_spec spec = {
         {7.0, 1.0, 1.0}, {3, 1, 1}, {0.25, 1.0, 1.0}, {1, 1, 1}};
@@ -282,12 +273,11 @@ START_TEST(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes)
     ck_assert_int_eq(q.n_small, 2);
     mesh_free(m);
 }
-END_TEST
 
 /* 0.5 x 0.25 x 2: the single cell in z has no neighbours, so that its size does
  * not count. Of the graded mesh the widest column in x crosses the narrowest
  * row in y. */
-START_TEST(the_longest_cell_is_as_long_as_its_links)
+FACT(the_longest_cell_is_as_long_as_its_links)
 {
     const struct box_spec even = {
         {2.0, 1.0, 2.0}, {4, 4, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -307,11 +297,10 @@ START_TEST(the_longest_cell_is_as_long_as_its_links)
     mesh_free(box);
     mesh_free(poly);
 }
-END_TEST
 
 /* With y / 2 added to x, links between rows lean by atan(1/2); the faces across
  * x lean by as much. The link of the rows crosses their face in its middle. */
-START_TEST(a_sheared_box_is_as_crooked_as_its_shear)
+FACT(a_sheared_box_is_as_crooked_as_its_shear)
 {
     const struct box_spec spec = {
         {1.0, 1.0, 1.0}, {2, 2, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -322,12 +311,11 @@ START_TEST(a_sheared_box_is_as_crooked_as_its_shear)
     ck_assert_double_eq_tol(q.growth, 1.0, 1e-12);
     mesh_free(m);
 }
-END_TEST
 
 /* A face's middle that stands aside by a tenth of the link, along it and
  * across it: only the second is skewness, as the weight says where the link
  * crosses. */
-START_TEST(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
+FACT(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
 {
     const struct box_spec spec = {
         {1.0, 3.0, 1.0}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
@@ -339,27 +327,4 @@ START_TEST(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
     ck_assert_double_eq_tol(q.skewness, 0.1, 1e-12);
     ck_assert_int_eq(q.n_skewed, m->owner[1]);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("mesh")
-{
-    FACT_FOR_EACH(cell_volumes_fill_the_box, N_SHAPES);
-    FACT_FOR_EACH(outline_of_a_box_says_what_the_box_has, N_SHAPES);
-    FACT_FOR_EACH(
-        every_cell_is_closed_where_no_direction_is_periodic_with_one_cell,
-        N_SHAPES);
-    FACT_FOR_EACH(links_weights_and_areas_give_each_volume_back, N_SHAPES);
-    FACT(grading_is_the_ratio_of_the_last_cell_to_the_first);
-    FACT_FOR_EACH(every_point_of_the_box_has_exactly_one_owner, N_SHAPES);
-    FACT_FOR_EACH(a_cell_owns_the_points_between_its_edges_to_the_last_bit,
-                  N_SHAPES);
-    FACT(a_point_on_a_face_belongs_to_the_cell_above_it);
-    FACT(a_periodic_direction_wraps_points);
-    FACT(patches_stand_where_their_names_say);
-    FACT(the_measures_of_a_graded_row_are_those_of_its_widths);
-    FACT(the_longest_cell_is_as_long_as_its_links);
-    FACT(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes);
-    FACT(a_sheared_box_is_as_crooked_as_its_shear);
-    FACT(skewness_is_the_way_from_the_link_to_the_middle_of_the_face);
 }

@@ -46,7 +46,7 @@ static void assemble(struct fluid *fl)
 /* Whatever eps and the fluxes are, and with them the residual of continuity:
  * for a uniform velocity the row is the time derivative alone. The terms are of
  * the size 1e3 kg/m^3 times 1e-2 m^3/s. */
-START_TEST(a_uniform_velocity_is_neither_convected_nor_sheared)
+FACT_FOR_EACH(a_uniform_velocity_is_neither_convected_nor_sheared, 2)
 {
     struct mesh *const m = box(1);
     struct fluid_options o = options(NULL);
@@ -70,9 +70,8 @@ START_TEST(a_uniform_velocity_is_neither_convected_nor_sheared)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(upwind_takes_the_velocity_upstream_and_viscosity_both)
+FACT(upwind_takes_the_velocity_upstream_and_viscosity_both)
 {
     struct mesh *const m = box(1);
     const struct fluid_options o = options(NULL);
@@ -93,11 +92,10 @@ START_TEST(upwind_takes_the_velocity_upstream_and_viscosity_both)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* The lid at y = 0.4 m moves along x: mu U A / (h / 2), with A = 0.2 x 0.05 m^2
  * and h = 0.1 m; the bottom is at rest, and the others let slip. */
-START_TEST(a_wall_pulls_with_its_velocity_over_half_a_cell)
+FACT(a_wall_pulls_with_its_velocity_over_half_a_cell)
 {
     struct mesh *const m = box(0);
     const double U = 3.0, D = 0.5 * 0.2 * 0.05 / 0.05;
@@ -133,10 +131,8 @@ START_TEST(a_wall_pulls_with_its_velocity_over_half_a_cell)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(
-    xs11_3_14_drag_adds_its_force_to_the_right_and_its_friction_to_the_left)
+FACT(xs11_3_14_drag_adds_its_force_to_the_right_and_its_friction_to_the_left)
 {
     struct mesh *const m = box(1);
     struct fluid_options o = options(NULL);
@@ -163,7 +159,6 @@ START_TEST(
     fluid_free(without);
     mesh_free(m);
 }
-END_TEST
 
 /* --- the account of momentum in the void-rate form ------------------------ */
 
@@ -213,7 +208,7 @@ static const struct {
 } exact[] = {
     {"euler", 0, 1.0}, {"euler", 1, 0.3}, {"bdf2", 1, 1.0}, {"bdf2", 2, 0.3}};
 
-START_TEST(void_rate_with_matching_flux_and_masses_relabels_no_momentum)
+FACT_FOR_EACH(void_rate_with_matching_flux_and_masses_relabels_no_momentum, 4)
 {
     struct mesh *const m = box(1);
     struct fluid *const fl = stirred(m, exact[_i].time, exact[_i].outer);
@@ -228,14 +223,13 @@ START_TEST(void_rate_with_matching_flux_and_masses_relabels_no_momentum)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* Without outer iterations the flux is that of the last step. If the step has
  * changed since, the mass that it brings in dt is not the change of eps over
  * the last step, and the rest is relabelled: rho u V d(eps) (1 - dt /
  * dt_older).
  */
-START_TEST(a_changed_step_relabels_the_change_of_eps_times_that_of_the_step)
+FACT(a_changed_step_relabels_the_change_of_eps_times_that_of_the_step)
 {
     struct mesh *const m = box(1);
     struct fluid *const fl = stirred(m, "euler", 0);
@@ -257,17 +251,4 @@ START_TEST(a_changed_step_relabels_the_change_of_eps_times_that_of_the_step)
     free(change);
     fluid_free(fl);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("momentum")
-{
-    FACT_FOR_EACH(a_uniform_velocity_is_neither_convected_nor_sheared, 2);
-    FACT(upwind_takes_the_velocity_upstream_and_viscosity_both);
-    FACT(a_wall_pulls_with_its_velocity_over_half_a_cell);
-    FACT(
-        xs11_3_14_drag_adds_its_force_to_the_right_and_its_friction_to_the_left);
-    FACT_FOR_EACH(void_rate_with_matching_flux_and_masses_relabels_no_momentum,
-                  4);
-    FACT(a_changed_step_relabels_the_change_of_eps_times_that_of_the_step);
 }

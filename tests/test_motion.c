@@ -87,7 +87,7 @@ static const struct motion all_at_once = {.from = 0.2,
                                           .spin = {0.5, 1.0, -2.0}};
 
 /* Central differences, 1e-5 s: their error is about 1e-9. */
-START_TEST(velocity_of_a_motion_is_its_derivative)
+FACT(velocity_of_a_motion_is_its_derivative)
 {
     const double start[3] = {1.0, 2.0, -0.5}, h = 1e-5;
 
@@ -106,9 +106,8 @@ START_TEST(velocity_of_a_motion_is_its_derivative)
         ck_assert_double_le(vector_length(v), motion_speed(&all_at_once, 3.0));
     }
 }
-END_TEST
 
-START_TEST(motion_leaves_distances_and_finds_back)
+FACT(motion_leaves_distances_and_finds_back)
 {
     const double one[3] = {1.0, 2.0, -0.5}, two[3] = {-0.4, 0.1, 0.7};
     const struct pose p = motion_pose(&all_at_once, 1.234);
@@ -123,7 +122,6 @@ START_TEST(motion_leaves_distances_and_finds_back)
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol(back[k], one[k], 1e-14);
 }
-END_TEST
 
 /* --- a table of it -------------------------------------------------------- */
 
@@ -140,7 +138,7 @@ static const char places[] = "t [s],x [m],z [m]\n0,3,1\n0.5,4,1\n2,3.1,-2\n",
 
 /* Every row is met, half of the way between two is at half of the time, and
  * what counts is the way from the first row. After the last it rests. */
-START_TEST(a_table_of_places_is_linear_between_its_rows)
+FACT(a_table_of_places_is_linear_between_its_rows)
 {
     struct motion_table *const table = table_of(places, 0);
     const struct motion m = {
@@ -163,10 +161,9 @@ START_TEST(a_table_of_places_is_linear_between_its_rows)
     }
     free(table);
 }
-END_TEST
 
 /* v = 4 t until 1 s, and falls to 0 until 3 s: ways of 2 and 4 m. */
-START_TEST(the_way_of_a_table_of_velocities_is_their_integral)
+FACT(the_way_of_a_table_of_velocities_is_their_integral)
 {
     struct motion_table *const table = table_of(velocities, 0);
     const struct motion m = {.table = table};
@@ -181,11 +178,10 @@ START_TEST(the_way_of_a_table_of_velocities_is_their_integral)
     ck_assert_double_eq(motion_speed(&m, 1.0), 4.0);
     free(table);
 }
-END_TEST
 
 /* A repeated table begins again from where it is: after n times it has gone n
  * times its way, without a jump. Its velocity is its derivative. */
-START_TEST(a_repeated_table_goes_on_from_where_it_is)
+FACT_FOR_EACH(a_repeated_table_goes_on_from_where_it_is, 2)
 {
     const double way = _i ? 6.0 : 0.1, length = _i ? 3.5 : 2.0, h = 1e-7;
     struct motion_table *const table = table_of(_i ? velocities : places, 1);
@@ -209,9 +205,8 @@ START_TEST(a_repeated_table_goes_on_from_where_it_is)
     }
     free(table);
 }
-END_TEST
 
-START_TEST(a_table_that_is_no_motion_is_refused)
+FACT(a_table_that_is_no_motion_is_refused)
 {
     static const char *const wrong[] = {"t,x\n0,0\n",
                                         "t,x\n0.1,0\n1,1\n",
@@ -229,11 +224,10 @@ START_TEST(a_table_that_is_no_motion_is_refused)
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(table_of(wrong[i], 0) == NULL, "%s", wrong[i]);
 }
-END_TEST
 
 /* One slope is a constant velocity: the same wall throws the same sphere, and
  * the same particle pushes it. */
-START_TEST(a_table_of_one_slope_is_a_velocity)
+FACT_FOR_EACH(a_table_of_one_slope_is_a_velocity, 2)
 {
     struct motion_table *const table = table_of("t v_y\n0 0.5\n9 0.5\n", 0);
     const struct motion m[2] = {{.velocity = {0.0, 0.5, 0.0}},
@@ -263,7 +257,6 @@ START_TEST(a_table_of_one_slope_is_a_velocity)
     ck_assert_double_eq_tol(w[1], w[0], 1e-9);
     free(table);
 }
-END_TEST
 
 /* --- walls ------------------------------------------------------------------
  */
@@ -271,7 +264,7 @@ END_TEST
 /* A moving wall gives (1 + e) V to a sphere that it hits; a triangle or a
  * plane. The step is a 1000th of the contact, whose damping costs it 1e-3 of
  * e. */
-START_TEST(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed)
+FACT_FOR_EACH(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 2)
 {
     const struct motion m = {.velocity = {0.0, 0.5, 0.0}};
     struct surface s = _i ? sheet(&m) : plate(&m);
@@ -288,10 +281,9 @@ START_TEST(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed)
     particles_free(ps);
     forget(&s);
 }
-END_TEST
 
 /* It rests until the clock is started, and before `from`. */
-START_TEST(a_moving_wall_is_at_rest_before_its_start)
+FACT(a_moving_wall_is_at_rest_before_its_start)
 {
     const struct motion m = {.from = 1.0, .velocity = {0.0, 0.5, 0.0}};
     struct surface s = plate(&m);
@@ -310,12 +302,11 @@ START_TEST(a_moving_wall_is_at_rest_before_its_start)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A solid sphere that rolls on a moving plate has 2/7 of the velocity of the
  * plate, as its inertia is 2/5 m R^2. The plate swings slowly beside the
  * contact's own frequency. */
-START_TEST(sphere_follows_a_swinging_plate_at_two_sevenths)
+FACT_FOR_EACH(sphere_follows_a_swinging_plate_at_two_sevenths, 2)
 {
     const struct motion m = {.amplitude = {0.02, 0.0, 0.0}, .frequency = 1.0};
     struct surface s = _i ? sheet(&m) : plate(&m);
@@ -337,11 +328,10 @@ START_TEST(sphere_follows_a_swinging_plate_at_two_sevenths)
     particles_free(ps);
     forget(&s);
 }
-END_TEST
 
 /* On a turntable a sphere rolls in a circle, at 2/7 of the table's rate, from
  * wherever it is and at whatever speed it starts. */
-START_TEST(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate)
+FACT_FOR_EACH(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 2)
 {
     const struct motion m = {.centre = {0.1, 0.0, 0.3},
                              .spin = {0.0, 3.0, 0.0}};
@@ -368,10 +358,9 @@ START_TEST(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate)
     particles_free(ps);
     forget(&s);
 }
-END_TEST
 
 /* In a turning drum it stays at the bottom and spins with the wall. */
-START_TEST(sphere_in_a_drum_spins_with_the_wall)
+FACT(sphere_in_a_drum_spins_with_the_wall)
 {
     const struct surface s = {.name = "drum",
                               .shape = &surface_cylinder,
@@ -391,11 +380,10 @@ START_TEST(sphere_in_a_drum_spins_with_the_wall)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A sphere lies on a lift, off its centre: the lift receives the weight and its
  * torque, and does m g h of work. */
-START_TEST(surface_accounts_for_force_torque_and_work)
+FACT_FOR_EACH(surface_accounts_for_force_torque_and_work, 2)
 {
     const struct motion m = {.velocity = {0.0, 0.2, 0.0},
                              .centre = {-0.1, 0.0, 0.2}};
@@ -419,12 +407,11 @@ START_TEST(surface_accounts_for_force_torque_and_work)
     particles_free(ps);
     forget(&s);
 }
-END_TEST
 
 /* --- particles of prescribed motion ------------------------------------------
  */
 
-START_TEST(prescribed_particle_is_free_and_then_circles)
+FACT(prescribed_particle_is_free_and_then_circles)
 {
     const struct prescribed_particle one = {
         .id = 0,
@@ -454,10 +441,9 @@ START_TEST(prescribed_particle_is_free_and_then_circles)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Without a velocity it is held where it is, against a push and a throw. */
-START_TEST(prescribed_particle_without_a_speed_is_held)
+FACT(prescribed_particle_without_a_speed_is_held)
 {
     const struct prescribed_particle one = {.id = 0, .motion = {.until = 0.5}};
     struct dem_options o = with(NULL, 1e-3);
@@ -478,7 +464,6 @@ START_TEST(prescribed_particle_without_a_speed_is_held)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A rough floor of 12 x 12 spheres that lie in a square, shaken and turned,
  * from 0.02 to 0.2 s, and 36 that fall on it. */
@@ -528,7 +513,7 @@ static struct particles *on_a_rough_floor(int n, int threads)
 }
 
 /* To the bit; and in the end all of them are free. */
-START_TEST(a_range_of_prescribed_particles_moves_as_each_of_them_alone)
+FACT_FOR_EACH(a_range_of_prescribed_particles_moves_as_each_of_them_alone, 2)
 {
     struct particles *const one = on_a_rough_floor(1, _i + 1);
     struct particles *const many = on_a_rough_floor(144, 1);
@@ -542,11 +527,10 @@ START_TEST(a_range_of_prescribed_particles_moves_as_each_of_them_alone)
     particles_free(one);
     particles_free(many);
 }
-END_TEST
 
 /* It acts on the others as a wall: (1 + e) V, although its mass is the same as
  * theirs. */
-START_TEST(prescribed_particle_repels_another_as_a_wall_does)
+FACT(prescribed_particle_repels_another_as_a_wall_does)
 {
     const struct prescribed_particle one = {
         .id = 0, .motion = {.velocity = {0.5, 0.0, 0.0}}};
@@ -565,10 +549,9 @@ START_TEST(prescribed_particle_repels_another_as_a_wall_does)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Of Heun's two halves each would take half of a step with its own velocity. */
-START_TEST(prescribed_particle_moves_alike_with_every_integrator)
+FACT_FOR_EACH(prescribed_particle_moves_alike_with_every_integrator, 3)
 {
     const double A = 0.1, f = 3.0, dt = 1e-3;
     const struct prescribed_particle one = {
@@ -591,12 +574,11 @@ START_TEST(prescribed_particle_moves_alike_with_every_integrator)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Moved into a plate by delta at V, and released: it has the elastic and the
  * kinetic energy, (1/2) k delta^2 + (1/2) m V^2. A per cent for the way of a
  * last step. */
-START_TEST(released_prescribed_particle_keeps_its_energy)
+FACT_FOR_EACH(released_prescribed_particle_keeps_its_energy, 3)
 {
     const double V = 0.01, until = 0.1, delta = V * until;
     const struct prescribed_particle one = {
@@ -622,13 +604,12 @@ START_TEST(released_prescribed_particle_keeps_its_energy)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A run that is cut and goes on with a new dem, its clock set: the state
  * consists of particles, tangential displacements and the time. The springs are
  * turned into the plane of contact once more, which changes their last bits,
  * and bouncing makes more of them. */
-START_TEST(a_prescribed_motion_depends_on_time_alone)
+FACT(a_prescribed_motion_depends_on_time_alone)
 {
     const struct motion m = {.centre = {0.1, 0.0, 0.3},
                              .amplitude = {0.0, 0.01, 0.0},
@@ -666,7 +647,6 @@ START_TEST(a_prescribed_motion_depends_on_time_alone)
     particles_free(ps[1]);
     forget(&s);
 }
-END_TEST
 
 /* --- a load ----------------------------------------------------------------
  */
@@ -699,7 +679,7 @@ static double compression(const struct dem_options *o, double W)
 /* A plate comes down on them from 1 mm above and rests where it exerts its
  * load, of either law, with every integrator, and with much damping: neither
  * above it by more than 1 % on the way, nor beside it at the end. */
-START_TEST(a_plate_rests_where_it_exerts_its_load)
+FACT_FOR_EACH(a_plate_rests_where_it_exerts_its_load, 12)
 {
     const double W = 100.0, top = 0.001;
     struct surface s = plate(&(struct motion){.from = 0.0});
@@ -730,31 +710,4 @@ START_TEST(a_plate_rests_where_it_exerts_its_load)
     ck_assert_double_le(most, 1.01 * W);
     dem_free(dem);
     particles_free(ps);
-}
-END_TEST
-
-FACTS("motion")
-{
-    FACT(velocity_of_a_motion_is_its_derivative);
-    FACT(motion_leaves_distances_and_finds_back);
-    FACT(a_table_of_places_is_linear_between_its_rows);
-    FACT(the_way_of_a_table_of_velocities_is_their_integral);
-    FACT_FOR_EACH(a_repeated_table_goes_on_from_where_it_is, 2);
-    FACT(a_table_that_is_no_motion_is_refused);
-    FACT_FOR_EACH(a_table_of_one_slope_is_a_velocity, 2);
-    FACT_FOR_EACH(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 2);
-    FACT(a_moving_wall_is_at_rest_before_its_start);
-    FACT_FOR_EACH(sphere_follows_a_swinging_plate_at_two_sevenths, 2);
-    FACT_FOR_EACH(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 2);
-    FACT(sphere_in_a_drum_spins_with_the_wall);
-    FACT_FOR_EACH(surface_accounts_for_force_torque_and_work, 2);
-    FACT(prescribed_particle_is_free_and_then_circles);
-    FACT(prescribed_particle_without_a_speed_is_held);
-    FACT_FOR_EACH(a_range_of_prescribed_particles_moves_as_each_of_them_alone,
-                  2);
-    FACT(prescribed_particle_repels_another_as_a_wall_does);
-    FACT_FOR_EACH(prescribed_particle_moves_alike_with_every_integrator, 3);
-    FACT_FOR_EACH(released_prescribed_particle_keeps_its_energy, 3);
-    FACT(a_prescribed_motion_depends_on_time_alone);
-    FACT_FOR_EACH(a_plate_rests_where_it_exerts_its_load, 12);
 }

@@ -107,7 +107,7 @@ static int smooth_iterations(int nx, int ny, int nz)
 
 /* Measured: 4 to 10. With coarse coefficients that are not divided by how much
  * their links grew it takes 9 to 34, and more on larger meshes. */
-START_TEST(iterations_do_not_grow_with_the_mesh)
+FACT(iterations_do_not_grow_with_the_mesh)
 {
     const int sizes[][3] = {{16, 16, 1},   {32, 32, 1},  {64, 64, 1},
                             {128, 128, 1}, {16, 16, 16}, {32, 32, 32},
@@ -121,9 +121,8 @@ START_TEST(iterations_do_not_grow_with_the_mesh)
                       sizes[s][1], sizes[s][2], n);
     }
 }
-END_TEST
 
-START_TEST(one_cell_and_two_cells_are_solved)
+FACT(one_cell_and_two_cells_are_solved)
 {
     const int sizes[][3] = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 2}};
 
@@ -135,10 +134,9 @@ START_TEST(one_cell_and_two_cells_are_solved)
             ck_assert_int_le(iterations(b, unit, NULL, PINNED), 2);
         }
 }
-END_TEST
 
 /* Measured: 6 to 9. Coarsening all directions alike takes 13 to 87. */
-START_TEST(flat_cells_cost_no_more)
+FACT(flat_cells_cost_no_more)
 {
     const double ratios[] = {2, 4, 10}; /* of lengths: 4, 16, 100 of S/d */
 
@@ -154,11 +152,10 @@ START_TEST(flat_cells_cost_no_more)
                 ck_assert_msg(n <= 14, "direction %d, %g: %d", k, h[k], n);
             }
 }
-END_TEST
 
 /* Widths that grow by 10 across the box: flat cells here, round ones there.
  * Measured: 9 to 12. */
-START_TEST(a_graded_box_costs_little_more)
+FACT(a_graded_box_costs_little_more)
 {
     const int cells[][3] = {{64, 64, 1}, {24, 24, 24}};
 
@@ -173,11 +170,10 @@ START_TEST(a_graded_box_costs_little_more)
             ck_assert_msg(n <= 15, "%d, direction %d: %d", s, k, n);
         }
 }
-END_TEST
 
 /* Measured: 7 to 11 (28 for 128^2): corrections constant on an aggregate do not
  * follow jumps. */
-START_TEST(jumps_of_1000_converge_within_30_iterations)
+FACT(jumps_of_1000_converge_within_30_iterations)
 {
     const int sizes[][3] = {
         {32, 32, 1}, {64, 64, 1}, {16, 16, 16}, {32, 32, 32}};
@@ -191,10 +187,9 @@ START_TEST(jumps_of_1000_converge_within_30_iterations)
         ck_assert_msg(n <= 30, "%d: %d iterations", s, n);
     }
 }
-END_TEST
 
 /* Without flux out the matrix is singular until one cell is held. */
-START_TEST(a_closed_box_with_one_cell_held_converges_as_fast)
+FACT(a_closed_box_with_one_cell_held_converges_as_fast)
 {
     const int sizes[][3] = {{64, 64, 1}, {20, 20, 20}, {18, 50, 4}};
 
@@ -208,10 +203,9 @@ START_TEST(a_closed_box_with_one_cell_held_converges_as_fast)
             ck_assert_msg(n <= 12, "%d, periodic %d: %d", s, periodic, n);
         }
 }
-END_TEST
 
 /* The right-hand side must add up to zero; then nothing needs to be held. */
-START_TEST(even_the_singular_system_converges)
+FACT(even_the_singular_system_converges)
 {
     struct links b = links_box(30, 20, 10, unit, (int[3]){0, 1, 1});
     struct csr *const A = diffusion(&b, NULL);
@@ -237,10 +231,9 @@ START_TEST(even_the_singular_system_converges)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
 /* Measured: 9 to 12, on aggregates that are no longer boxes. */
-START_TEST(cells_in_random_order_converge)
+FACT(cells_in_random_order_converge)
 {
     const int sizes[][3] = {{64, 64, 1}, {20, 20, 20}, {300, 1, 1}};
 
@@ -254,11 +247,10 @@ START_TEST(cells_in_random_order_converge)
         ck_assert_msg(n <= 20, "%d: %d iterations", s, n);
     }
 }
-END_TEST
 
 /* Nothing to coarsen and too many to solve directly: smoothing alone, which
  * leaves a little of what the diagonal would have solved. */
-START_TEST(unknowns_without_links_are_solved)
+FACT(unknowns_without_links_are_solved)
 {
     struct links b = links_cube(100, 1, 1);
 
@@ -286,11 +278,10 @@ START_TEST(unknowns_without_links_are_solved)
     csr_free(A);
     links_free(&b);
 }
-END_TEST
 
 /* x.My and y.Mx differ by the single precision inside: 1e-7 of a sum of terms
  * without order; a smoother that is not symmetric is off by 1e-2. */
-START_TEST(the_cycle_is_symmetric_and_positive)
+FACT(the_cycle_is_symmetric_and_positive)
 {
     for (int shuffled = 0; shuffled < 2; shuffled++) {
         struct links b = links_box(17, 12, 9, unit, (int[3]){0, 0, 1});
@@ -311,10 +302,9 @@ START_TEST(the_cycle_is_symmetric_and_positive)
         release(&c);
     }
 }
-END_TEST
 
 /* The update replaces all data of the previous matrix. */
-START_TEST(an_update_leaves_nothing_of_the_matrix_before)
+FACT(an_update_leaves_nothing_of_the_matrix_before)
 {
     struct cycle c = one_cycle(links_cube(20, 10, 10));
     struct csr *const other = diffusion(&c.b, NULL);
@@ -334,11 +324,10 @@ START_TEST(an_update_leaves_nothing_of_the_matrix_before)
     csr_free(other);
     release(&c);
 }
-END_TEST
 
 /* In SI units a pressure matrix may be of order 1e-12 and its residual of
  * order 1e-30: products of the two are lost in single precision. */
-START_TEST(units_do_not_matter)
+FACT(units_do_not_matter)
 {
     struct cycle c = one_cycle(links_cube(16, 16, 16));
     double *const z = alloc_doubles(c.b.n);
@@ -357,9 +346,8 @@ START_TEST(units_do_not_matter)
     free(z);
     release(&c);
 }
-END_TEST
 
-START_TEST(threads_do_not_change_a_bit)
+FACT(threads_do_not_change_a_bit)
 {
     struct cycle c = one_cycle(links_cube(50, 40, 30));
     double *const two = alloc_doubles(c.b.n);
@@ -372,23 +360,9 @@ START_TEST(threads_do_not_change_a_bit)
     free(two);
     release(&c);
 }
-END_TEST
 
-FACTS("multigrid")
+FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(iterations_do_not_grow_with_the_mesh);
-    FACT(one_cell_and_two_cells_are_solved);
-    FACT(flat_cells_cost_no_more);
-    FACT(a_graded_box_costs_little_more);
-    FACT(jumps_of_1000_converge_within_30_iterations);
-    FACT(a_closed_box_with_one_cell_held_converges_as_fast);
-    FACT(even_the_singular_system_converges);
-    FACT(cells_in_random_order_converge);
-    FACT(unknowns_without_links_are_solved);
-    FACT(the_cycle_is_symmetric_and_positive);
-    FACT(an_update_leaves_nothing_of_the_matrix_before);
-    FACT(units_do_not_matter);
-    FACT(threads_do_not_change_a_bit);
 }

@@ -25,7 +25,7 @@ static const char *copy(const char *name, char to[64])
         ck_assert_ptr_eq(named(copy((row)->name, name_)), row);                \
     } while (0)
 
-START_TEST(each_name_finds_its_own_row)
+FACT(each_name_finds_its_own_row)
 {
     for (int i = 0; averaging_methods[i] != NULL; i++)
         CHECK_ROW(averaging_method_named, averaging_methods[i]);
@@ -48,9 +48,8 @@ START_TEST(each_name_finds_its_own_row)
     for (int i = 0; sizes_laws[i] != NULL; i++)
         CHECK_ROW(sizes_law_named, sizes_laws[i]);
 }
-END_TEST
 
-START_TEST(a_name_that_no_row_has_finds_none)
+FACT(a_name_that_no_row_has_finds_none)
 {
     static const char *const wrong[] = {"", "Euler", "gausss", "upwin",
                                         "linear "};
@@ -66,11 +65,4 @@ START_TEST(a_name_that_no_row_has_finds_none)
         ck_assert_ptr_null(effect_named(wrong[i]));
         ck_assert_ptr_null(sizes_law_named(wrong[i]));
     }
-}
-END_TEST
-
-FACTS("named")
-{
-    FACT(each_name_finds_its_own_row);
-    FACT(a_name_that_no_row_has_finds_none);
 }

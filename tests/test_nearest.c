@@ -16,34 +16,30 @@ static const char *nearest_of(const char *wanted, struct nearest *n)
     return nearest_best(n);
 }
 
-START_TEST(edits_between_kitten_and_sitting_are_three)
+FACT(edits_between_kitten_and_sitting_are_three)
 {
     ck_assert_int_eq(nearest_edits("kitten", "sitting"), 3);
     ck_assert_int_eq(nearest_edits("", "abc"), 3);
     ck_assert_int_eq(nearest_edits("same", "same"), 0);
 }
-END_TEST
 
-START_TEST(edits_are_the_same_both_ways)
+FACT(edits_are_the_same_both_ways)
 {
     ck_assert_int_eq(nearest_edits("density", "destiny"),
                      nearest_edits("destiny", "density"));
 }
-END_TEST
 
-START_TEST(two_swapped_letters_are_one_edit)
+FACT(two_swapped_letters_are_one_edit)
 {
     ck_assert_int_eq(nearest_edits("friciton", "friction"), 1);
 }
-END_TEST
 
-START_TEST(capitals_are_no_edit)
+FACT(capitals_are_no_edit)
 {
     ck_assert_int_eq(nearest_edits("Density", "denSITY"), 0);
 }
-END_TEST
 
-START_TEST(misspelt_word_finds_the_one_meant)
+FACT(misspelt_word_finds_the_one_meant)
 {
     struct nearest n;
 
@@ -51,9 +47,8 @@ START_TEST(misspelt_word_finds_the_one_meant)
     ck_assert_str_eq(nearest_of("setp", &n), "step");
     ck_assert_str_eq(nearest_of("visc", &n), "viscosity");
 }
-END_TEST
 
-START_TEST(strange_word_finds_none)
+FACT(strange_word_finds_none)
 {
     struct nearest n;
     char lengthy[500];
@@ -64,15 +59,4 @@ START_TEST(strange_word_finds_none)
     ck_assert_ptr_null(nearest_of("", &n));
     ck_assert_ptr_null(nearest_of("x", &n));
     ck_assert_ptr_null(nearest_of(lengthy, &n));
-}
-END_TEST
-
-FACTS("nearest")
-{
-    FACT(edits_between_kitten_and_sitting_are_three);
-    FACT(edits_are_the_same_both_ways);
-    FACT(two_swapped_letters_are_one_edit);
-    FACT(capitals_are_no_edit);
-    FACT(misspelt_word_finds_the_one_meant);
-    FACT(strange_word_finds_none);
 }

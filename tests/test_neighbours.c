@@ -58,7 +58,8 @@ static const struct hunt {
 enum { N_HUNTS = sizeof hunts / sizeof *hunts };
 
 /* A pair that is listed late or never, or twice, changes the count. */
-START_TEST(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4)
+FACT_FOR_EACH(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4,
+              N_HUNTS)
 {
     const struct hunt *const h = &hunts[_i];
     struct particles *const ps =
@@ -87,7 +88,6 @@ START_TEST(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Two spheres fly apart at 1 m/s each: a list with a skin of 1 mm, for the
  * places where they are, is good for N = skin / (2 v dt) = 50 steps. As it is
@@ -95,7 +95,7 @@ END_TEST
  * anew in the step after that at the latest; as up to a quarter of the skin is
  * spent on margins it may last as long as N. Twice the speed, half the steps.
  */
-START_TEST(ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide)
+FACT(ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide)
 {
     for (int twice = 0; twice < 2; twice++) {
         struct particles *const ps = particles_create(2);
@@ -114,11 +114,10 @@ START_TEST(ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* The forces of 30 steps add up in another order, and a few collisions let
  * that grow from 1e-16; one contact overlooked for a step makes 1e-6. */
-START_TEST(ls_5_15_the_skin_changes_nothing_but_the_work)
+FACT(ls_5_15_the_skin_changes_nothing_but_the_work)
 {
     struct particles *cloud[2];
     long rebuilds[2];
@@ -144,7 +143,6 @@ START_TEST(ls_5_15_the_skin_changes_nothing_but_the_work)
     particles_free(cloud[0]);
     particles_free(cloud[1]);
 }
-END_TEST
 
 /* --- the history of a contact -----------------------------------------------
  */
@@ -240,20 +238,18 @@ static void survive(int open, double rolling)
     release(&busy);
 }
 
-START_TEST(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner)
+FACT_FOR_EACH(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 2)
 {
     survive(_i, 0.0);
 }
-END_TEST
 
-START_TEST(the_spring_of_rolling_survives_them_too)
+FACT_FOR_EACH(the_spring_of_rolling_survives_them_too, 2)
 {
     survive(_i, 0.2);
 }
-END_TEST
 
 /* The same over a wall: a sphere is pressed on the floor, spun and dragged. */
-START_TEST(ls_4_8_the_spring_of_a_wall_survives_rebuilds)
+FACT(ls_4_8_the_spring_of_a_wall_survives_rebuilds)
 {
     double x[2], w[2];
     long rebuilds[2];
@@ -281,12 +277,11 @@ START_TEST(ls_4_8_the_spring_of_a_wall_survives_rebuilds)
     ck_assert_double_eq_tol(x[0], x[1], 1e-13);
     ck_assert_double_eq_tol(w[0], w[1], 1e-8);
 }
-END_TEST
 
 /* --- sorting
  * ------------------------------------------------------------------ */
 
-START_TEST(what_belongs_to_a_particle_follows_it_when_particles_are_sorted)
+FACT(what_belongs_to_a_particle_follows_it_when_particles_are_sorted)
 {
     struct particles *const ps = spheres_cloud(6, 0.006, 1.0, 0.012, 3.0, 5);
     struct dem_options o = spheres_options(&contact_linear, 2e-5, 0.04);
@@ -320,14 +315,13 @@ START_TEST(what_belongs_to_a_particle_follows_it_when_particles_are_sorted)
     free(pair);
     free(d);
 }
-END_TEST
 
 /* --- threads
  * ------------------------------------------------------------------ */
 
 /* 4096 spheres: enough to be cut in four. Several runs of a few steps, as in
  * the coupling with a fluid. */
-START_TEST(thrown_spheres_have_the_same_bits_with_1_2_and_3_threads)
+FACT_FOR_EACH(thrown_spheres_have_the_same_bits_with_1_2_and_3_threads, 2)
 {
     struct particles *cloud[3];
     long rebuilds = 0;
@@ -362,7 +356,6 @@ START_TEST(thrown_spheres_have_the_same_bits_with_1_2_and_3_threads)
     for (int k = 0; k < 3; k++)
         particles_free(cloud[k]);
 }
-END_TEST
 
 /* In a single chunk the last particles touch the first ones across a period.
  * With few contacts these are computed with those of the first of its blocks,
@@ -370,7 +363,7 @@ END_TEST
  * lose. A cube of 10^3 spheres with gaps, of which some were moved into each
  * other: three pairs round the periods, four inside and at the beginning.
  * Tolerance: rounding. */
-START_TEST(contacts_round_a_period_push_both_spheres_alike)
+FACT(contacts_round_a_period_push_both_spheres_alike)
 {
     struct dem_options o = spheres_options(&contact_linear, 1e-5, 6.0);
     struct particles *const ps = particles_create(1000);
@@ -406,12 +399,11 @@ START_TEST(contacts_round_a_period_push_both_spheres_alike)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* With link cells the pairs are sought in each step, and the springs go from
  * step to step all the same: 216 spheres that collide with friction move alike,
  * up to the order of sums. */
-START_TEST(link_cells_move_particles_as_the_list_does)
+FACT_FOR_EACH(link_cells_move_particles_as_the_list_does, 2)
 {
     struct particles *moved[2];
     struct dem_report r[2];
@@ -440,13 +432,12 @@ START_TEST(link_cells_move_particles_as_the_list_does)
     particles_free(moved[0]);
     particles_free(moved[1]);
 }
-END_TEST
 
 /* Eight chunks, of which the upper four have contacts and the lower ones none.
  * Of 10, 20, 30 and 40 the middles are at 5, 20, 45 and 80 of 100, and the
  * third ends above the half; of 10, 20, 60 and 10 at 5, 20, 60 and 95, and the
  * third begins below it. */
-START_TEST(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work)
+FACT_FOR_EACH(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work, 2)
 {
     const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
     const int walls[3] = {0, 0, 0};
@@ -470,22 +461,9 @@ START_TEST(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work)
     neighbours_free(nb);
     particles_free(ps);
 }
-END_TEST
 
-FACTS("neighbours")
+FACTS
 {
     omp_set_num_threads(1);         /* more only where that is the question */
     tcase_set_timeout(facts, 20.0); /* threads wait long on a busy machine */
-    FACT_FOR_EACH(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4,
-                  N_HUNTS);
-    FACT(ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide);
-    FACT(ls_5_15_the_skin_changes_nothing_but_the_work);
-    FACT_FOR_EACH(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 2);
-    FACT_FOR_EACH(the_spring_of_rolling_survives_them_too, 2);
-    FACT(ls_4_8_the_spring_of_a_wall_survives_rebuilds);
-    FACT_FOR_EACH(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work, 2);
-    FACT(what_belongs_to_a_particle_follows_it_when_particles_are_sorted);
-    FACT_FOR_EACH(thrown_spheres_have_the_same_bits_with_1_2_and_3_threads, 2);
-    FACT(contacts_round_a_period_push_both_spheres_alike);
-    FACT_FOR_EACH(link_cells_move_particles_as_the_list_does, 2);
 }

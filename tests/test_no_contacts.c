@@ -38,7 +38,7 @@ static struct particles *pulled(const struct dem_options *o)
 }
 
 /* The same steps as of the other loops, in another order: rounding only. */
-START_TEST(ls_4_1_alone_a_particle_moves_as_with_a_list)
+FACT_FOR_EACH(ls_4_1_alone_a_particle_moves_as_with_a_list, 2)
 {
     struct dem_options o = apart(1e-3, 1.0);
     o.integrator =
@@ -56,12 +56,11 @@ START_TEST(ls_4_1_alone_a_particle_moves_as_with_a_list)
     particles_free(own);
     particles_free(listed);
 }
-END_TEST
 
 /* A ball falls from h and rises to e^2 h, whatever the step: here an impact
  * would last 0.1 ms, and a step is 1 ms. The budget holds up to the work of the
  * weight in the step of the impact, m g v dt. */
-START_TEST(ls_4_4_a_wall_gives_back_the_square_of_e)
+FACT(ls_4_4_a_wall_gives_back_the_square_of_e)
 {
     const double h = 1.0, g = 9.81, e = 0.7, dt = 1e-3;
     struct particles *const ps = particles_create(1);
@@ -89,10 +88,9 @@ START_TEST(ls_4_4_a_wall_gives_back_the_square_of_e)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Head-on: each goes on as if the other were not there, to the bit. */
-START_TEST(two_that_do_not_meet_pass_through_each_other)
+FACT(two_that_do_not_meet_pass_through_each_other)
 {
     const struct dem_options o = apart(1e-4, 1.0);
     double alone = 0.0;
@@ -114,10 +112,9 @@ START_TEST(two_that_do_not_meet_pass_through_each_other)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* Periodic directions lead round, walls hold; two threads do what one does. */
-START_TEST(a_cloud_stays_in_its_box_with_the_same_bits_for_any_threads)
+FACT(a_cloud_stays_in_its_box_with_the_same_bits_for_any_threads)
 {
     double sum[2] = {0.0, 0.0};
 
@@ -140,9 +137,8 @@ START_TEST(a_cloud_stays_in_its_box_with_the_same_bits_for_any_threads)
     }
     ck_assert_double_eq(sum[0], sum[1]);
 }
-END_TEST
 
-START_TEST(one_that_is_not_finite_is_lost_and_named)
+FACT(one_that_is_not_finite_is_lost_and_named)
 {
     const struct dem_options o = apart(1e-3, 1.0);
     struct particles *const ps = particles_create(2);
@@ -157,14 +153,4 @@ START_TEST(one_that_is_not_finite_is_lost_and_named)
     ck_assert_int_eq(r.lost_id, 1);
     dem_free(dem);
     particles_free(ps);
-}
-END_TEST
-
-FACTS("no_contacts")
-{
-    FACT_FOR_EACH(ls_4_1_alone_a_particle_moves_as_with_a_list, 2);
-    FACT(ls_4_4_a_wall_gives_back_the_square_of_e);
-    FACT(two_that_do_not_meet_pass_through_each_other);
-    FACT(a_cloud_stays_in_its_box_with_the_same_bits_for_any_threads);
-    FACT(one_that_is_not_finite_is_lost_and_named);
 }

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdint.h>
 
-START_TEST(numbers_are_as_short_as_they_can_be)
+FACT(numbers_are_as_short_as_they_can_be)
 {
     const struct {
         double x;
@@ -23,10 +23,9 @@ START_TEST(numbers_are_as_short_as_they_can_be)
     for (size_t i = 0; i < sizeof pair / sizeof pair[0]; i++)
         ck_assert_str_eq(number_text(pair[i].x, text), pair[i].text);
 }
-END_TEST
 
 /* Every tolerance is 0: 16 digits alone fail for about half of these. */
-START_TEST(numbers_read_back_to_the_same_bits)
+FACT(numbers_read_back_to_the_same_bits)
 {
     const double edges[] = {DBL_MIN, DBL_MAX, -DBL_MAX, 4.9e-324, 0.1 + 0.2};
     char text[NUMBER_LENGTH];
@@ -43,9 +42,8 @@ START_TEST(numbers_read_back_to_the_same_bits)
         ck_assert(isnan(x) || strtod(text, NULL) == x);
     }
 }
-END_TEST
 
-START_TEST(rounded_numbers_keep_so_many_digits)
+FACT(rounded_numbers_keep_so_many_digits)
 {
     char text[NUMBER_LENGTH];
 
@@ -53,9 +51,8 @@ START_TEST(rounded_numbers_keep_so_many_digits)
     ck_assert_str_eq(number_rounded(-1.0, 6, text), "-1");
     ck_assert_str_eq(number_rounded(NAN, 6, text), "nan");
 }
-END_TEST
 
-START_TEST(a_whole_number_out_of_range_is_refused_not_wrapped)
+FACT(a_whole_number_out_of_range_is_refused_not_wrapped)
 {
     const double beyond[] = {2147483648.0, -2147483649.0, 1e300,
                              INFINITY,     -INFINITY,     NAN};
@@ -71,9 +68,8 @@ START_TEST(a_whole_number_out_of_range_is_refused_not_wrapped)
     ck_assert(number_long(1e11, &many) == 0 && many == 100000000000);
     ck_assert(number_long(9.1e15, &many) != 0);
 }
-END_TEST
 
-START_TEST(a_clamped_number_stays_in_its_range_whatever_comes)
+FACT(a_clamped_number_stays_in_its_range_whatever_comes)
 {
     ck_assert_int_eq(number_clamped(2.9, 0, 5), 2);
     ck_assert_int_eq(number_clamped(-0.5, 0, 5), 0);
@@ -82,11 +78,10 @@ START_TEST(a_clamped_number_stays_in_its_range_whatever_comes)
     ck_assert_int_eq(number_clamped(-1e300, 0, 5), 0);
     ck_assert_int_eq(number_clamped(NAN, 0, 5), 0);
 }
-END_TEST
 
 /* A locale that writes 0,5, made by localedef, which warns of all that this
  * locale lacks. Where localedef cannot make it, the test is void. */
-START_TEST(the_decimal_point_is_a_point_in_every_language)
+FACT(the_decimal_point_is_a_point_in_every_language)
 {
     char dir[64], command[256], text[NUMBER_LENGTH];
 
@@ -108,15 +103,4 @@ START_TEST(the_decimal_point_is_a_point_in_every_language)
     ck_assert_str_eq(number_text(1234567.25, text), "1234567.25");
     ck_assert_str_eq(number_rounded(1234.5678, 6, text), "1234.57");
     scratch_clear(dir);
-}
-END_TEST
-
-FACTS("number")
-{
-    FACT(numbers_are_as_short_as_they_can_be);
-    FACT(numbers_read_back_to_the_same_bits);
-    FACT(rounded_numbers_keep_so_many_digits);
-    FACT(a_whole_number_out_of_range_is_refused_not_wrapped);
-    FACT(a_clamped_number_stays_in_its_range_whatever_comes);
-    FACT(the_decimal_point_is_a_point_in_every_language);
 }

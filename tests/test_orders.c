@@ -10,7 +10,7 @@
  * the particles that acts on the fluid a step late. The history force alone is
  * better: order 1.5, of the root of the time after the throw. The least error
  * is 1e-4; that no scene is exact by chance. */
-START_TEST(ls_5_8_order_in_the_step_of_each_force)
+FACT_FOR_EACH(ls_5_8_order_in_the_step_of_each_force, ORDERS)
 {
     const int n = orders_all[_i].steps;
     const int history = orders_all[_i].miss == orders_history;
@@ -24,7 +24,6 @@ START_TEST(ls_5_8_order_in_the_step_of_each_force)
     ck_assert_double_lt(fine, 3e-3);
     ck_assert_double_gt(fine, 1e-5);
 }
-END_TEST
 
 static const double ratios[] = {0.05, 0.1, 0.3, 1.0, 1.7, 2.65, 8.0, 50.0};
 
@@ -32,18 +31,15 @@ static const double ratios[] = {0.05, 0.1, 0.3, 1.0, 1.7, 2.65, 8.0, 50.0};
  * 20th of its density on to 50 times it: alone, and many in a closed box, where
  * the fluid takes up what they lose. 80 steps in two relaxation times: 4e-3;
  * without the history the slip is a fifth too small at the least. */
-START_TEST(ls_5_4_a_thrown_sphere_slows_as_boussinesq_basset_oseen)
+FACT_FOR_EACH(ls_5_4_a_thrown_sphere_slows_as_boussinesq_basset_oseen, 16)
 {
     const int two_way = _i / 8;
     const struct scene s = orders_spheres(two_way);
 
     ck_assert_double_lt(orders_relax(&s, ratios[_i % 8], 80), 4e-3);
 }
-END_TEST
 
-FACTS("orders")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(ls_5_8_order_in_the_step_of_each_force, ORDERS);
-    FACT_FOR_EACH(ls_5_4_a_thrown_sphere_slows_as_boussinesq_basset_oseen, 16);
 }

@@ -56,7 +56,7 @@ static void point(int i, double x[3])
 
 /* Beside faces, edges and corners, inside and outside. The nearest points of
  * both are the same up to rounding, which is 1e-16 of 1 m. */
-START_TEST(ew18_4_a_box_of_triangles_has_the_distance_of_a_box)
+FACT(ew18_4_a_box_of_triangles_has_the_distance_of_a_box)
 {
     struct body_outline *const o = box_of_triangles(middle);
     const struct body_shape box = body_shape_box(size),
@@ -70,7 +70,6 @@ START_TEST(ew18_4_a_box_of_triangles_has_the_distance_of_a_box)
     }
     body_outline_free(o);
 }
-END_TEST
 
 /* Twenty triangles of an icosahedron, each edge halved `times` times, on a
  * sphere of volume V. */
@@ -141,7 +140,7 @@ static double angle_of(const double t[3][3], const double x[3])
  * places are edges and corners, where the normal of a triangle alone has the
  * wrong side. The solid angle of the whole surface is 4 pi inside and 0
  * outside. */
-START_TEST(ew18_4_inside_and_outside_are_right_beside_any_corner)
+FACT(ew18_4_inside_and_outside_are_right_beside_any_corner)
 {
     double t[80][3][3];
     const char *trouble;
@@ -168,11 +167,10 @@ START_TEST(ew18_4_inside_and_outside_are_right_beside_any_corner)
     ck_assert_int_ge(within, 200);
     body_outline_free(o);
 }
-END_TEST
 
 /* A box that is moved away from the origin, and one whose normals point
  * inward. */
-START_TEST(ew18_3_moments_of_a_box_of_triangles)
+FACT(ew18_3_moments_of_a_box_of_triangles)
 {
     const double V = size[0] * size[1] * size[2];
 
@@ -201,7 +199,6 @@ START_TEST(ew18_3_moments_of_a_box_of_triangles)
         body_outline_free(o);
     }
 }
-END_TEST
 
 static const char *trouble_of(int n, double (*t)[3][3])
 {
@@ -212,7 +209,7 @@ static const char *trouble_of(int n, double (*t)[3][3])
     return o == NULL ? trouble : "none";
 }
 
-START_TEST(ew18_4_a_surface_that_is_not_closed_is_no_body)
+FACT(ew18_4_a_surface_that_is_not_closed_is_no_body)
 {
     double t[13][3][3];
 
@@ -226,7 +223,6 @@ START_TEST(ew18_4_a_surface_that_is_not_closed_is_no_body)
     memcpy(t[5][1], other, sizeof other);
     ck_assert_ptr_nonnull(strstr(trouble_of(12, t), "opposite sides"));
 }
-END_TEST
 
 /* Two spheres of different sizes, which overlap or not. */
 static struct body_outline *dumbbell(double way, struct body_ball ball[2])
@@ -236,7 +232,7 @@ static struct body_outline *dumbbell(double way, struct body_ball ball[2])
     return clump_create(2, ball);
 }
 
-START_TEST(ew18_4_two_spheres_have_the_distance_of_the_nearer_one)
+FACT(ew18_4_two_spheres_have_the_distance_of_the_nearer_one)
 {
     struct body_ball ball[2];
     struct body_outline *const o = dumbbell(0.25, ball);
@@ -254,13 +250,12 @@ START_TEST(ew18_4_two_spheres_have_the_distance_of_the_nearer_one)
     }
     body_outline_free(o);
 }
-END_TEST
 
 /* A clump of so many spheres that most have to be passed over with many others.
  * The distance is that of the nearest one to the last bit. Of a ball of radius
  * R filled with spheres that reach out to its surface the union has the volume
  * of the ball, but for what is between them there: less than 2 %. */
-START_TEST(ew18_4_a_clump_of_many_spheres_is_found_in_a_tree)
+FACT(ew18_4_a_clump_of_many_spheres_is_found_in_a_tree)
 {
     enum { N = 6000 };
     const double R = 0.4, most = 0.1;
@@ -288,11 +283,10 @@ START_TEST(ew18_4_a_clump_of_many_spheres_is_found_in_a_tree)
     body_outline_free(o);
     free(ball);
 }
-END_TEST
 
 /* Where they overlap, the lens counts once: two caps of the heights h, pi h^2
  * (R - h/3). The columns leave 1e-5 of it. */
-START_TEST(ew18_3_moments_of_two_spheres)
+FACT(ew18_3_moments_of_two_spheres)
 {
     struct body_ball ball[2];
     struct body_outline *o = dumbbell(0.4, ball);
@@ -314,7 +308,6 @@ START_TEST(ew18_3_moments_of_two_spheres)
     ck_assert_double_eq_tol(o->volume / (V - lens), 1.0, 1e-5);
     body_outline_free(o);
 }
-END_TEST
 
 /* --- in the fluid ----------------------------------------------------------
  */
@@ -344,7 +337,7 @@ static double flow_around(const struct body_shape *shape)
 
 /* Nine cells in the diameter. 1280 triangles of the same volume are within
  * 0.4 % of the radius from the sphere. */
-START_TEST(ew18_4_a_sphere_of_triangles_has_the_drag_of_a_sphere)
+FACT(ew18_4_a_sphere_of_triangles_has_the_drag_of_a_sphere)
 {
     static double t[1280][3][3];
     const double d = cbrt(6.0 * 0.216 / M_PI);
@@ -359,17 +352,15 @@ START_TEST(ew18_4_a_sphere_of_triangles_has_the_drag_of_a_sphere)
     ck_assert_double_eq_tol(flow_around(&same) / flow_around(&sphere), 1.0,
                             2e-3);
 }
-END_TEST
 
 /* The distances agree to rounding; the solver stops at 1e-10. */
-START_TEST(ew18_4_a_box_of_triangles_has_the_drag_of_a_box)
+FACT(ew18_4_a_box_of_triangles_has_the_drag_of_a_box)
 {
     const struct body_shape box = body_shape_box(size),
                             same = body_shape_outline(box_of_triangles(middle));
 
     ck_assert_double_eq_tol(flow_around(&same) / flow_around(&box), 1.0, 1e-7);
 }
-END_TEST
 
 static void fall(struct pool *p, const struct body_shape *shape, int steps)
 {
@@ -390,7 +381,7 @@ static void fall(struct pool *p, const struct body_shape *shape, int steps)
 
 /* Held, the same bits. A free one spins by rounding, 1e-15 rad/s, and is turned
  * by it: then the distances of its surface round otherwise. */
-START_TEST(ew18_2_a_clump_of_one_sphere_is_the_sphere)
+FACT(ew18_2_a_clump_of_one_sphere_is_the_sphere)
 {
     const struct body_ball ball = {.R = 0.2};
     const struct body_shape sphere = body_shape_sphere(0.4),
@@ -409,7 +400,6 @@ START_TEST(ew18_2_a_clump_of_one_sphere_is_the_sphere)
     pool_free(&a);
     pool_free(&c);
 }
-END_TEST
 
 /* --- motion ----------------------------------------------------------------
  */
@@ -417,7 +407,7 @@ END_TEST
 /* m G w without a torque, also where half of its mass is fluid that has to turn
  * with it: 10 rad/s for 1.6 turns. The error of the energy is 6.1e-7, of
  * second order; explicit Euler's is 4.3e-3. The momentum has rounding alone. */
-START_TEST(ew18_3_a_clump_that_tumbles_keeps_momentum_and_energy)
+FACT_FOR_EACH(ew18_3_a_clump_that_tumbles_keeps_momentum_and_energy, 2)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {4, 4, 4},
@@ -451,7 +441,6 @@ START_TEST(ew18_3_a_clump_that_tumbles_keeps_momentum_and_energy)
     ck_assert_double_ge(fabs(ps->wy[0] - 8.0), 0.5); /* it does tumble */
     pool_free(&p);
 }
-END_TEST
 
 /* A clump and a sphere that it hits with one end; a clump and a clump. */
 static struct solid_bodies *pair_of_bodies(struct pool *p, int of_clumps)
@@ -507,7 +496,7 @@ static void add_up(const struct solid_bodies *b, double P[3], double L[3])
 
 /* In the moment of the impact: the impulses are equal and opposite and act in
  * one place. */
-START_TEST(ls_4_4_contacts_of_clumps_keep_momentum_linear_and_angular)
+FACT_FOR_EACH(ls_4_4_contacts_of_clumps_keep_momentum_linear_and_angular, 2)
 {
     struct pool p;
     struct solid_bodies *const b = pair_of_bodies(&p, _i);
@@ -527,10 +516,9 @@ START_TEST(ls_4_4_contacts_of_clumps_keep_momentum_linear_and_angular)
     }
     pool_free(&p);
 }
-END_TEST
 
 /* The film does not turn a motion round, and takes nothing of the momentum. */
-START_TEST(cox67_a_film_between_clumps_slows_them_down)
+FACT_FOR_EACH(cox67_a_film_between_clumps_slows_them_down, 2)
 {
     struct pool p;
     struct solid_bodies *const b = pair_of_bodies(&p, _i);
@@ -548,23 +536,4 @@ START_TEST(cox67_a_film_between_clumps_slows_them_down)
         ck_assert_double_eq_tol(L[k], L_0[k], 1e-15);
     }
     pool_free(&p);
-}
-END_TEST
-
-FACTS("outlines")
-{
-    FACT(ew18_4_a_box_of_triangles_has_the_distance_of_a_box);
-    FACT(ew18_4_inside_and_outside_are_right_beside_any_corner);
-    FACT(ew18_3_moments_of_a_box_of_triangles);
-    FACT(ew18_4_a_surface_that_is_not_closed_is_no_body);
-    FACT(ew18_4_two_spheres_have_the_distance_of_the_nearer_one);
-    FACT(ew18_4_a_clump_of_many_spheres_is_found_in_a_tree);
-    FACT(ew18_3_moments_of_two_spheres);
-    FACT(ew18_4_a_sphere_of_triangles_has_the_drag_of_a_sphere);
-    FACT(ew18_4_a_box_of_triangles_has_the_drag_of_a_box);
-    FACT(ew18_2_a_clump_of_one_sphere_is_the_sphere);
-    FACT_FOR_EACH(ew18_3_a_clump_that_tumbles_keeps_momentum_and_energy, 2);
-    FACT_FOR_EACH(ls_4_4_contacts_of_clumps_keep_momentum_linear_and_angular,
-                  2);
-    FACT_FOR_EACH(cox67_a_film_between_clumps_slows_them_down, 2);
 }

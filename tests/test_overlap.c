@@ -8,7 +8,7 @@
 
 static const double ball = 4.0 / 3.0 * M_PI;
 
-START_TEST(an_eighth_a_quarter_a_half_and_all_of_a_ball)
+FACT(an_eighth_a_quarter_a_half_and_all_of_a_ball)
 {
     ck_assert_double_eq_tol(overlap_octant(0, 0, 0), ball / 8.0, 1e-15);
     ck_assert_double_eq_tol(overlap_octant(-1, 0, 0), ball / 4.0, 1e-15);
@@ -17,10 +17,9 @@ START_TEST(an_eighth_a_quarter_a_half_and_all_of_a_ball)
     ck_assert(overlap_octant(1, 0, 0) == 0.0);
     ck_assert(overlap_octant(0.6, 0.6, 0.6) == 0.0); /* corner outside */
 }
-END_TEST
 
 /* A cap of height h is pi h^2 (3 - h) / 3. */
-START_TEST(a_plane_cuts_off_a_cap)
+FACT(a_plane_cuts_off_a_cap)
 {
     for (double a = -0.9; a < 1.0; a += 0.3) {
         const double h = 1.0 - a;
@@ -28,7 +27,6 @@ START_TEST(a_plane_cuts_off_a_cap)
                                 M_PI / 3.0 * h * h * (3.0 - h), 1e-14);
     }
 }
-END_TEST
 
 /* Sum over columns of width 1/1000, each with its length in z: the error is
  * that of a midpoint rule with a root at its ends, about 1e-5. */
@@ -48,7 +46,7 @@ static double by_columns(double a, double b, double c)
     return sum * h * h;
 }
 
-START_TEST(the_closed_form_is_the_integral)
+FACT_FOR_EACH(the_closed_form_is_the_integral, 8)
 {
     static const double at[][3] = {{0.1, 0.2, 0.3},    {0.5, 0.5, 0.5},
                                    {-0.4, 0.3, 0.6},   {-0.2, -0.7, 0.1},
@@ -59,10 +57,9 @@ START_TEST(the_closed_form_is_the_integral)
     ck_assert_double_eq_tol(overlap_octant(p[0], p[1], p[2]),
                             by_columns(p[0], p[1], p[2]), 3e-5);
 }
-END_TEST
 
 /* The order of the three planes does not matter. */
-START_TEST(the_axes_are_alike)
+FACT(the_axes_are_alike)
 {
     uint64_t state = 5;
 
@@ -75,12 +72,11 @@ START_TEST(the_axes_are_alike)
         ck_assert_double_eq_tol(overlap_octant(b, a, c), v, 1e-14);
     }
 }
-END_TEST
 
 /* Planes anywhere cut space into boxes: their parts add up to the ball, and no
  * part is negative or more than its box. Also with planes just touching the
  * ball, through its centre, and boxes much smaller than the ball. */
-START_TEST(the_parts_of_a_ball_in_boxes_add_up_to_it)
+FACT_FOR_EACH(the_parts_of_a_ball_in_boxes_add_up_to_it, 24)
 {
     static const double radius[] = {0.3, 0.5, 1.0, 2.5};
     const double R = radius[_i % 4];
@@ -110,12 +106,11 @@ START_TEST(the_parts_of_a_ball_in_boxes_add_up_to_it)
     ck_assert_double_eq_tol(sum, ball * R * R * R, 1e-12);
     ck_assert_double_eq_tol(cube, 8.0 * R * R * R, 1e-12);
 }
-END_TEST
 
 /* A ball cut by all cells at once is that cut by each: cells of random widths,
  * wholly inside, beside, across; planes found by two sums that round. More
  * planes than the grid can hold are refused. */
-START_TEST(corners_that_cells_share_are_found_once)
+FACT_FOR_EACH(corners_that_cells_share_are_found_once, 8)
 {
     struct overlap_grid g;
     double edge[3][9];
@@ -149,15 +144,4 @@ START_TEST(corners_that_cells_share_are_found_once)
         const double lo[3] = {x, -2.0, -2.0}, hi[3] = {2.0, 2.0, 2.0};
         ck_assert_int_eq(overlap_grid_add(&g, lo, hi), i < OVERLAP_PLANES);
     }
-}
-END_TEST
-
-FACTS("overlap")
-{
-    FACT(an_eighth_a_quarter_a_half_and_all_of_a_ball);
-    FACT(a_plane_cuts_off_a_cap);
-    FACT_FOR_EACH(the_closed_form_is_the_integral, 8);
-    FACT(the_axes_are_alike);
-    FACT_FOR_EACH(the_parts_of_a_ball_in_boxes_add_up_to_it, 24);
-    FACT_FOR_EACH(corners_that_cells_share_are_found_once, 8);
 }

@@ -11,7 +11,7 @@ static struct box_domain box_of(double half, int periodic)
     return box_domain_of(lo, hi, flags);
 }
 
-START_TEST(the_deepest_pair_is_found_also_across_a_seam)
+FACT_FOR_EACH(the_deepest_pair_is_found_also_across_a_seam, 2)
 {
     const struct box_domain box = box_of(0.1, _i);
     struct particles *const ps = particles_create(4);
@@ -26,11 +26,10 @@ START_TEST(the_deepest_pair_is_found_also_across_a_seam)
     ck_assert_double_eq_tol(found.depth, _i ? 1.0 - 2.8 / 15.0 : 0.05, 1e-12);
     particles_free(ps);
 }
-END_TEST
 
 /* The pair that comparing each with each finds, also where all are in a plane
  * across an axis, or around a period; among many it is found at once. */
-START_TEST(the_deepest_of_many_is_that_of_all_pairs)
+FACT_FOR_EACH(the_deepest_of_many_is_that_of_all_pairs, 6)
 {
     const int along = _i % 3, periodic[3] = {_i > 2, _i > 2, _i > 2};
     const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
@@ -66,9 +65,8 @@ START_TEST(the_deepest_of_many_is_that_of_all_pairs)
     ck_assert_double_eq(found.depth, all.depth);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(touching_is_not_overlapping)
+FACT(touching_is_not_overlapping)
 {
     const struct box_domain box = box_of(0.1, 0);
     struct particles *const ps = particles_create(2);
@@ -80,11 +78,10 @@ START_TEST(touching_is_not_overlapping)
     ck_assert_double_lt(overlaps_deepest(ps, &box).depth, 1e-14);
     particles_free(ps);
 }
-END_TEST
 
 /* 100 spheres thrown into a box, 12 % of it, many of them deep in each other
  * and two in one place: none is after, and all are inside. */
-START_TEST(spheres_are_moved_apart_and_stay_inside)
+FACT_FOR_EACH(spheres_are_moved_apart_and_stay_inside, 2)
 {
     const struct box_domain box = box_of(0.02, _i);
     struct particles *const ps = particles_create(102);
@@ -103,9 +100,8 @@ START_TEST(spheres_are_moved_apart_and_stay_inside)
         ck_assert_double_le(fabs(ps->y[i]) + 0.5 * ps->d[i], 0.02 + 1e-15);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(insertion_without_space_is_reported)
+FACT(insertion_without_space_is_reported)
 {
     const struct box_domain box = box_of(0.01, 0);
     struct particles *const ps = particles_create(20);
@@ -114,14 +110,4 @@ START_TEST(insertion_without_space_is_reported)
         spheres_add(ps, 1e-4 * k, 0, 0, 0.01);
     ck_assert_int_eq(overlaps_relax(ps, &box, 200), -1);
     particles_free(ps);
-}
-END_TEST
-
-FACTS("overlaps")
-{
-    FACT_FOR_EACH(the_deepest_pair_is_found_also_across_a_seam, 2);
-    FACT_FOR_EACH(the_deepest_of_many_is_that_of_all_pairs, 6);
-    FACT(touching_is_not_overlapping);
-    FACT_FOR_EACH(spheres_are_moved_apart_and_stay_inside, 2);
-    FACT(insertion_without_space_is_reported);
 }

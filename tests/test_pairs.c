@@ -36,7 +36,7 @@ static void release(struct step *s)
 
 /* A box of twice the size: volumes times 8, lengths times 2, S/d times 2. The
  * numbers are sums of powers of two: exact. */
-START_TEST(a_box_becomes_the_box_of_half_as_many_cells)
+FACT(a_box_becomes_the_box_of_half_as_many_cells)
 {
     struct step s = coarsen(links_cube(8, 6, 4));
     struct links half = links_cube(4, 3, 2);
@@ -57,9 +57,8 @@ START_TEST(a_box_becomes_the_box_of_half_as_many_cells)
     links_free(&half);
     release(&s);
 }
-END_TEST
 
-START_TEST(a_cell_left_over_joins_the_pair_beside_it)
+FACT(a_cell_left_over_joins_the_pair_beside_it)
 {
     struct step s = coarsen(links_cube(5, 1, 1));
     const int parent[5] = {0, 0, 1, 1, 1};
@@ -69,10 +68,9 @@ START_TEST(a_cell_left_over_joins_the_pair_beside_it)
     ck_assert_double_eq_tol(graph_length(s.coarse, 0), 2.5, 1e-15);
     release(&s);
 }
-END_TEST
 
 /* Cells 4 times as long as wide: S/d is 1/16 along x of that across. */
-START_TEST(flat_cells_are_joined_across_their_flat_sides_only)
+FACT(flat_cells_are_joined_across_their_flat_sides_only)
 {
     const double h[3] = {4, 1, 1};
     struct step s = coarsen(links_box(4, 4, 1, h, closed));
@@ -82,11 +80,10 @@ START_TEST(flat_cells_are_joined_across_their_flat_sides_only)
         ck_assert_int_eq(s.parent[c], c % 4 + 4 * (c / 8));
     release(&s);
 }
-END_TEST
 
 /* In a periodic row of four cells two aggregates touch twice: straight and
  * through the sides. One bundle of both would have length zero. */
-START_TEST(links_through_a_periodic_side_stay_apart)
+FACT(links_through_a_periodic_side_stay_apart)
 {
     struct step s = coarsen(links_box(4, 1, 1, unit, (int[3]){1, 0, 0}));
 
@@ -97,9 +94,8 @@ START_TEST(links_through_a_periodic_side_stay_apart)
                         -2.0); /* seen from aggregate 0 */
     release(&s);
 }
-END_TEST
 
-START_TEST(every_link_is_within_an_aggregate_or_in_a_bundle_between_two)
+FACT(every_link_is_within_an_aggregate_or_in_a_bundle_between_two)
 {
     struct links b = links_box(9, 7, 5, unit, (int[3]){1, 0, 1});
 
@@ -119,10 +115,9 @@ START_TEST(every_link_is_within_an_aggregate_or_in_a_bundle_between_two)
     ck_assert_int_lt(s.coarse->n, b.n / 4);
     release(&s);
 }
-END_TEST
 
 /* A wall is where no link leads; it is twice as far through an aggregate. */
-START_TEST(the_way_to_a_wall_grows_with_the_aggregate)
+FACT(the_way_to_a_wall_grows_with_the_aggregate)
 {
     struct step s = coarsen(links_box(6, 4, 1, unit, (int[3]){0, 1, 0}));
 
@@ -135,15 +130,8 @@ START_TEST(the_way_to_a_wall_grows_with_the_aggregate)
         ck_assert_double_eq(graph_depth(s.coarse, c), c % 3 == 1 ? 0.0 : 2.0);
     release(&s);
 }
-END_TEST
 
-FACTS("pairs")
+FACTS
 {
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(a_box_becomes_the_box_of_half_as_many_cells);
-    FACT(a_cell_left_over_joins_the_pair_beside_it);
-    FACT(flat_cells_are_joined_across_their_flat_sides_only);
-    FACT(links_through_a_periodic_side_stay_apart);
-    FACT(every_link_is_within_an_aggregate_or_in_a_bundle_between_two);
-    FACT(the_way_to_a_wall_grows_with_the_aggregate);
 }

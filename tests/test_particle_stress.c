@@ -24,7 +24,7 @@ static const struct particle_stress_law laws[] = {
 static const double fractions[] = {1e-6, 0.01, 0.3, 0.55, 0.599, 0.5999999};
 enum { FRACTIONS = sizeof fractions / sizeof *fractions };
 
-START_TEST(a_stress_has_its_fraction_and_its_slope)
+FACT_FOR_EACH(a_stress_has_its_fraction_and_its_slope, 3)
 {
     const struct particle_stress_law *const law = &laws[_i];
 
@@ -40,10 +40,9 @@ START_TEST(a_stress_has_its_fraction_and_its_slope)
                                 1.0, 1e-5);
     }
 }
-END_TEST
 
 /* For a stress of any size the fraction is below that of the packing. */
-START_TEST(no_stress_is_too_large_for_the_packing)
+FACT_FOR_EACH(no_stress_is_too_large_for_the_packing, 3)
 {
     for (double tau = 1e-320; tau < 1e12; tau *= 10.0) {
         const double eps = particle_stress_fraction(&laws[_i], 1e-3, tau);
@@ -52,11 +51,10 @@ START_TEST(no_stress_is_too_large_for_the_packing)
         ck_assert_double_le(eps, laws[_i].packing);
     }
 }
-END_TEST
 
 /* Two facts by hand: 0.4^2 P/0.2; and of elastic grains Z = 1 + 4 eps g_0, of
  * which a source that halves the collisions has 1 + 2 eps g_0. */
-START_TEST(snider01_lun84_stresses_have_their_values)
+FACT(snider01_lun84_stresses_have_their_values)
 {
     const struct particle_stress_law elastic = {
         .lun = 1, .packing = 0.6, .e = 1.0};
@@ -66,7 +64,6 @@ START_TEST(snider01_lun84_stresses_have_their_values)
     ck_assert_double_eq_tol(particle_stress(&elastic, 10.0, 0.075),
                             0.75 * (1.0 + 4.0 * 0.075 * g_0), 1e-13);
 }
-END_TEST
 
 enum { GAS = 2560 }; /* 40 a cell, a fifth of the volume */
 
@@ -131,7 +128,7 @@ static double square_sum(const struct simulation *sim, int k, double *sum)
 /* Theta^(-1/2) grows by (1 - e^2)(4/sqrt(pi)) eps g_0/d in time [Haff83]. 3 %:
  * the mean of the 67 particles that a cell sees follows each, 1.5 %, and eps
  * scatters. The small momentum of a direction keeps its size. */
-START_TEST(haff83_orourke10_damping_follows_haffs_law)
+FACT(haff83_orourke10_damping_follows_haffs_law)
 {
     struct simulation *const sim =
         gas(1e-9, "collision_damping = { restitution = 0.9; };",
@@ -149,12 +146,11 @@ START_TEST(haff83_orourke10_damping_follows_haffs_law)
     ck_assert_double_eq_tol(sum, was, 1e-12 * GAS);
     build_free(sim);
 }
-END_TEST
 
 /* What one direction has more than another falls at the rate p/mu = 96/(5
  * sqrt(pi)) eps g_0 sqrt(Theta)/d, while the energy stays. 6 %: of 2560 numbers
  * the mean square of each direction is known to 3 %. */
-START_TEST(orourke12_fluctuations_become_alike)
+FACT(orourke12_fluctuations_become_alike)
 {
     struct simulation *const sim =
         gas(1e-9, "collision_isotropy = {};", (double[3]){0, sqrt(3.0), 0});
@@ -174,7 +170,6 @@ START_TEST(orourke12_fluctuations_become_alike)
     ck_assert_double_eq_tol(more / before, pow(1.0 + rate * dt, -4.0), 0.06);
     build_free(sim);
 }
-END_TEST
 
 /* Of the velocities and of the stress [J]: eps_s times the integral of
  * tau/eps_s^2 in a volume, -P eps_s ln(1 - eps_s/eps_cp). */
@@ -196,7 +191,7 @@ static double energy(const struct simulation *sim, struct hats *h, double P)
 
 /* Waves of 1 m/s, as fast as the particles. Both energies together fall by what
  * the implicit step takes of the noise, less than a thousandth here. */
-START_TEST(snider01_a_closed_gas_gains_no_energy)
+FACT(snider01_a_closed_gas_gains_no_energy)
 {
     const double P = 800.0;
     struct simulation *const sim = gas(P, "", (double[3]){1, 1, 1});
@@ -216,15 +211,4 @@ START_TEST(snider01_a_closed_gas_gains_no_energy)
     ck_assert_double_eq_tol(sum, was, 1e-12 * GAS);
     hats_free(h);
     build_free(sim);
-}
-END_TEST
-
-FACTS("particle_stress")
-{
-    FACT(snider01_a_closed_gas_gains_no_energy);
-    FACT(haff83_orourke10_damping_follows_haffs_law);
-    FACT(orourke12_fluctuations_become_alike);
-    FACT_FOR_EACH(a_stress_has_its_fraction_and_its_slope, 3);
-    FACT_FOR_EACH(no_stress_is_too_large_for_the_packing, 3);
-    FACT(snider01_lun84_stresses_have_their_values);
 }

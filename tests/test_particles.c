@@ -16,7 +16,7 @@ static struct particles *row_of_five(void)
     return ps;
 }
 
-START_TEST(a_particle_has_the_mass_of_its_sphere_and_is_at_rest)
+FACT(a_particle_has_the_mass_of_its_sphere_and_is_at_rest)
 {
     struct particles *const ps = row_of_five();
 
@@ -33,11 +33,10 @@ START_TEST(a_particle_has_the_mass_of_its_sphere_and_is_at_rest)
     }
     particles_free(ps);
 }
-END_TEST
 
 static const int order[N] = {3, 0, 4, 2, 1};
 
-START_TEST(a_permutation_takes_every_array_along)
+FACT(a_permutation_takes_every_array_along)
 {
     struct particles *const ps = row_of_five();
     double *const own[] = {ps->vx, ps->vy, ps->vz, ps->wx,  ps->wy,  ps->wz,
@@ -60,9 +59,8 @@ START_TEST(a_permutation_takes_every_array_along)
     }
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(an_attached_array_follows_until_it_is_detached)
+FACT(an_attached_array_follows_until_it_is_detached)
 {
     struct particles *const ps = row_of_five();
     double one[N], three[3 * N];
@@ -88,19 +86,9 @@ START_TEST(an_attached_array_follows_until_it_is_detached)
     }
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(no_particles_can_be_freed)
+FACT(no_particles_can_be_freed)
 {
     particles_free(NULL);
     particles_free(particles_create(0));
-}
-END_TEST
-
-FACTS("particles")
-{
-    FACT(a_particle_has_the_mass_of_its_sphere_and_is_at_rest);
-    FACT(a_permutation_takes_every_array_along);
-    FACT(an_attached_array_follows_until_it_is_detached);
-    FACT(no_particles_can_be_freed);
 }

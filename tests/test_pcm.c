@@ -45,7 +45,7 @@ static void scene_free(struct scene *s)
 }
 
 /* By hand: pi/6 (1 + 0.512) and pi/6 0.729, in 2 m^3 [XS11 3.1, SX15 4]. */
-START_TEST(xs11_3_1_a_cell_has_the_sum_of_what_is_in_it)
+FACT(xs11_3_1_a_cell_has_the_sum_of_what_is_in_it)
 {
     struct scene s = scene_of(0.0);
     ck_assert_double_eq_tol(s.field[0], 0.39584067435231391, 1e-15);
@@ -53,18 +53,16 @@ START_TEST(xs11_3_1_a_cell_has_the_sum_of_what_is_in_it)
     ck_assert_int_eq(averaging_report(s.a)->capped, 0);
     scene_free(&s);
 }
-END_TEST
 
 /* u = 1 and 3 of masses 1 and 0.512: (1 + 3 * 0.512) / 1.512. */
-START_TEST(sx15_7_the_velocity_of_a_cell_is_weighed_by_mass)
+FACT(sx15_7_the_velocity_of_a_cell_is_weighed_by_mass)
 {
     struct scene s = scene_of(0.0);
     ck_assert_double_eq_tol(s.field[1] / s.field[0], 1.6772486772486772, 1e-15);
     scene_free(&s);
 }
-END_TEST
 
-START_TEST(a_capped_cell_is_counted_and_its_loss_reported)
+FACT(a_capped_cell_is_counted_and_its_loss_reported)
 {
     struct scene s = scene_of(0.35);
     ck_assert_double_eq_tol(s.field[0], 0.35, 1e-15);
@@ -74,21 +72,18 @@ START_TEST(a_capped_cell_is_counted_and_its_loss_reported)
                             0.09168134870462782, 1e-15);
     scene_free(&s);
 }
-END_TEST
 
 /* Momentum is scaled as volume is. */
-START_TEST(the_cap_leaves_the_velocity_as_it_is)
+FACT(the_cap_leaves_the_velocity_as_it_is)
 {
     struct scene s = scene_of(0.35);
     ck_assert_double_eq_tol(s.field[1] / s.field[0], 1.6772486772486772, 1e-15);
     scene_free(&s);
 }
-END_TEST
 
 /* 1 + 4 N on the left, whose cell has less volume than its spheres: amounts
  * that are not reduced are spread wholly. */
-START_TEST(
-    amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell)
+FACT(amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell)
 {
     struct scene s = scene_of(0.35);
     const double f[3] = {1.0, 2.0, 4.0};
@@ -100,10 +95,9 @@ START_TEST(
     ck_assert(averaging_capped_fraction(s.a, 1) == 1.0);
     scene_free(&s);
 }
-END_TEST
 
 /* Counts are of this bind: the second one starts from zero. */
-START_TEST(a_bind_counts_afresh)
+FACT(a_bind_counts_afresh)
 {
     struct scene s = scene_of(0.35);
     ck_assert_int_eq(averaging_bind(s.a), 0);
@@ -114,15 +108,4 @@ START_TEST(a_bind_counts_afresh)
     ck_assert_int_eq(averaging_report(s.a)->capped, 0);
     ck_assert(averaging_report(s.a)->lost_volume == 0.0);
     scene_free(&s);
-}
-END_TEST
-
-FACTS("pcm")
-{
-    FACT(xs11_3_1_a_cell_has_the_sum_of_what_is_in_it);
-    FACT(sx15_7_the_velocity_of_a_cell_is_weighed_by_mass);
-    FACT(a_capped_cell_is_counted_and_its_loss_reported);
-    FACT(the_cap_leaves_the_velocity_as_it_is);
-    FACT(amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell);
-    FACT(a_bind_counts_afresh);
 }

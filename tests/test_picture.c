@@ -58,7 +58,7 @@ static int drawn_in(struct folder *f)
     return drawn;
 }
 
-START_TEST(particles_are_listed_from_back_to_front)
+FACT(particles_are_listed_from_back_to_front)
 {
     struct mesh *const m = box();
     const struct picture p = sample(m);
@@ -71,10 +71,9 @@ START_TEST(particles_are_listed_from_back_to_front)
                         "0.1 0.5 0.05 5\n");
     mesh_free(m);
 }
-END_TEST
 
 /* Left 0.4 in a third of the depth and 0.7 in two: 0.6. */
-START_TEST(the_void_fraction_is_averaged_over_the_depth_by_volume)
+FACT(the_void_fraction_is_averaged_over_the_depth_by_volume)
 {
     struct mesh *const m = box();
     const struct picture p = sample(m);
@@ -87,11 +86,10 @@ START_TEST(the_void_fraction_is_averaged_over_the_depth_by_volume)
                         "0.25 0.5 0 1 1\n");
     mesh_free(m);
 }
-END_TEST
 
 /* The same scene, turned so that z or x leads upwards: what was towards the eye
  * is there still. */
-START_TEST(a_picture_has_the_way_up_upwards)
+FACT_FOR_EACH(a_picture_has_the_way_up_upwards, 2)
 {
     const int up = _i == 0 ? 2 : 0, right = _i == 0 ? 0 : 1,
               deep = 3 - up - right;
@@ -124,11 +122,10 @@ START_TEST(a_picture_has_the_way_up_upwards)
                         "0.25 0.5 0 1 1\n");
     mesh_free(m);
 }
-END_TEST
 
 /* Whether gnuplot drew it: with and without each panel, in a folder whose name
  * needs quoting. Without gnuplot the message must name what to install. */
-START_TEST(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
+FACT(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
 {
     struct mesh *const m = box();
     char name[80], png[96];
@@ -170,9 +167,8 @@ START_TEST(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
     free(said);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(without_gnuplot_it_is_said_what_to_install)
+FACT(without_gnuplot_it_is_said_what_to_install)
 {
     struct mesh *const m = box();
     const struct picture p = sample(m);
@@ -187,9 +183,8 @@ START_TEST(without_gnuplot_it_is_said_what_to_install)
     setenv("PATH", "/usr/bin:/bin", 1);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(a_failing_gnuplot_leaves_its_words_and_no_picture)
+FACT(a_failing_gnuplot_leaves_its_words_and_no_picture)
 {
     struct mesh *const m = box();
     const struct picture p = sample(m);
@@ -211,9 +206,8 @@ START_TEST(a_failing_gnuplot_leaves_its_words_and_no_picture)
     free(said);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(a_picture_that_cannot_be_written_is_reported)
+FACT(a_picture_that_cannot_be_written_is_reported)
 {
     struct mesh *const m = box();
     const struct picture p = sample(m);
@@ -223,16 +217,8 @@ START_TEST(a_picture_that_cannot_be_written_is_reported)
     ck_assert_int_ne(picture_write(folder, &p), 0);
     mesh_free(m);
 }
-END_TEST
 
-FACTS("picture")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(particles_are_listed_from_back_to_front);
-    FACT(the_void_fraction_is_averaged_over_the_depth_by_volume);
-    FACT_FOR_EACH(a_picture_has_the_way_up_upwards, 2);
-    FACT(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported);
-    FACT(without_gnuplot_it_is_said_what_to_install);
-    FACT(a_failing_gnuplot_leaves_its_words_and_no_picture);
-    FACT(a_picture_that_cannot_be_written_is_reported);
 }

@@ -38,7 +38,7 @@ static double volume(const struct mesh *m)
 
 /* A block of 1 x 2 x 0.5 m in 4 x 3 x 2 cells: the same faces, volumes and
  * links as our own box. */
-START_TEST(a_block_is_our_box)
+FACT(a_block_is_our_box)
 {
     struct mesh *const m = mesh_of("box"), *const b = closed_box(1.0, 2.0, 0.5,
                                                                  4, 3, 2);
@@ -68,7 +68,6 @@ START_TEST(a_block_is_our_box)
     mesh_free(m);
     mesh_free(b);
 }
-END_TEST
 
 /* 1 if the inner faces come by their owners, or by how far apart their cells
  * are and then by owners. */
@@ -87,7 +86,7 @@ static int in_order(const struct mesh *m)
 
 /* Owner before neighbour, S along d, cells closed, volumes that fill what they
  * fill. The dual has 24 cells with more than six faces. */
-START_TEST(every_mesh_is_closed_and_in_order)
+FACT_FOR_EACH(every_mesh_is_closed_and_in_order, 5)
 {
     const double V[] = {1.0, 0.5, 0.5, 1.0, 0.2};
     struct mesh *const m = mesh_of(all[_i]);
@@ -110,11 +109,10 @@ START_TEST(every_mesh_is_closed_and_in_order)
         ck_assert_double_gt(q.non_orthogonal, 21.0);
     mesh_free(m);
 }
-END_TEST
 
 /* Hexahedra, 6 x 6 x 2 of them, bent and numbered at random: they stand in rows
  * again, with one distance a direction. */
-START_TEST(shuffled_hexahedra_are_put_in_rows)
+FACT(shuffled_hexahedra_are_put_in_rows)
 {
     struct mesh *const m = mesh_of("shuffled");
     int between[73] = {0};
@@ -130,7 +128,6 @@ START_TEST(shuffled_hexahedra_are_put_in_rows)
         }
     mesh_free(m);
 }
-END_TEST
 
 static int widest(const struct mesh *m)
 {
@@ -144,7 +141,7 @@ static int widest(const struct mesh *m)
 
 /* Polyhedra have no rows. With their numbers multiplied, modulo how many there
  * are, any two may touch; in waves they come as close as they were. */
-START_TEST(shuffled_polyhedra_are_put_in_waves)
+FACT(shuffled_polyhedra_are_put_in_waves)
 {
     struct mesh *const filed = mesh_of("dual");
     char command[256];
@@ -164,10 +161,9 @@ START_TEST(shuffled_polyhedra_are_put_in_waves)
     mesh_free(m);
     mesh_free(filed);
 }
-END_TEST
 
 /* Two cells with two faces each in a patch: one of each, and again. */
-START_TEST(faces_of_a_patch_come_one_a_cell)
+FACT(faces_of_a_patch_come_one_a_cell)
 {
     int owner[] = {1, 0, 0, 1}, number[] = {0, 1};
     struct poly_part part = {.n = 4};
@@ -183,11 +179,10 @@ START_TEST(faces_of_a_patch_come_one_a_cell)
         ck_assert_int_eq(order[i], expected[i]);
     free(order);
 }
-END_TEST
 
 /* Each centre, and points anywhere, from any cell; the cell found is the one
  * whose faces the point is behind. */
-START_TEST(a_walk_finds_the_cell_of_a_point)
+FACT_FOR_EACH(a_walk_finds_the_cell_of_a_point, 5)
 {
     struct mesh *const m = mesh_of(all[_i]);
     for (int c = 0; c < m->n_cells; c++) {
@@ -203,12 +198,11 @@ START_TEST(a_walk_finds_the_cell_of_a_point)
         ck_assert_int_eq(locate_from(m, 0, outside, none), -1);
     mesh_free(m);
 }
-END_TEST
 
 /* On a cyclic mesh: points near each centre and near each face, as they are and
  * moved by a few periods, belong to one cell, and the way to them from its
  * centre is the same. */
-START_TEST(a_period_more_is_the_same_point)
+FACT(a_period_more_is_the_same_point)
 {
     struct mesh *const m = mesh_of("cyclic");
     ck_assert_int_eq(m->n_periods, 1);
@@ -233,7 +227,6 @@ START_TEST(a_period_more_is_the_same_point)
     }
     mesh_free(m);
 }
-END_TEST
 
 /* How many cells have the point behind all their faces, and the last one. */
 static int holders(const struct mesh *m, const double x[3], int *last)
@@ -258,7 +251,7 @@ static int holders(const struct mesh *m, const double x[3], int *last)
 
 /* Points at random in a mesh of warped faces: those that one cell holds belong
  * to it; those in gaps and overlaps, and there are some, to one cell too. */
-START_TEST(every_point_of_a_warped_mesh_has_one_cell)
+FACT(every_point_of_a_warped_mesh_has_one_cell)
 {
     struct mesh *const m = warped();
     uint64_t state = 9;
@@ -284,10 +277,9 @@ START_TEST(every_point_of_a_warped_mesh_has_one_cell)
     ck_assert_int_gt(overlaps, 0);
     mesh_free(m);
 }
-END_TEST
 
 /* Round a corner: the way from the near cell leads through the wall. */
-START_TEST(a_point_behind_a_corner_is_found)
+FACT(a_point_behind_a_corner_is_found)
 {
     struct poly_raw r = {0};
     struct mesh *m;
@@ -311,7 +303,6 @@ START_TEST(a_point_behind_a_corner_is_found)
     poly_raw_release(&r);
     mesh_free(m);
 }
-END_TEST
 
 /* --- flow ------------------------------------------------------------------
  */
@@ -335,7 +326,7 @@ static struct fluid *still(const struct mesh *m, struct boundary *b)
 
 /* Walls that all move with one velocity: so does the fluid, on any mesh, any
  * step; the volume through a face is u . S. */
-START_TEST(a_uniform_stream_stays_uniform_on_any_mesh)
+FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10)
 {
     static const double U[3] = {0.3, -0.2, 0.1};
     struct mesh *const m = mesh_of(all[_i % 5]);
@@ -357,11 +348,10 @@ START_TEST(a_uniform_stream_stays_uniform_on_any_mesh)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* Whatever eps is and whatever it drags on, on any mesh, over any step: nothing
  * drives a fluid at rest, and nothing moves. */
-START_TEST(fluid_at_rest_stays_at_rest_on_any_mesh)
+FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10)
 {
     struct mesh *const m = mesh_of(all[_i % 5]);
     struct boundary b[6];
@@ -383,11 +373,10 @@ START_TEST(fluid_at_rest_stays_at_rest_on_any_mesh)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* A lid in the sheared block: the same cells in another order, the same flow,
  * to what the solvers leave. */
-START_TEST(the_order_of_the_cells_does_not_matter_to_the_flow)
+FACT(the_order_of_the_cells_does_not_matter_to_the_flow)
 {
     double u[2][216];
     for (int i = 0; i < 2; i++) {
@@ -412,7 +401,6 @@ START_TEST(the_order_of_the_cells_does_not_matter_to_the_flow)
     for (int j = 0; j < 216; j++)
         ck_assert_double_eq_tol(u[0][j], u[1][j], 1e-6);
 }
-END_TEST
 
 /* --- files that are wrong ----------------------------------------------------
  */
@@ -506,7 +494,7 @@ static void put_binary(const struct poly_raw *r, int label, int scalar,
     fclose(f);
 }
 
-START_TEST(a_binary_mesh_is_that_of_the_text)
+FACT_FOR_EACH(a_binary_mesh_is_that_of_the_text, 16)
 {
     static const char *const names[] = {"box", "dual"};
     const int label = _i & 1 ? 64 : 32, scalar = _i & 2 ? 64 : 32;
@@ -538,11 +526,10 @@ START_TEST(a_binary_mesh_is_that_of_the_text)
     poly_raw_release(&text);
     poly_raw_release(&bytes);
 }
-END_TEST
 
 /* One cell, as blockMesh writes it: a list of equal numbers, a dictionary in a
  * patch, and a patch of no faces, whose kind is of no interest. */
-START_TEST(one_cell_of_equal_owners_is_read)
+FACT(one_cell_of_equal_owners_is_read)
 {
     struct mesh *const m = poly_read("tests/data/poly/one-cell", NULL);
 
@@ -554,9 +541,8 @@ START_TEST(one_cell_of_equal_owners_is_read)
     ck_assert_double_eq_tol(m->V[0], 1e-6, 1e-18);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
+FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 17)
 {
     static const struct {
         const char *name, *old, *by, *message;
@@ -589,24 +575,8 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
     ck_assert_ptr_null(m);
     ck_assert_msg(strstr(said, rows[_i].message) != NULL, "%s", said);
 }
-END_TEST
 
-FACTS("poly")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT(a_block_is_our_box);
-    FACT_FOR_EACH(every_mesh_is_closed_and_in_order, 5);
-    FACT(shuffled_hexahedra_are_put_in_rows);
-    FACT(shuffled_polyhedra_are_put_in_waves);
-    FACT(faces_of_a_patch_come_one_a_cell);
-    FACT_FOR_EACH(a_walk_finds_the_cell_of_a_point, 5);
-    FACT(a_period_more_is_the_same_point);
-    FACT(every_point_of_a_warped_mesh_has_one_cell);
-    FACT(a_point_behind_a_corner_is_found);
-    FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10);
-    FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10);
-    FACT(the_order_of_the_cells_does_not_matter_to_the_flow);
-    FACT_FOR_EACH(a_binary_mesh_is_that_of_the_text, 16);
-    FACT(one_cell_of_equal_owners_is_read);
-    FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 17);
 }

@@ -66,7 +66,7 @@ static double closest(const struct particles *ps, const struct box_domain *box)
 }
 
 /* 400 spheres, a fifth of the region: no overlaps, and all are inside of it. */
-START_TEST(inserted_particles_overlap_no_others)
+FACT_FOR_EACH(inserted_particles_overlap_no_others, 2)
 {
     const struct box_domain box = around(_i);
     struct sizes *const sizes = three_sizes();
@@ -89,12 +89,11 @@ START_TEST(inserted_particles_overlap_no_others)
     particles_free(ps);
     sizes_free(sizes);
 }
-END_TEST
 
 /* Also where it is so crowded that most places are taken, the diameters are
  * those of the distribution, in the order of their numbers: shares 0.6, 0.2,
  * 0.2, of 3000 with a deviation of 0.009. */
-START_TEST(dense_insertion_does_not_change_the_size_distribution)
+FACT(dense_insertion_does_not_change_the_size_distribution)
 {
     const struct box_domain box = around(0);
     struct sizes *const sizes = three_sizes();
@@ -118,11 +117,10 @@ START_TEST(dense_insertion_does_not_change_the_size_distribution)
     particles_free(ps);
     sizes_free(sizes);
 }
-END_TEST
 
 /* Places are even: the mean of 2000 in each direction is the middle, to 5
  * standard deviations of L/sqrt(12 n). Spheres of next to no size. */
-START_TEST(insertion_positions_are_uniform_over_the_region)
+FACT(insertion_positions_are_uniform_over_the_region)
 {
     const struct insertion in = source(NULL, 2000, 0.0);
     double mean[3] = {0.0, 0.0, 0.0}, x[3];
@@ -137,9 +135,8 @@ START_TEST(insertion_positions_are_uniform_over_the_region)
     ck_assert_double_eq_tol(mean[1], 0.02, five);
     ck_assert_double_eq_tol(mean[2], 0.0, five);
 }
-END_TEST
 
-START_TEST(a_source_inserts_at_its_rate)
+FACT(a_source_inserts_at_its_rate)
 {
     struct insertion in = source(NULL, 50, 1000.0);
 
@@ -154,7 +151,6 @@ START_TEST(a_source_inserts_at_its_rate)
     in.options.rate = 0.0;
     ck_assert_int_eq((int)insertion_count_due(&in, 0.1), 50);
 }
-END_TEST
 
 /* [kg] of the spheres before number n. */
 static double mass_of_first(const struct insertion_options *o, long n)
@@ -169,7 +165,7 @@ static double mass_of_first(const struct insertion_options *o, long n)
 /* 1, 2 and 4 mm, whose masses are 1, 8 and 64: what is due has at least the
  * mass that the rate says, and without its last sphere at most that. A source
  * that first looks late, as a resumed one does, finds the same number. */
-START_TEST(a_mass_rate_is_met_within_one_sphere)
+FACT(a_mass_rate_is_met_within_one_sphere)
 {
     struct sizes *const sizes = three_sizes();
     struct insertion in = source(sizes, 2000, 0.0);
@@ -192,7 +188,6 @@ START_TEST(a_mass_rate_is_met_within_one_sphere)
     ck_assert_int_eq((int)insertion_count_due(&in, 1e9), 2000);
     sizes_free(sizes);
 }
-END_TEST
 
 /* --- a run with sources and sinks ----------------------------------------- */
 
@@ -248,7 +243,7 @@ static void end(struct run *r)
 
 /* 0.12 s: the first have been removed, and as many ids were used as particles
  * were inserted. */
-START_TEST(ids_are_never_given_twice)
+FACT(ids_are_never_given_twice)
 {
     struct run r = begin();
     char seen[5000] = {0};
@@ -274,11 +269,10 @@ START_TEST(ids_are_never_given_twice)
     ck_assert_int_gt((int)r.life->totals.inserted, 300);
     end(&r);
 }
-END_TEST
 
 /* Every inserted particle is present or removed, in number, in mass and in the
  * report. */
-START_TEST(inserted_mass_is_present_or_removed)
+FACT(inserted_mass_is_present_or_removed)
 {
     struct run r = begin();
     double there = 0.0;
@@ -296,11 +290,10 @@ START_TEST(inserted_mass_is_present_or_removed)
     }
     end(&r);
 }
-END_TEST
 
 /* Those that are due and find no room wait; the next time the same ones do,
  * and none of them is counted twice. */
-START_TEST(particles_that_find_no_room_wait_and_are_counted_once)
+FACT(particles_that_find_no_room_wait_and_are_counted_once)
 {
     struct run r = begin();
     struct insertion_options *const o = &r.life->sources[0].options;
@@ -317,11 +310,10 @@ START_TEST(particles_that_find_no_room_wait_and_are_counted_once)
     }
     end(&r);
 }
-END_TEST
 
 /* The tangential displacements of the remaining particles are unchanged when
  * another is removed: the same force on the same contact, to rounding. */
-START_TEST(remaining_particles_keep_their_tangential_displacements)
+FACT(remaining_particles_keep_their_tangential_displacements)
 {
     struct particles *const ps = particles_create(4);
     struct dem_options o = spheres_options(&contact_linear, 1e-5, 0.1);
@@ -349,11 +341,10 @@ START_TEST(remaining_particles_keep_their_tangential_displacements)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Stopped in the middle of it, saved and loaded, the run continues with the
  * same bits. */
-START_TEST(a_resumed_run_with_insertion_has_the_same_bits)
+FACT_FOR_EACH(a_resumed_run_with_insertion_has_the_same_bits, 2)
 {
     struct run a = begin(), b = begin();
     struct kept *const kept = kept_create();
@@ -383,10 +374,9 @@ START_TEST(a_resumed_run_with_insertion_has_the_same_bits)
     end(&a);
     end(&b);
 }
-END_TEST
 
 /* A new particle in the place of a removed one has none of its data. */
-START_TEST(inserted_particles_have_no_data_of_removed_ones)
+FACT(inserted_particles_have_no_data_of_removed_ones)
 {
     struct particles *const ps = particles_create(2);
     double attached[2] = {0.0, 0.0};
@@ -407,7 +397,6 @@ START_TEST(inserted_particles_have_no_data_of_removed_ones)
     ck_assert_int_eq(ps->id[0], 1);
     particles_free(ps);
 }
-END_TEST
 
 /* --- files -----------------------------------------------------------------
  */
@@ -425,7 +414,7 @@ static struct insertion_sphere *read_text(const char *text, long *n)
     return list;
 }
 
-START_TEST(a_file_brings_its_spheres_in_its_order)
+FACT(a_file_brings_its_spheres_in_its_order)
 {
     const struct box_domain box = around(0);
     struct particles *const ps = particles_create(3);
@@ -449,11 +438,10 @@ START_TEST(a_file_brings_its_spheres_in_its_order)
     ck_assert_ptr_null(read_text("# nothing\n", &n));
     particles_free(ps);
 }
-END_TEST
 
 /* As a program with its origin elsewhere writes it: 2 mm behind, and in x
  * a period and a half away. */
-START_TEST(places_of_a_file_are_moved_and_brought_back_into_the_period)
+FACT(places_of_a_file_are_moved_and_brought_back_into_the_period)
 {
     const struct box_domain box = around(1);
     const double L = box.length[0], by[3] = {-0.5 * L, 0.0, 0.002};
@@ -468,22 +456,8 @@ START_TEST(places_of_a_file_are_moved_and_brought_back_into_the_period)
     ck_assert_double_eq(one.x[1], box.hi[1] + L);
     ck_assert_double_eq_tol(one.x[2], 0.5 * (box.lo[2] + box.hi[2]), 1e-15);
 }
-END_TEST
 
-FACTS("life")
+FACTS
 {
     tcase_set_timeout(facts, 30);
-    FACT_FOR_EACH(inserted_particles_overlap_no_others, 2);
-    FACT(dense_insertion_does_not_change_the_size_distribution);
-    FACT(insertion_positions_are_uniform_over_the_region);
-    FACT(a_source_inserts_at_its_rate);
-    FACT(a_mass_rate_is_met_within_one_sphere);
-    FACT(ids_are_never_given_twice);
-    FACT(inserted_mass_is_present_or_removed);
-    FACT(particles_that_find_no_room_wait_and_are_counted_once);
-    FACT(remaining_particles_keep_their_tangential_displacements);
-    FACT_FOR_EACH(a_resumed_run_with_insertion_has_the_same_bits, 2);
-    FACT(inserted_particles_have_no_data_of_removed_ones);
-    FACT(a_file_brings_its_spheres_in_its_order);
-    FACT(places_of_a_file_are_moved_and_brought_back_into_the_period);
 }

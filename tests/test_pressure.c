@@ -53,7 +53,7 @@ static void discard(struct fluid *fl)
  * eps, nothing can move, and the pressure must balance each of them. With the
  * linear mean for p_f the speed would be about F dt / rho, 1e-6 m/s; 1e-15 is
  * rounding. */
-START_TEST(pressure_balances_any_forces_on_the_cells_of_a_closed_column)
+FACT_FOR_EACH(pressure_balances_any_forces_on_the_cells_of_a_closed_column, 2)
 {
     struct boundary b[6];
     struct fluid *const fl = column(b, 0, 3.0, _i, "upwind");
@@ -68,14 +68,13 @@ START_TEST(pressure_balances_any_forces_on_the_cells_of_a_closed_column)
         ck_assert_double_eq_tol(fl->u[3 * c + 1], 0.0, 1e-15);
     discard(fl);
 }
-END_TEST
 
 /* A closed box of graded cells in which every cell has its own eps, and the
  * density falls with height: the fluid's excess of weight, gamma rho'(y) g, is
  * the gradient of a pressure, whatever eps is, and the column stands. 1e-13:
  * rounding of the accelerations, 1 m/s^2, over three steps; a weight that is
  * not balanced would leave 1e-4 m/s and more. */
-START_TEST(a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is)
+FACT_FOR_EACH(a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is, 4)
 {
     const struct box_spec spec = {
         {0.1, 0.2, 0.1}, {4, 10, 3}, {2.0, 3.0, 1.0}, {0, 0, 0}};
@@ -106,11 +105,10 @@ START_TEST(a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is)
         ck_assert_double_eq_tol(fl->u[i], 0.0, 1e-13);
     discard(fl);
 }
-END_TEST
 
 /* The linear mean of the two cells is constant for a pressure that alternates
  * from cell to cell, and grad_p is zero inside. The flux is not. */
-START_TEST(a_checkerboard_of_pressure_is_gone_after_one_step)
+FACT_FOR_EACH(a_checkerboard_of_pressure_is_gone_after_one_step, 2)
 {
     struct boundary b[6];
     struct fluid *const fl = column(b, 0, 1.0, _i, "upwind");
@@ -121,7 +119,6 @@ START_TEST(a_checkerboard_of_pressure_is_gone_after_one_step)
         ck_assert_double_eq_tol(fl->p[c] - fl->p[0], 0.0, 1e-9);
     discard(fl);
 }
-END_TEST
 
 /* The stream as it should be: the flux U A, and u = U / eps in each cell. */
 static void set_stream(struct fluid *fl)
@@ -137,7 +134,7 @@ static void set_stream(struct fluid *fl)
  * or up to its outlet, both shares of the pressure, both schemes: the stream
  * stays as it is. The solver and the splitting leave 1e-9; without the step by
  * inertia u is wrong by a hundredth and more. */
-START_TEST(a_stream_through_a_bed_of_any_eps_and_drag_stays_exact)
+FACT_FOR_EACH(a_stream_through_a_bed_of_any_eps_and_drag_stays_exact, 8)
 {
     struct boundary b[6];
     struct fluid *const fl =
@@ -154,12 +151,11 @@ START_TEST(a_stream_through_a_bed_of_any_eps_and_drag_stays_exact)
         ck_assert_double_eq_tol(fl->u[3 * c + 1] * fl->eps[c] / U, 1.0, 1e-9);
     discard(fl);
 }
-END_TEST
 
 /* [XS11 2.8] is [XS11 2.4] with the force of the pressure gradient on the
  * particles put in: all of grad p, and its share eps_s grad p given back as
  * a force, is the same as eps grad p. One void fraction, any drag. */
-START_TEST(xs11_2_4_with_the_pressure_force_of_the_particles_is_xs11_2_8)
+FACT(xs11_2_4_with_the_pressure_force_of_the_particles_is_xs11_2_8)
 {
     struct boundary b[6];
     struct fluid *fl[2]; /* the whole gradient, the fluid's share */
@@ -182,13 +178,12 @@ START_TEST(xs11_2_4_with_the_pressure_force_of_the_particles_is_xs11_2_8)
     discard(fl[0]);
     discard(fl[1]);
 }
-END_TEST
 
 /* Without drag, the pressure rises where the stream widens: by Bernoulli's
  * rho (u_0^2 - u_1^2) / 2 if the particles take their share of it, by the loss
  * of momentum rho U (u_0 - u_1) if they do not. Central convection on equal
  * cells; upwind would give rho u_1 (u_0 - u_1) in the first case. */
-START_TEST(a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli)
+FACT_FOR_EACH(a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli, 2)
 {
     struct boundary b[6];
     struct fluid *const fl = column(b, 1, 1.0, _i, "linear");
@@ -204,7 +199,6 @@ START_TEST(a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli)
     ck_assert_double_eq_tol(gain / expected, 1.0, 1e-9);
     discard(fl);
 }
-END_TEST
 
 /* Air through the surface of a bed, h = 2.4 mm, with the share and without,
  * with each scheme that does not smear: what the clear cells have too much or
@@ -245,17 +239,16 @@ static double left_of_a_wave(const char *scheme, int shared)
     return most;
 }
 
-START_TEST(waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme)
+FACT_FOR_EACH(waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme, 4)
 {
     ck_assert_double_lt(left_of_a_wave(_i / 2 ? "van-leer" : "linear", _i % 2),
                         0.025);
 }
-END_TEST
 
 /* If the solver has stopped early, its residual is a large part of H. A lid
  * drives the fluid; H is computed again from the product. Terms of a sum of
  * some ten; without the residual the difference is of the size of H itself. */
-START_TEST(forces_after_the_prediction_are_those_of_the_product)
+FACT(forces_after_the_prediction_are_those_of_the_product)
 {
     struct boundary b[6];
     for (int i = 0; i < 6; i++)
@@ -293,12 +286,11 @@ START_TEST(forces_after_the_prediction_are_those_of_the_product)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* By twice the difference of eps over the sum, and all of the way from 1 on:
  * what the share of the owner, a half on equal cells, is then short of 1, or of
  * 0 where the flow comes from the neighbour. */
-START_TEST(a_face_leans_upstream_by_how_much_eps_jumps_there)
+FACT_FOR_EACH(a_face_leans_upstream_by_how_much_eps_jumps_there, 4)
 {
     struct boundary b[6];
     struct fluid *const fl = column(b, 1, 1.0, _i % 2, "linear");
@@ -319,22 +311,4 @@ START_TEST(a_face_leans_upstream_by_how_much_eps_jumps_there)
                                 0.5 + sign * 0.5 * lean, 1e-14);
     }
     discard(fl);
-}
-END_TEST
-
-FACTS("pressure")
-{
-    FACT_FOR_EACH(pressure_balances_any_forces_on_the_cells_of_a_closed_column,
-                  2);
-    FACT_FOR_EACH(
-        a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is, 4);
-    FACT_FOR_EACH(a_checkerboard_of_pressure_is_gone_after_one_step, 2);
-    FACT_FOR_EACH(a_stream_through_a_bed_of_any_eps_and_drag_stays_exact, 8);
-    FACT(forces_after_the_prediction_are_those_of_the_product);
-    FACT(xs11_2_4_with_the_pressure_force_of_the_particles_is_xs11_2_8);
-    FACT_FOR_EACH(a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli,
-                  2);
-    FACT_FOR_EACH(waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme,
-                  4);
-    FACT_FOR_EACH(a_face_leans_upstream_by_how_much_eps_jumps_there, 4);
 }

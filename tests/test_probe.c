@@ -27,7 +27,7 @@ static void fill(const struct mesh *m, double *f)
 }
 
 /* The tolerance is rounding of a sum of 8 terms of size 5. */
-START_TEST(a_linear_field_is_interpolated_exactly_between_the_centres)
+FACT(a_linear_field_is_interpolated_exactly_between_the_centres)
 {
     static const double x[3][3] = {
         {0.11, 0.9, 0.05}, {0.2, 0.4, 0.06}, {0.3, 0.31, 0.031}};
@@ -42,9 +42,8 @@ START_TEST(a_linear_field_is_interpolated_exactly_between_the_centres)
     }
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(beyond_the_last_centre_the_value_of_the_last_cell_is_used)
+FACT(beyond_the_last_centre_the_value_of_the_last_cell_is_used)
 {
     static const double corner[2][3] = {{0.0, 0.0, 0.0}, {0.4, 1.2, 0.1}};
     static const int cell[2] = {0, CELLS - 1};
@@ -58,9 +57,8 @@ START_TEST(beyond_the_last_centre_the_value_of_the_last_cell_is_used)
     }
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(cells_without_weight_do_not_count)
+FACT(cells_without_weight_do_not_count)
 {
     static const double x[3] = {0.11, 0.9, 0.05};
     struct mesh *const m = graded_box();
@@ -74,12 +72,4 @@ START_TEST(cells_without_weight_do_not_count)
     ck_assert_double_eq_tol(probe_value(&p, f, 2, 1, weight),
                             f[2 * p.cell[5] + 1], 1e-15);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("probe")
-{
-    FACT(a_linear_field_is_interpolated_exactly_between_the_centres);
-    FACT(beyond_the_last_centre_the_value_of_the_last_cell_is_used);
-    FACT(cells_without_weight_do_not_count);
 }

@@ -49,7 +49,7 @@ static char *text_of(const struct profile *p)
 /* f = 1 + 2 x - 3 y + 5 z, on every pair of directions: linear in the height
  * by construction, and over the depth its mean is the value in the middle.
  * The tolerance is rounding of a sum of 10 terms of size 5. */
-START_TEST(a_linear_field_is_sampled_exactly_on_a_graded_mesh)
+FACT(a_linear_field_is_sampled_exactly_on_a_graded_mesh)
 {
     static const double slope[3] = {2.0, -3.0, 5.0};
     struct mesh *const m = graded_box();
@@ -86,9 +86,8 @@ START_TEST(a_linear_field_is_sampled_exactly_on_a_graded_mesh)
     }
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(beyond_the_last_centres_the_nearest_row_counts)
+FACT(beyond_the_last_centres_the_nearest_row_counts)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5];
@@ -110,14 +109,13 @@ START_TEST(beyond_the_last_centres_the_nearest_row_counts)
     }
     mesh_free(m);
 }
-END_TEST
 
 /* Velocity 2 where eps_s is 0.6, and 8 where it is 0.2, in two halves of the
  * depth: (0.6 * 2 + 0.2 * 8) / 0.8 = 3.5. In a second sample, eps_s is
  * doubled and the velocity 0.5 everywhere: the mean over time is (0.8 * 3.5 +
  * 1.6 * 0.5) / 2.4 = 1.5, the spread sqrt((0.8 * 2^2 + 1.6 * 1^2) / 2.4). A
  * third, where diffusion has overshot to less than none, does not count. */
-START_TEST(a_weighted_mean_counts_what_is_there)
+FACT(a_weighted_mean_counts_what_is_there)
 {
     struct mesh *const m = mesh_create_box(&(struct box_spec){
         .size = {1.0, 1.0, 1.0}, .cells = {1, 1, 2}, .grading = {1, 1, 1}});
@@ -141,9 +139,8 @@ START_TEST(a_weighted_mean_counts_what_is_there)
     profile_free(p);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(without_a_sample_there_is_no_mean)
+FACT(without_a_sample_there_is_no_mean)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5] = {0.0}, none[6 * 9 * 5] = {0.0};
@@ -158,10 +155,9 @@ START_TEST(without_a_sample_there_is_no_mean)
     profile_free(p);
     mesh_free(m);
 }
-END_TEST
 
 /* Ten steps of 0.1 add up to less than 1, and still are one second. */
-START_TEST(samples_count_from_the_given_time_on)
+FACT(samples_count_from_the_given_time_on)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5] = {0.0}, time = 0.0;
@@ -182,13 +178,12 @@ START_TEST(samples_count_from_the_given_time_on)
     profile_free(p);
     mesh_free(m);
 }
-END_TEST
 
 /* Across a box of four cells 0.1 wide, half the difference of mean and mirror
  * image is 1.5 - i where f = i, and nothing where f is the same on both sides.
  * Of a velocity along the line the image has the other sign: the image of i is
  * -(3 - i), and half of the difference is 1.5 everywhere. Rounding. */
-START_TEST(the_mirror_error_is_half_the_difference_of_the_sides)
+FACT(the_mirror_error_is_half_the_difference_of_the_sides)
 {
     struct mesh *const m = mesh_create_box(&(struct box_spec){
         .size = {0.4, 1.0, 1.0}, .cells = {4, 1, 1}, .grading = {1, 1, 1}});
@@ -211,10 +206,9 @@ START_TEST(the_mirror_error_is_half_the_difference_of_the_sides)
     }
     mesh_free(m);
 }
-END_TEST
 
 /* Eight samples 0 .. 7 at every point: (12.6) by blocks of one. */
-START_TEST(the_error_of_a_profile_is_that_of_its_blocks)
+FACT(the_error_of_a_profile_is_that_of_its_blocks)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5] = {0.0};
@@ -234,9 +228,8 @@ START_TEST(the_error_of_a_profile_is_that_of_its_blocks)
     profile_free(p);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(columns_are_named_with_units)
+FACT(columns_are_named_with_units)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5] = {0.0};
@@ -252,9 +245,8 @@ START_TEST(columns_are_named_with_units)
     profile_free(p);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(a_line_outside_the_box_is_refused)
+FACT(a_line_outside_the_box_is_refused)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5] = {0.0};
@@ -271,18 +263,8 @@ START_TEST(a_line_outside_the_box_is_refused)
     profile_free(NULL);
     mesh_free(m);
 }
-END_TEST
 
-FACTS("profile")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(a_linear_field_is_sampled_exactly_on_a_graded_mesh);
-    FACT(beyond_the_last_centres_the_nearest_row_counts);
-    FACT(a_weighted_mean_counts_what_is_there);
-    FACT(without_a_sample_there_is_no_mean);
-    FACT(samples_count_from_the_given_time_on);
-    FACT(the_mirror_error_is_half_the_difference_of_the_sides);
-    FACT(the_error_of_a_profile_is_that_of_its_blocks);
-    FACT(columns_are_named_with_units);
-    FACT(a_line_outside_the_box_is_refused);
 }

@@ -32,7 +32,7 @@ static int count(const char *text, char what)
 }
 
 /* A run of a day says after seconds how long it will take: 10 s, 20, 40, ... */
-START_TEST(a_long_run_has_lines_before_its_first_tenth)
+FACT(a_long_run_has_lines_before_its_first_tenth)
 {
     struct capture c = capture_begin(2);
     struct progress p;
@@ -49,49 +49,43 @@ START_TEST(a_long_run_has_lines_before_its_first_tenth)
     ck_assert_int_eq(count(said, '\n'), 3);
     ck_assert_ptr_nonnull(strstr(said, "  0 %  t = 0.001 of 1 s"));
 }
-END_TEST
 
-START_TEST(away_from_a_terminal_there_are_ten_lines)
+FACT(away_from_a_terminal_there_are_ten_lines)
 {
     run_steps(PROGRESS_LINES, 1000);
     ck_assert_int_eq(count(said, '\n'), 10);
     ck_assert_ptr_nonnull(strstr(said, " 10 %  t = 0.1 of 1 s"));
     ck_assert_ptr_nonnull(strstr(said, "100 %  t = 1 of 1 s, 0:00 left"));
 }
-END_TEST
 
-START_TEST(few_steps_give_few_lines)
+FACT(few_steps_give_few_lines)
 {
     run_steps(PROGRESS_LINES, 3);
     ck_assert_int_eq(count(said, '\n'), 3);
 }
-END_TEST
 
-START_TEST(bar_stays_on_one_line_and_ends_full)
+FACT(bar_stays_on_one_line_and_ends_full)
 {
     run_steps(PROGRESS_BAR, 1000);
     ck_assert_int_eq(count(said, '\n'), 1);
     ck_assert_ptr_nonnull(
         strstr(said, "[##############################] 100 %"));
 }
-END_TEST
 
 /* A bar for each of 1000 steps would cost more than the steps. */
-START_TEST(bar_is_not_drawn_for_every_step)
+FACT(bar_is_not_drawn_for_every_step)
 {
     run_steps(PROGRESS_BAR, 1000);
     ck_assert_int_lt(count(said, '\r'), 10);
 }
-END_TEST
 
-START_TEST(quiet_says_nothing)
+FACT(quiet_says_nothing)
 {
     run_steps(PROGRESS_QUIET, 1000);
     ck_assert_str_eq(said, "");
 }
-END_TEST
 
-START_TEST(quiet_and_files_are_told_from_terminals)
+FACT(quiet_and_files_are_told_from_terminals)
 {
     struct capture c = capture_begin(2); /* a file, then */
     struct progress p;
@@ -102,9 +96,8 @@ START_TEST(quiet_and_files_are_told_from_terminals)
     ck_assert_int_eq(p.style, PROGRESS_LINES);
     capture_end(&c, said);
 }
-END_TEST
 
-START_TEST(time_left_follows_from_time_spent)
+FACT(time_left_follows_from_time_spent)
 {
     const struct progress p = {PROGRESS_BAR, 0.0, 2.0, 0.0, 0.0, 0};
     char text[PROGRESS_TEXT];
@@ -117,10 +110,9 @@ START_TEST(time_left_follows_from_time_spent)
     progress_line(&p, 0.0, 10.0, text);
     ck_assert_ptr_nonnull(strstr(text, "?:?? left"));
 }
-END_TEST
 
 /* A run that goes on from 1 s has spent nothing on the first second. */
-START_TEST(progress_counts_from_where_the_run_begins)
+FACT(progress_counts_from_where_the_run_begins)
 {
     const struct progress p = {PROGRESS_BAR, 1.0, 2.0, 0.0, 0.0, 0};
     char text[PROGRESS_TEXT];
@@ -128,18 +120,4 @@ START_TEST(progress_counts_from_where_the_run_begins)
     progress_line(&p, 1.5, 30.0, text);
     ck_assert_ptr_nonnull(strstr(text, " 50 %"));
     ck_assert_ptr_nonnull(strstr(text, "0:30 left"));
-}
-END_TEST
-
-FACTS("progress")
-{
-    FACT(a_long_run_has_lines_before_its_first_tenth);
-    FACT(away_from_a_terminal_there_are_ten_lines);
-    FACT(few_steps_give_few_lines);
-    FACT(bar_stays_on_one_line_and_ends_full);
-    FACT(bar_is_not_drawn_for_every_step);
-    FACT(quiet_says_nothing);
-    FACT(quiet_and_files_are_told_from_terminals);
-    FACT(time_left_follows_from_time_spent);
-    FACT(progress_counts_from_where_the_run_begins);
 }

@@ -18,7 +18,7 @@ static double number(int which, int k)
 
 /* Moments 0, 1, 0, 3 and no correlation with the next: within four standard
  * errors, sqrt(1, 2, 6, 24, 1 / N). */
-START_TEST(ew18_34_noise_is_white_and_normal)
+FACT_FOR_EACH(ew18_34_noise_is_white_and_normal, 3)
 {
     double sum[5] = {0.0};
 
@@ -36,10 +36,9 @@ START_TEST(ew18_34_noise_is_white_and_normal)
     ck_assert_double_eq_tol(sum[3] / N, 3.0, 4.0 * sqrt(96.0 / N));
     ck_assert_double_eq_tol(sum[4] / N, 0.0, 4.0 / sqrt(N));
 }
-END_TEST
 
 /* All decades of the unit interval, and never an end of the normal one. */
-START_TEST(uniform_numbers_fill_the_interval)
+FACT(uniform_numbers_fill_the_interval)
 {
     int part[10] = {0};
 
@@ -50,11 +49,4 @@ START_TEST(uniform_numbers_fill_the_interval)
     }
     for (int i = 0; i < 10; i++) /* 4 of sqrt(N 0.1 0.9) */
         ck_assert_double_eq_tol(part[i], 0.1 * N, 4.0 * sqrt(0.09 * N));
-}
-END_TEST
-
-FACTS("random")
-{
-    FACT_FOR_EACH(ew18_34_noise_is_white_and_normal, 3);
-    FACT(uniform_numbers_fill_the_interval);
 }

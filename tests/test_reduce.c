@@ -16,7 +16,7 @@ static void count_block(int first, int last, char *times)
         times[i]++;
 }
 
-START_TEST(parallel_ranges_cover_every_unknown_once)
+FACT(parallel_ranges_cover_every_unknown_once)
 {
     const int sizes[] = {0, 1, 15, 16, 63, 64, 1000, 1024, 65537, 2000000};
 
@@ -47,7 +47,6 @@ START_TEST(parallel_ranges_cover_every_unknown_once)
         free(times);
     }
 }
-END_TEST
 
 static void count_mine(int first, int last, int *done)
 {
@@ -55,7 +54,7 @@ static void count_mine(int first, int last, int *done)
 }
 
 /* To one range more and a short last one. (Of 64, these fill 15.) */
-START_TEST(two_threads_share_a_small_mesh_evenly)
+FACT(two_threads_share_a_small_mesh_evenly)
 {
     const int n = 3600;
     int done[2] = {0, 0};
@@ -65,10 +64,9 @@ START_TEST(two_threads_share_a_small_mesh_evenly)
     ck_assert_int_eq(done[0] + done[1], n);
     ck_assert_int_lt(abs(done[0] - done[1]), 2 * parallel_ranges_length(n));
 }
-END_TEST
 
 /* Sums of n whole numbers are exact, whatever their order. */
-START_TEST(a_dot_product_counts_every_unknown_once)
+FACT(a_dot_product_counts_every_unknown_once)
 {
     const int sizes[] = {1, 31, 32, 33, 5000, 16384, 16385, 70001};
 
@@ -88,9 +86,8 @@ START_TEST(a_dot_product_counts_every_unknown_once)
         free(y);
     }
 }
-END_TEST
 
-START_TEST(fields_side_by_side_have_their_own_dot_products)
+FACT(fields_side_by_side_have_their_own_dot_products)
 {
     for (int m = 1; m <= REDUCE_FIELDS; m++)
         for (int n = 7; n <= 20007; n += 20000) {
@@ -105,9 +102,8 @@ START_TEST(fields_side_by_side_have_their_own_dot_products)
             free(x);
         }
 }
-END_TEST
 
-START_TEST(threads_do_not_change_a_bit)
+FACT(threads_do_not_change_a_bit)
 {
     const int n = 50021;
     double *const x = noise_vector(3 * n, 1), *const y = noise_vector(3 * n, 2);
@@ -124,10 +120,9 @@ START_TEST(threads_do_not_change_a_bit)
     free(x);
     free(y);
 }
-END_TEST
 
 /* To the bit: so the vector z need not be stored. */
-START_TEST(a_scaled_vector_in_single_precision_is_summed_as_its_copy)
+FACT(a_scaled_vector_in_single_precision_is_summed_as_its_copy)
 {
     enum { N = 5003 };
     double *const x = noise_vector(N, 1), *const z = noise_vector(N, 2);
@@ -141,7 +136,6 @@ START_TEST(a_scaled_vector_in_single_precision_is_summed_as_its_copy)
     free(x);
     free(z);
 }
-END_TEST
 
 /* The flags of the mapping of an address; empty where the system tells none. */
 static void flags_of_mapping(const void *address, char flags[256])
@@ -159,7 +153,7 @@ static void flags_of_mapping(const void *address, char flags[256])
 }
 
 /* With small pages a sum of two long vectors takes twice the time. */
-START_TEST(a_long_array_asks_for_large_pages)
+FACT(a_long_array_asks_for_large_pages)
 {
     enum { N = 1 << 20 };
     double *const x = alloc_doubles(N);
@@ -170,17 +164,9 @@ START_TEST(a_long_array_asks_for_large_pages)
         ck_assert_ptr_nonnull(strstr(flags, " hg"));
     free(x);
 }
-END_TEST
 
-FACTS("reduce")
+FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(parallel_ranges_cover_every_unknown_once);
-    FACT(two_threads_share_a_small_mesh_evenly);
-    FACT(a_dot_product_counts_every_unknown_once);
-    FACT(fields_side_by_side_have_their_own_dot_products);
-    FACT(threads_do_not_change_a_bit);
-    FACT(a_scaled_vector_in_single_precision_is_summed_as_its_copy);
-    FACT(a_long_array_asks_for_large_pages);
 }

@@ -58,7 +58,7 @@ static struct dem_options bed_of(int law, const struct dem_method *method)
  * wrong tangential displacement is 1e-3. */
 static const double grown_rounding = 1e-7;
 
-START_TEST(the_fast_loop_agrees_with_the_reference_loop)
+FACT_FOR_EACH(the_fast_loop_agrees_with_the_reference_loop, 4)
 {
     struct particles *ps[2];
     struct dem_report r[2];
@@ -79,7 +79,6 @@ START_TEST(the_fast_loop_agrees_with_the_reference_loop)
     particles_free(ps[0]);
     particles_free(ps[1]);
 }
-END_TEST
 
 /* --- every option at once ------------------------------------------------- */
 
@@ -199,7 +198,7 @@ static void same_energy(const struct energy *a, const struct energy *b)
  * symplectic Euler a run begins with the velocities of the last sweep, and the
  * lists that are made anew ask a sliding contact again whether its force is
  * above the limit, where it is equal to it. */
-START_TEST(the_fast_loop_agrees_with_every_option_at_once)
+FACT_FOR_EACH(the_fast_loop_agrees_with_every_option_at_once, 16)
 {
     const int law = _i & 1, periodic = _i >> 1, springs = periodic % 3 == 0;
     const struct attraction wet = {
@@ -227,12 +226,11 @@ START_TEST(the_fast_loop_agrees_with_every_option_at_once)
     for (int k = 0; k < 3; k++)
         particles_free(ps[k]);
 }
-END_TEST
 
 /* A run that the fast loop began is continued by the reference loop as if it
  * had not changed: histories are the same list for both, with either of the two
  * as the owner of a pair. */
-START_TEST(either_loop_continues_what_the_other_began)
+FACT_FOR_EACH(either_loop_continues_what_the_other_began, 2)
 {
     struct particles *ps[4];
 
@@ -258,12 +256,11 @@ START_TEST(either_loop_continues_what_the_other_began)
     for (int k = 0; k < 4; k++)
         particles_free(ps[k]);
 }
-END_TEST
 
 /* --- what is reported ----------------------------------------------------- */
 
 /* Two spheres deep in each other, and one that leaves the box. */
-START_TEST(both_loops_report_lost_particles_and_deep_overlaps)
+FACT_FOR_EACH(both_loops_report_lost_particles_and_deep_overlaps, 3)
 {
     const struct dem_method *const method[3] = {
         &fast_verlet, &reference_all_pairs, &reference_link_cells};
@@ -291,9 +288,8 @@ START_TEST(both_loops_report_lost_particles_and_deep_overlaps)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(the_reference_loop_refuses_what_it_does_not_know)
+FACT_FOR_EACH(the_reference_loop_refuses_what_it_does_not_know, 2)
 {
     const struct surface floor = {
         .name = "floor", .shape = &surface_plane, .normal = {0.0, 1.0, 0.0}};
@@ -315,14 +311,8 @@ START_TEST(the_reference_loop_refuses_what_it_does_not_know)
     ck_assert_ptr_null(dem_create(ps, &o));
     particles_free(ps);
 }
-END_TEST
 
-FACTS("reference_loop")
+FACTS
 {
     omp_set_num_threads(1);
-    FACT_FOR_EACH(the_fast_loop_agrees_with_the_reference_loop, 4);
-    FACT_FOR_EACH(the_fast_loop_agrees_with_every_option_at_once, 16);
-    FACT_FOR_EACH(either_loop_continues_what_the_other_began, 2);
-    FACT_FOR_EACH(both_loops_report_lost_particles_and_deep_overlaps, 3);
-    FACT_FOR_EACH(the_reference_loop_refuses_what_it_does_not_know, 2);
 }

@@ -100,7 +100,8 @@ static void check(const struct scene *s)
 
 /* Each method with 20 of the 256 choices of busy(), taken with strides such
  * that any two choices occur together. */
-START_TEST(momentum_and_mass_are_conserved_during_insertion_and_removal)
+FACT_FOR_EACH(momentum_and_mass_are_conserved_during_insertion_and_removal,
+              METHODS)
 {
     for (int j = 0; j < 20; j++) {
         struct scene s = busy((37 * _i + 77 * j) % 256);
@@ -110,12 +111,11 @@ START_TEST(momentum_and_mass_are_conserved_during_insertion_and_removal)
         check(&s);
     }
 }
-END_TEST
 
 /* A sphere that appears in fluid at rest replaces it: nothing flows. Were the
  * fluid pushed aside, u would be d / dt = 5 m/s. The sphere rests as well, and
  * without gravity there is no force. */
-START_TEST(a_sphere_that_appears_at_rest_does_not_move_the_fluid)
+FACT_FOR_EACH(a_sphere_that_appears_at_rest_does_not_move_the_fluid, 4)
 {
     struct scene s = busy(_i);
     s.averaging = "diffusion";
@@ -134,12 +134,11 @@ START_TEST(a_sphere_that_appears_at_rest_does_not_move_the_fluid)
         ck_assert_double_lt(fabs(sim->fluid->u[i]), 1e-12);
     discard(sim);
 }
-END_TEST
 
 /* In the first step after spheres appear in a fluid at rest it flows round
  * them, but no force has acted: its momentum is 0 but for rounding, which is no
  * residual. Measured by itself it was half of itself. */
-START_TEST(rounding_of_a_momentum_that_is_0_is_no_residual)
+FACT(rounding_of_a_momentum_that_is_0_is_no_residual)
 {
     struct scene s = busy(3);
     s.averaging = "cube";
@@ -158,13 +157,12 @@ START_TEST(rounding_of_a_momentum_that_is_0_is_no_residual)
     ck_assert_double_lt(sim->fluid->report.momentum_residual, 1e-12);
     discard(sim);
 }
-END_TEST
 
 /* Spheres at 0.1, -0.4, 0.2 m/s are put into a stream of 0.3, 0, 0 m/s: the
  * friction K that the fluid's next step has is that of this slip, although the
  * last averaging did not contain these spheres, and the force F is K times
  * their velocity [XS11 3.15]. */
-START_TEST(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
+FACT(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
 {
     struct scene s = air;
     double k = 0.0, K = 0.0, F[3] = {0.0, 0.0, 0.0};
@@ -198,10 +196,9 @@ START_TEST(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
         ck_assert_double_eq_tol(F[a] / (k * v[a]), 1.0, 1e-9);
     discard(sim);
 }
-END_TEST
 
 /* The last sphere may be removed, and the fluid continues alone. */
-START_TEST(the_last_particle_may_be_removed)
+FACT_FOR_EACH(the_last_particle_may_be_removed, METHODS)
 {
     struct scene s = busy(_i);
     s.averaging = methods[_i % METHODS].averaging;
@@ -216,11 +213,10 @@ START_TEST(the_last_particle_may_be_removed)
         ck_assert_double_eq_tol(sim->fluid->eps[c], 1.0, 1e-12);
     discard(sim);
 }
-END_TEST
 
 /* Without two-way coupling no fluid is replaced, and its momentum does not
  * change. */
-START_TEST(one_way_insertion_and_removal_do_not_change_the_fluid)
+FACT(one_way_insertion_and_removal_do_not_change_the_fluid)
 {
     struct scene s = busy(0);
     s.one_way = 1;
@@ -233,16 +229,4 @@ START_TEST(one_way_insertion_and_removal_do_not_change_the_fluid)
     for (int c = 0; c < sim->mesh->n_cells; c++)
         ck_assert_double_eq_tol(sim->fluid->u[3 * c], 0.3, 1e-12);
     discard(sim);
-}
-END_TEST
-
-FACTS("replacement")
-{
-    FACT_FOR_EACH(momentum_and_mass_are_conserved_during_insertion_and_removal,
-                  METHODS);
-    FACT_FOR_EACH(a_sphere_that_appears_at_rest_does_not_move_the_fluid, 4);
-    FACT(rounding_of_a_momentum_that_is_0_is_no_residual);
-    FACT(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step);
-    FACT_FOR_EACH(the_last_particle_may_be_removed, METHODS);
-    FACT(one_way_insertion_and_removal_do_not_change_the_fluid);
 }

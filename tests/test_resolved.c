@@ -42,18 +42,17 @@ static double array_error(int cells, int steps)
 /* 2.4 % at 12 cells a diameter is what the method leaves; with the pressure's
  * share of a face not taken back (theta = 1) it is 30 %. The order is 2 or more
  * while the gap between the spheres has a few cells. */
-START_TEST(ew18_1_a_cubic_array_has_the_drag_of_zick_and_homsy)
+FACT(ew18_1_a_cubic_array_has_the_drag_of_zick_and_homsy)
 {
     const double coarse = array_error(12, 60), fine = array_error(16, 100);
 
     ck_assert_double_eq_tol(fine, -0.024, 0.003);
     ck_assert_double_ge(log(coarse / fine) / log(16.0 / 12.0), 1.9);
 }
-END_TEST
 
 /* All that drives the flow is taken up by the sphere, once the flow is steady:
  * what is left of the change in 100 steps is 1e-5. */
-START_TEST(ew18_15_the_force_on_the_sphere_is_the_gradient_times_the_volume)
+FACT(ew18_15_the_force_on_the_sphere_is_the_gradient_times_the_volume)
 {
     struct pool p;
 
@@ -62,12 +61,11 @@ START_TEST(ew18_15_the_force_on_the_sphere_is_the_gradient_times_the_volume)
     ck_assert_double_le(p.fluid->report.momentum_residual, 1e-10);
     pool_free(&p);
 }
-END_TEST
 
 /* Forces that act after an implicit viscous step lose half of the drag at
  * nu dt / h^2 = 1. hold has no dt outside the body; what is left, 0.6 % with 9
  * cells in a diameter, is that of the fluxes. */
-START_TEST(ew18_4_the_drag_does_not_depend_on_the_step)
+FACT(ew18_4_the_drag_does_not_depend_on_the_step)
 {
     struct pool p;
     const double small = array_drag(0.216, 12, 0.3, 260, middle, &p);
@@ -77,11 +75,10 @@ START_TEST(ew18_4_the_drag_does_not_depend_on_the_step)
 
     ck_assert_double_eq_tol(large / small, 1.0, 0.01);
 }
-END_TEST
 
 /* The wall is at s = 0 and not at the centres of cells: a staircase changes by
  * many per cent. */
-START_TEST(ew18_4_the_drag_does_not_depend_on_the_place_in_the_cell)
+FACT(ew18_4_the_drag_does_not_depend_on_the_place_in_the_cell)
 {
     struct pool p;
     const double h = 1.0 / 12.0,
@@ -93,9 +90,8 @@ START_TEST(ew18_4_the_drag_does_not_depend_on_the_place_in_the_cell)
 
     ck_assert_double_eq_tol(there / here, 1.0, 0.01);
 }
-END_TEST
 
-START_TEST(ew18_4_the_fluid_inside_moves_with_the_body)
+FACT(ew18_4_the_fluid_inside_moves_with_the_body)
 {
     struct pool p;
     double worst = 0.0, flow[3];
@@ -111,7 +107,6 @@ START_TEST(ew18_4_the_fluid_inside_moves_with_the_body)
     ck_assert_double_le(worst, 10.0 / mark_friction_inside * flow[0]);
     pool_free(&p);
 }
-END_TEST
 
 /* Half a radius below the surface of the sphere, which was at x. */
 static int is_deep(const struct pool *p, const double x[3], int c)
@@ -128,7 +123,7 @@ static int is_deep(const struct pool *p, const double x[3], int c)
  * 1e-10. Deep in a body the fluxes are those of its velocity but for the
  * pressure there, 3e-4; without the body's part in them nothing flows in one
  * that moves. One that is fixed in a flow, and one that begins to move. */
-START_TEST(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it)
+FACT_FOR_EACH(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it, 2)
 {
     struct pool p;
     double largest = 0.0, apart = 0.0;
@@ -160,7 +155,6 @@ START_TEST(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it)
     ck_assert_double_le(apart, 1e-3 * largest);
     pool_free(&p);
 }
-END_TEST
 
 /* --- a plane wall anywhere in a cell -------------------------------------- */
 
@@ -191,7 +185,8 @@ enum { N_TOPS = sizeof tops / sizeof tops[0] };
 
 /* Between cells of the fluid the profile is linear to the tolerance of the
  * solver; in the slab 1/C remains of it, which is why it begins there. */
-START_TEST(ew18_4_couettes_profile_is_exact_for_a_wall_anywhere_in_a_cell)
+FACT_FOR_EACH(ew18_4_couettes_profile_is_exact_for_a_wall_anywhere_in_a_cell,
+              N_TOPS)
 {
     struct pool p;
     const double top = tops[_i];
@@ -205,7 +200,6 @@ START_TEST(ew18_4_couettes_profile_is_exact_for_a_wall_anywhere_in_a_cell)
     }
     pool_free(&p);
 }
-END_TEST
 
 static double parabola_error(int cells, double top)
 {
@@ -224,7 +218,7 @@ static double parabola_error(int cells, double top)
 }
 
 /* Four times finer, in the same place of its cell (0.3 of it). */
-START_TEST(ew18_4_poiseuilles_profile_is_of_second_order)
+FACT(ew18_4_poiseuilles_profile_is_of_second_order)
 {
     const double coarse = parabola_error(8, 0.25 + 0.3 / 8.0),
                  fine = parabola_error(32, 0.25 + 0.3 / 32.0);
@@ -232,7 +226,6 @@ START_TEST(ew18_4_poiseuilles_profile_is_of_second_order)
     ck_assert_double_le(fine, 0.01);
     ck_assert_double_ge(log(coarse / fine) / log(4.0), 1.8);
 }
-END_TEST
 
 /* --- motion ----------------------------------------------------------------
  */
@@ -249,7 +242,7 @@ static int is_around(const struct pool *p, double x)
 
 /* Nothing should depend on how fast the box goes by: the force is that of the
  * tolerance of the solver, times C. */
-START_TEST(ew18_2_a_body_that_drifts_with_the_fluid_feels_no_force)
+FACT(ew18_2_a_body_that_drifts_with_the_fluid_feels_no_force)
 {
     struct pool p;
     const double d = 0.4, V = M_PI / 6.0 * d * d * d, U = 1.0;
@@ -272,7 +265,6 @@ START_TEST(ew18_2_a_body_that_drifts_with_the_fluid_feels_no_force)
     ck_assert_double_eq_tol(p.bodies->ps->vx[0], U, 1e-8);
     pool_free(&p);
 }
-END_TEST
 
 static void total(const struct pool *p, double sum[3])
 {
@@ -282,7 +274,7 @@ static void total(const struct pool *p, double sum[3])
 
 /* Two bodies, one thrown at the other, of which the lighter is at rest: fluid
  * and bodies together keep what there was, whatever they pass on. */
-START_TEST(ew18_2_momentum_of_fluid_and_bodies_is_constant)
+FACT(ew18_2_momentum_of_fluid_and_bodies_is_constant)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {12, 12, 12},
@@ -314,12 +306,11 @@ START_TEST(ew18_2_momentum_of_fluid_and_bodies_is_constant)
     ck_assert_double_ge(moved, 0.05); /* it was not left alone */
     pool_free(&p);
 }
-END_TEST
 
 /* 8 pi mu a^3 omega against the fluid, which in a periodic box turns the other
  * way by the solid fraction, because its mean vorticity is 0. 2 % is missing at
  * 8 cells in a diameter. */
-START_TEST(ew18_16_the_torque_on_a_sphere_that_spins)
+FACT(ew18_16_the_torque_on_a_sphere_that_spins)
 {
     struct pool p;
     const double a = 0.25, w = 1e-3, solid = 4.0 / 3.0 * M_PI * a * a * a;
@@ -334,12 +325,11 @@ START_TEST(ew18_16_the_torque_on_a_sphere_that_spins)
     ck_assert_double_le(fabs(p.bodies->torque[0]), 1e-6 * a * a * a * w);
     pool_free(&p);
 }
-END_TEST
 
 /* I d omega/dt = T: so heavy a sphere turns as steadily as the fluid needs for
  * the torque of the test above; its own change adds 1 % to what is missing
  * there. */
-START_TEST(ew18_3_a_free_sphere_loses_its_spin_by_the_torque)
+FACT(ew18_3_a_free_sphere_loses_its_spin_by_the_torque)
 {
     struct pool p;
     const double a = 0.25, density = 100.0, dt = 1.0 / 256.0,
@@ -357,7 +347,6 @@ START_TEST(ew18_3_a_free_sphere_loses_its_spin_by_the_torque)
                             rate, 0.04 * rate);
     pool_free(&p);
 }
-END_TEST
 
 /* --- numbers ----------------------------------------------------------------
  */
@@ -368,7 +357,7 @@ END_TEST
  * half of that, with a jitter of a tenth of it while so few cells are crossed.
  * Where the residual of the splitting is compared with terms that have the
  * friction in them, the jitter is larger than the spin. */
-START_TEST(ew18_3_a_small_sphere_turns_with_a_shear_at_a_long_step)
+FACT(ew18_3_a_small_sphere_turns_with_a_shear_at_a_long_step)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {12, 12, 12},
@@ -394,10 +383,9 @@ START_TEST(ew18_3_a_small_sphere_turns_with_a_shear_at_a_long_step)
     ck_assert_double_eq_tol(mean, -0.5, 0.04);
     pool_free(&p);
 }
-END_TEST
 
 /* Glass of 1 mm in water: 2500 kg/m^3, at 0.1 m/s. */
-START_TEST(ew18_6_to_9_numbers_of_glass_in_water)
+FACT(ew18_6_to_9_numbers_of_glass_in_water)
 {
     const double Re =
         body_numbers_reynolds(1000.0, 0.1, 1e-3, 1e-3); /* [EW18 6] */
@@ -411,12 +399,11 @@ START_TEST(ew18_6_to_9_numbers_of_glass_in_water)
     ck_assert_double_eq_tol(body_numbers_stokes(2.5, Re), 250.0 / 18.0,
                             1e-12); /* [EW18 9] */
 }
-END_TEST
 
 /* A heavy sphere on a spring in a thick fluid comes to rest where the spring
  * carries its weight less that of the fluid; along z it cannot move. Half of
  * the way, or twice, would be a lost displaced mass. */
-START_TEST(a_spring_carries_the_weight_in_the_fluid)
+FACT(a_spring_carries_the_weight_in_the_fluid)
 {
     const double d = 0.4, V = M_PI / 6.0 * d * d * d, k[3] = {40.0, 40.0, 0.0};
     const double x[3] = {0.5, 0.5, 0.5};
@@ -432,26 +419,4 @@ START_TEST(a_spring_carries_the_weight_in_the_fluid)
                             (3.0 - 1.0) * V * 9.81 / k[1], 1e-4);
     ck_assert_double_eq(p.bodies->ps->z[0], 0.5);
     pool_free(&p);
-}
-END_TEST
-
-FACTS("resolved")
-{
-    FACT(ew18_1_a_cubic_array_has_the_drag_of_zick_and_homsy);
-    FACT(ew18_15_the_force_on_the_sphere_is_the_gradient_times_the_volume);
-    FACT(ew18_4_the_drag_does_not_depend_on_the_step);
-    FACT(ew18_4_the_drag_does_not_depend_on_the_place_in_the_cell);
-    FACT(ew18_4_the_fluid_inside_moves_with_the_body);
-    FACT_FOR_EACH(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it,
-                  2);
-    FACT_FOR_EACH(
-        ew18_4_couettes_profile_is_exact_for_a_wall_anywhere_in_a_cell, N_TOPS);
-    FACT(ew18_4_poiseuilles_profile_is_of_second_order);
-    FACT(ew18_2_a_body_that_drifts_with_the_fluid_feels_no_force);
-    FACT(ew18_2_momentum_of_fluid_and_bodies_is_constant);
-    FACT(ew18_16_the_torque_on_a_sphere_that_spins);
-    FACT(ew18_3_a_free_sphere_loses_its_spin_by_the_torque);
-    FACT(a_spring_carries_the_weight_in_the_fluid);
-    FACT(ew18_3_a_small_sphere_turns_with_a_shear_at_a_long_step);
-    FACT(ew18_6_to_9_numbers_of_glass_in_water);
 }

@@ -140,7 +140,8 @@ static void goes_on_with_the_same_bits(const char *fluid, const char *named)
     build_free(b);
 }
 
-START_TEST(a_simulation_with_any_effect_goes_on_with_the_same_bits)
+FACT_FOR_EACH(a_simulation_with_any_effect_goes_on_with_the_same_bits,
+              N_EFFECTS)
 {
     char text[TEXT];
 
@@ -149,9 +150,8 @@ START_TEST(a_simulation_with_any_effect_goes_on_with_the_same_bits)
     name_effect(effects[_i], text);
     goes_on_with_the_same_bits("", text);
 }
-END_TEST
 
-START_TEST(no_effect_is_left_out)
+FACT(no_effect_is_left_out)
 {
     int n = 0;
 
@@ -159,9 +159,8 @@ START_TEST(no_effect_is_left_out)
         n++;
     ck_assert_int_le(n, N_EFFECTS);
 }
-END_TEST
 
-START_TEST(a_flow_with_any_past_goes_on_with_the_same_bits)
+FACT_FOR_EACH(a_flow_with_any_past_goes_on_with_the_same_bits, 4)
 {
     static const char *const flows[] = {
         "time = \"bdf2\";", "convection = \"linear\";",
@@ -171,10 +170,9 @@ START_TEST(a_flow_with_any_past_goes_on_with_the_same_bits)
     goes_on_with_the_same_bits(
         flows[_i], "gravity = [0.0, -9.8, 0.0]; pressure_gradient = {};");
 }
-END_TEST
 
 /* A mark is that of the whole name of a key, and of what is within it. */
-START_TEST(keys_say_what_may_change_and_what_comes_after_the_bed)
+FACT(keys_say_what_may_change_and_what_comes_after_the_bed)
 {
     static const struct {
         const char *line;
@@ -198,7 +196,6 @@ START_TEST(keys_say_what_may_change_and_what_comes_after_the_bed)
                               ((keys[i].mark & m) != 0),
                           "mark %u of %s", m, keys[i].line);
 }
-END_TEST
 
 /* A visit that notes which memory it has seen. */
 struct seen {
@@ -219,7 +216,7 @@ static int note(void *store, const struct state_array *a)
 
 /* What an effect has written as a field of the cells is read in the next
  * picture, before which no step need have set it anew. */
-START_TEST(every_field_that_an_effect_shows_is_visited)
+FACT(every_field_that_an_effect_shows_is_visited)
 {
     struct simulation *const sim =
         build("", "time_average = { time = 0.01; };");
@@ -246,15 +243,4 @@ START_TEST(every_field_that_an_effect_shows_is_visited)
     ck_assert_int_eq(shown, 2);
     free(s);
     build_free(sim);
-}
-END_TEST
-
-FACTS("resume")
-{
-    FACT_FOR_EACH(a_simulation_with_any_effect_goes_on_with_the_same_bits,
-                  N_EFFECTS);
-    FACT(no_effect_is_left_out);
-    FACT(keys_say_what_may_change_and_what_comes_after_the_bed);
-    FACT_FOR_EACH(a_flow_with_any_past_goes_on_with_the_same_bits, 4);
-    FACT(every_field_that_an_effect_shows_is_visited);
 }

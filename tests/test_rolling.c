@@ -48,7 +48,7 @@ static void run(struct dem *dem, double seconds, const struct dem_options *o)
  * after 0.7 v^2/(mu_r g). 1 % is what the wound spring, 0.1 mm, and the
  * overlap, a share of 0.003 of R, leave. Without the moment of inertia of the
  * rolling, or with R/2 for R*, it would miss by 29 % or 100 %. */
-START_TEST(a_rolling_sphere_stops_after_the_distance_that_theory_gives)
+FACT_FOR_EACH(a_rolling_sphere_stops_after_the_distance_that_theory_gives, 2)
 {
     const struct dem_options o = floor_of(_i);
     struct particles *const ps = resting(&o, 0.0);
@@ -62,11 +62,10 @@ START_TEST(a_rolling_sphere_stops_after_the_distance_that_theory_gives)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* Then it swings on the spring, for a few periods of milliseconds, and rests:
  * a moment of constant size would keep it trembling with mu_r g dt. */
-START_TEST(a_sphere_that_has_stopped_is_at_rest)
+FACT_FOR_EACH(a_sphere_that_has_stopped_is_at_rest, 2)
 {
     const struct dem_options o = floor_of(_i);
     struct particles *const ps = resting(&o, 0.0);
@@ -86,11 +85,10 @@ START_TEST(a_sphere_that_has_stopped_is_at_rest)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* The weight turns it with m g R sin a, and mu_r R m g cos a can hold that up
  * to tan a = mu_r: below it stays, above it runs away with what is left. */
-START_TEST(a_sphere_stays_on_a_slope_of_less_than_mu_r)
+FACT_FOR_EACH(a_sphere_stays_on_a_slope_of_less_than_mu_r, 2)
 {
     const struct dem_options o = floor_of(_i);
 
@@ -109,11 +107,10 @@ START_TEST(a_sphere_stays_on_a_slope_of_less_than_mu_r)
         particles_free(ps);
     }
 }
-END_TEST
 
 /* Two spheres roll on each other: what one turns less the other turns more,
  * so momentum and angular momentum stay, to rounding. */
-START_TEST(rolling_friction_keeps_the_angular_momentum_of_a_pair)
+FACT_FOR_EACH(rolling_friction_keeps_the_angular_momentum_of_a_pair, 2)
 {
     struct dem_options o = floor_of(_i);
     struct particles *const ps = particles_create(2);
@@ -140,7 +137,6 @@ START_TEST(rolling_friction_keeps_the_angular_momentum_of_a_pair)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* A bed in motion, the same bits on one thread and two, and with the springs
  * of rolling taken out and put back half way. */
@@ -171,7 +167,7 @@ static struct particles *stirred(int threads, int halves)
     return ps;
 }
 
-START_TEST(rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit)
+FACT(rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit)
 {
     struct particles *const a = stirred(1, 0), *const b = stirred(2, 1);
     const size_t size = (size_t)a->n * sizeof(double);
@@ -181,9 +177,8 @@ START_TEST(rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit)
     particles_free(a);
     particles_free(b);
 }
-END_TEST
 
-START_TEST(without_rolling_friction_there_is_no_array_for_it)
+FACT(without_rolling_friction_there_is_no_array_for_it)
 {
     struct particles *const ps = particles_create(2);
     const double half[3] = {1.0, 1.0, 1.0}, minus[3] = {-1.0, -1.0, -1.0};
@@ -205,12 +200,11 @@ START_TEST(without_rolling_friction_there_is_no_array_for_it)
     }
     particles_free(ps);
 }
-END_TEST
 
 /* A roll so fast that the dashpot alone is at the cap winds the spring by what
  * was rolled, no farther; and a displacement beyond the cap is reduced to
  * it. */
-START_TEST(a_rolling_spring_is_wound_by_rolling_alone)
+FACT(a_rolling_spring_is_wound_by_rolling_alone)
 {
     const double n[3] = {0.0, 1.0, 0.0}, w[3] = {0.0, 3.0, 100.0};
     const double k_r = 2.0, C_r = 0.1, most = 0.01, dt = 1e-5;
@@ -224,17 +218,8 @@ START_TEST(a_rolling_spring_is_wound_by_rolling_alone)
     ck_assert_double_eq_tol(M[2], -most, 1e-16);
     ck_assert_double_eq_tol(theta[2], most / k_r, 1e-16);
 }
-END_TEST
 
-FACTS("rolling")
+FACTS
 {
     omp_set_num_threads(1);
-    FACT_FOR_EACH(a_rolling_sphere_stops_after_the_distance_that_theory_gives,
-                  2);
-    FACT_FOR_EACH(a_sphere_that_has_stopped_is_at_rest, 2);
-    FACT_FOR_EACH(a_sphere_stays_on_a_slope_of_less_than_mu_r, 2);
-    FACT_FOR_EACH(rolling_friction_keeps_the_angular_momentum_of_a_pair, 2);
-    FACT(rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit);
-    FACT(a_rolling_spring_is_wound_by_rolling_alone);
-    FACT(without_rolling_friction_there_is_no_array_for_it);
 }

@@ -46,7 +46,7 @@ static double energy_error(struct top *t, double E, int n, double dt)
 /* With 120 and 1200 steps in a turn, over 3000 and 300 turns. The error is of
  * second order, goes up and down, and is as large in the end as it was in the
  * beginning. */
-START_TEST(dullweber97_the_energy_of_a_free_rotation_does_not_drift)
+FACT_FOR_EACH(dullweber97_the_energy_of_a_free_rotation_does_not_drift, 2)
 {
     const double dt = _i == 0 ? 0.05 : 0.005, most = _i == 0 ? 1.3e-5 : 1.3e-7;
     struct top t = tumbling();
@@ -58,10 +58,9 @@ START_TEST(dullweber97_the_energy_of_a_free_rotation_does_not_drift)
     ck_assert_double_eq_tol(early / most, 1.0, 0.05);
     ck_assert_double_eq_tol(late / early, 1.0, 1e-3);
 }
-END_TEST
 
 /* The same steps with -dt: what is left is the rounding of 2000 steps. */
-START_TEST(dullweber97_a_free_rotation_can_be_taken_back)
+FACT(dullweber97_a_free_rotation_can_be_taken_back)
 {
     struct top t = tumbling();
     const struct top begin = t;
@@ -72,7 +71,6 @@ START_TEST(dullweber97_a_free_rotation_can_be_taken_back)
     for (int k = 0; k < 4; k++)
         ck_assert_double_eq_tol(t.q[k], begin.q[k], 1e-12);
 }
-END_TEST
 
 /* A top of I_1 = I_2: its axis goes round L at |L|/I_1, here 1 rad/s about z,
  * and it turns about the axis at L . axis (1/I_3 - 1/I_1). Returns how far the
@@ -105,18 +103,17 @@ static double top_error(int axis, int steps)
 
 /* For each of the axes of the body: a step of half the size leaves a quarter of
  * the error. */
-START_TEST(dullweber97_a_symmetric_top_goes_round_at_the_exact_rate)
+FACT_FOR_EACH(dullweber97_a_symmetric_top_goes_round_at_the_exact_rate, 3)
 {
     const double coarse = top_error(_i, 400), fine = top_error(_i, 800);
 
     ck_assert_double_le(fine, 1e-3);
     ck_assert_double_eq_tol(coarse / fine, 4.0, 0.05);
 }
-END_TEST
 
 /* Of a body whose axes are those of the box, and of one that is as round as a
  * cube, the frame is that of the box to the bit. */
-START_TEST(a_frame_that_is_principal_stays_as_it_is)
+FACT_FOR_EACH(a_frame_that_is_principal_stays_as_it_is, 2)
 {
     const double moments[2][3] = {{0.2, 0.5, 0.6}, {0.4, 0.4, 0.4}};
     const double *const own = moments[_i];
@@ -127,11 +124,10 @@ START_TEST(a_frame_that_is_principal_stays_as_it_is)
     ck_assert_int_eq(memcmp(q, (double[4]){1.0}, sizeof q), 0);
     ck_assert_int_eq(memcmp(I, own, sizeof I), 0);
 }
-END_TEST
 
 /* Of an ellipsoid that is turned: what spins about one of its axes has I times
  * the spin as its angular momentum. */
-START_TEST(moments_of_inertia_are_diagonal_in_the_principal_frame)
+FACT(moments_of_inertia_are_diagonal_in_the_principal_frame)
 {
     const double own[3] = {0.2, 0.5, 0.6};
     double q[4] = {0.5, 0.1, -0.7, 0.3}, I[3], Q[3][3], G[6] = {0.0};
@@ -159,14 +155,4 @@ START_TEST(moments_of_inertia_are_diagonal_in_the_principal_frame)
             ck_assert_double_eq_tol(w[e], Q[e][k], 1e-15);
         }
     }
-}
-END_TEST
-
-FACTS("rotation")
-{
-    FACT_FOR_EACH(dullweber97_the_energy_of_a_free_rotation_does_not_drift, 2);
-    FACT(dullweber97_a_free_rotation_can_be_taken_back);
-    FACT_FOR_EACH(dullweber97_a_symmetric_top_goes_round_at_the_exact_rate, 3);
-    FACT_FOR_EACH(a_frame_that_is_principal_stays_as_it_is, 2);
-    FACT(moments_of_inertia_are_diagonal_in_the_principal_frame);
 }

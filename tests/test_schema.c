@@ -18,7 +18,7 @@ static const struct key table[] = {
 
 static const struct key *const tables[] = {table, NULL};
 
-START_TEST(conditions_on_a_number_hold_all)
+FACT(conditions_on_a_number_hold_all)
 {
     ck_assert(schema_allow_number(&table[0], 0.0));
     ck_assert(schema_allow_number(&table[0], 0.5));
@@ -27,9 +27,8 @@ START_TEST(conditions_on_a_number_hold_all)
     ck_assert(schema_allow_number(&table[1], 1e-300));
     ck_assert(!schema_allow_number(&table[1], 0.0));
 }
-END_TEST
 
-START_TEST(words_are_whole_words)
+FACT(words_are_whole_words)
 {
     ck_assert(schema_allow_word(&table[2], "hertz"));
     ck_assert(schema_allow_word(&table[2], "linear"));
@@ -39,9 +38,8 @@ START_TEST(words_are_whole_words)
     ck_assert(schema_allow_word(&table[1], "auto"));
     ck_assert(!schema_allow_word(&table[1], "> 0"));
 }
-END_TEST
 
-START_TEST(each_side_of_the_box_matches_the_row_of_sides)
+FACT(each_side_of_the_box_matches_the_row_of_sides)
 {
     for (int i = 0; schema_patches[i] != NULL; i++) {
         char path[64];
@@ -56,9 +54,8 @@ START_TEST(each_side_of_the_box_matches_the_row_of_sides)
     ck_assert_ptr_null(schema_find(tables, "fluid.<patch>"));
     ck_assert_ptr_null(schema_find(tables, "flu"));
 }
-END_TEST
 
-START_TEST(expectation_names_kind_condition_and_unit)
+FACT(expectation_names_kind_condition_and_unit)
 {
     char text[SCHEMA_TEXT];
 
@@ -67,12 +64,11 @@ START_TEST(expectation_names_kind_condition_and_unit)
     schema_expected(&table[2], text);
     ck_assert_str_eq(text, "linear or hertz");
 }
-END_TEST
 
 /* Whatever group an unknown key stands in, the key that is proposed has a row:
  * the last name of every row of the program, at the root, under another group
  * and in a group that is not there. */
-START_TEST(every_key_that_is_proposed_for_an_unknown_one_exists)
+FACT(every_key_that_is_proposed_for_an_unknown_one_exists)
 {
     static const char *const groups[] = {"", "fluid.", "output.", "nothing."};
     const struct key *all[CASE_FILE_TABLES];
@@ -89,11 +85,10 @@ START_TEST(every_key_that_is_proposed_for_an_unknown_one_exists)
             ck_assert_ptr_eq(schema_find(all, nearest), row);
         }
 }
-END_TEST
 
 /* Every row of the program itself: complete, in a group that has a row, its
  * default allowed by itself. */
-START_TEST(every_row_of_the_tables_is_complete)
+FACT(every_row_of_the_tables_is_complete)
 {
     const struct key *all[CASE_FILE_TABLES];
 
@@ -120,12 +115,11 @@ START_TEST(every_row_of_the_tables_is_complete)
             ck_assert_msg(schema_find(all, group) != NULL, "%s", k->path);
     }
 }
-END_TEST
 
 /* What fills a member is of its type, and no key is read into nothing: but for
  * those of effects, which become numbers in the order of their rows, and for a
  * side, which is a condition. */
-START_TEST(every_key_has_a_member_of_its_type)
+FACT(every_key_has_a_member_of_its_type)
 {
     static const char *const fits[KEY_PATCH + 1] = {
         [KEY_REAL] = "d",   [KEY_INT] = "i",   [KEY_BOOL] = "i",
@@ -149,9 +143,8 @@ START_TEST(every_key_has_a_member_of_its_type)
         ck_assert_msg(!simple || k->at > 0 || own != NULL, "%s", k->path);
     }
 }
-END_TEST
 
-START_TEST(numbers_too_large_for_an_int_are_found_outside_strings_only)
+FACT(numbers_too_large_for_an_int_are_found_outside_strings_only)
 {
     const char *const text = "# 99999999999\n/* 99999999999\n */ a = "
                              "\"99999999999\"; // 99999999999\n"
@@ -167,17 +160,4 @@ START_TEST(numbers_too_large_for_an_int_are_found_outside_strings_only)
     ck_assert_ptr_null(scan_digits("\"unfinished", &line));
     ck_assert_ptr_null(scan_digits("/* unfinished", &line));
     ck_assert_ptr_null(scan_digits("\"ends in \\", &line));
-}
-END_TEST
-
-FACTS("rows")
-{
-    FACT(conditions_on_a_number_hold_all);
-    FACT(words_are_whole_words);
-    FACT(each_side_of_the_box_matches_the_row_of_sides);
-    FACT(expectation_names_kind_condition_and_unit);
-    FACT(every_key_that_is_proposed_for_an_unknown_one_exists);
-    FACT(every_row_of_the_tables_is_complete);
-    FACT(every_key_has_a_member_of_its_type);
-    FACT(numbers_too_large_for_an_int_are_found_outside_strings_only);
 }

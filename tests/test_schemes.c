@@ -12,7 +12,7 @@
 
 /* A polynomial of the degree that the scheme is exact for, at arbitrary steps:
  * with 1 + 2 r in place of (1 + 2 r)/(1 + r) it would be wrong by far. */
-START_TEST(time_weights_give_the_slope_of_a_line_or_of_a_parabola)
+FACT_FOR_EACH(time_weights_give_the_slope_of_a_line_or_of_a_parabola, 6)
 {
     const struct time_scheme *const s = time_schemes[_i % 2];
     const double dt = 0.3, ratios[] = {1.0, 0.5, 3.0}, r = ratios[_i / 2];
@@ -27,16 +27,14 @@ START_TEST(time_weights_give_the_slope_of_a_line_or_of_a_parabola)
     ck_assert_double_eq_tol(w.now - w.old + w.older, 0.0, 1e-15);
     if (s->time_levels > 1) ck_assert_double_eq(w.ahead, r);
 }
-END_TEST
 
-START_TEST(the_first_step_of_bdf2_is_one_of_euler)
+FACT(the_first_step_of_bdf2_is_one_of_euler)
 {
     const struct time_weights w = time_scheme_named("bdf2")->weights(0.0);
     const struct time_weights e = time_scheme_named("euler")->weights(0.0);
     ck_assert_int_eq(memcmp(&w, &e, sizeof w), 0);
     ck_assert_ptr_null(time_scheme_named("bdf3"));
 }
-END_TEST
 
 /* Taylor and Green's vortices, carried along by a stream: u = (1, 0.5) + what
  * they are at rest. In a periodic box, no boundary in the way. */
@@ -149,17 +147,16 @@ static double time_order(struct vortex v)
 static const struct vortex base = {16,      0.04,     0.0,     0.64,
                                    "euler", "linear", "gauss", 0};
 
-START_TEST(euler_has_order_one_in_time)
+FACT_FOR_EACH(euler_has_order_one_in_time, 2)
 {
     struct vortex v = base;
     v.repeats = _i;
     ck_assert_double_eq_tol(time_order(v), 1.0, 0.15);
 }
-END_TEST
 
 /* Also where the step changes by a factor 1.5 and back, and where the scheme
  * takes slopes from the velocities continued in time. */
-START_TEST(sx15_bdf2_has_order_two_in_time)
+FACT_FOR_EACH(sx15_bdf2_has_order_two_in_time, 4)
 {
     static const struct vortex cases[] = {
         {16, 0.04, 0.0, 0.64, "bdf2", "linear", "gauss", 0},
@@ -168,13 +165,12 @@ START_TEST(sx15_bdf2_has_order_two_in_time)
         {16, 0.04, 0.0, 0.64, "bdf2", "second-upwind", "gauss", 0}};
     ck_assert_double_eq_tol(time_order(cases[_i]), 2.0, 0.2);
 }
-END_TEST
 
 /* --- convection --------------------------------------------------------- */
 
 /* Order in space. On these meshes the second order falls faster still, because
  * an error of order four has its part; blended lies between one and two. */
-START_TEST(each_convection_scheme_has_its_order_in_space)
+FACT_FOR_EACH(each_convection_scheme_has_its_order_in_space, 6)
 {
     static const struct {
         const char *name, *slope;
@@ -198,7 +194,6 @@ START_TEST(each_convection_scheme_has_its_order_in_space)
     ck_assert_double_lt(order, rows[_i].most);
     ck_assert_double_lt(fine, rows[_i].error);
 }
-END_TEST
 
 /* A sharp band of sideways velocity 1 is carried along y; by how much does it
  * leave 0 .. 1, and how high is it afterwards? */
@@ -232,7 +227,7 @@ static void band(const char *convection, double *beyond, double *left)
 
 /* Upwind smears the band to a hill; van Leer keeps its height and its bounds
  * (1e-3: the slopes are those of the step before); the others leave them. */
-START_TEST(upwind_and_van_leer_stay_within_bounds_and_others_do_not)
+FACT(upwind_and_van_leer_stay_within_bounds_and_others_do_not)
 {
     double beyond[5], left[5];
     for (int i = 0; i < 5; i++)
@@ -244,13 +239,12 @@ START_TEST(upwind_and_van_leer_stay_within_bounds_and_others_do_not)
     ck_assert_double_lt(beyond[4], 1e-3); /* van Leer */
     ck_assert_double_gt(left[4], 0.98);
 }
-END_TEST
 
 /* --- slopes ------------------------------------------------------------- */
 
 /* A linear field on graded cells, its boundary values given: exact to
  * rounding, also along a direction of one cell. */
-START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
+FACT_FOR_EACH(slopes_of_a_linear_field_are_exact_on_graded_cells, 4)
 {
     static const double G[3][3] = {
         {1.0, -2.0, 0.5}, {0.3, 4.0, -1.0}, {-0.7, 0.1, 2.0}};
@@ -279,12 +273,11 @@ START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
     free(slope);
     mesh_free(m);
 }
-END_TEST
 
 /* u_y = x^2 in cells 1, 2 and 4 wide, around the middle one: by Gauss the slope
  * between the linear values at its faces, by least squares, with the inverse
  * square of the distances as weights, the mean of the slopes on both sides. */
-START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
+FACT_FOR_EACH(slopes_of_a_parabola_are_those_of_the_formulas, 2)
 {
     const struct box_spec spec = {
         {7.0, 1.0, 1.0}, {3, 1, 1}, {4.0, 1.0, 1.0}, {0, 0, 0}};
@@ -305,17 +298,8 @@ START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
     free(u_b);
     mesh_free(m);
 }
-END_TEST
 
-FACTS("schemes")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(time_weights_give_the_slope_of_a_line_or_of_a_parabola, 6);
-    FACT(the_first_step_of_bdf2_is_one_of_euler);
-    FACT_FOR_EACH(euler_has_order_one_in_time, 2);
-    FACT_FOR_EACH(sx15_bdf2_has_order_two_in_time, 4);
-    FACT_FOR_EACH(each_convection_scheme_has_its_order_in_space, 6);
-    FACT(upwind_and_van_leer_stay_within_bounds_and_others_do_not);
-    FACT_FOR_EACH(slopes_of_a_linear_field_are_exact_on_graded_cells, 4);
-    FACT_FOR_EACH(slopes_of_a_parabola_are_those_of_the_formulas, 2);
 }

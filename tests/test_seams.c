@@ -204,7 +204,7 @@ static void compare(int scene, int periodic, const struct outcome *want)
     }
 }
 
-START_TEST(a_heap_moved_across_the_seams_has_the_same_numbers)
+FACT_FOR_EACH(a_heap_moved_across_the_seams_has_the_same_numbers, SCENES)
 {
     const double here[3] = {0.0, 0.0, 0.0};
     struct outcome want = outcome_of(_i, 0, here, &reference_all_pairs);
@@ -214,10 +214,4 @@ START_TEST(a_heap_moved_across_the_seams_has_the_same_numbers)
     for (int periodic = 1; periodic < 8; periodic++)
         compare(_i, periodic, &want);
     release(&want);
-}
-END_TEST
-
-FACTS("seams")
-{
-    FACT_FOR_EACH(a_heap_moved_across_the_seams_has_the_same_numbers, SCENES);
 }

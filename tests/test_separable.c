@@ -50,7 +50,8 @@ static void smooth(const struct mesh *mesh, double b, double tail, int m,
 
 /* Every kind of box, bandwidths from a third of a cell to all of it: the same
  * as the series of the whole matrix, within what both leave away. */
-START_TEST(by_directions_it_is_the_exponential_of_the_whole_matrix)
+FACT_FOR_EACH(by_directions_it_is_the_exponential_of_the_whole_matrix,
+              9 * CLOUD_SHAPES)
 {
     static const double b[] = {0.03, 0.2, 2.0}, tail[] = {1e-13, 1e-6, 1e-2};
     struct mesh *const mesh = shape(_i / 9);
@@ -72,11 +73,11 @@ START_TEST(by_directions_it_is_the_exponential_of_the_whole_matrix)
     free(u);
     free(v);
 }
-END_TEST
 
 /* However much is left away: sums to rounding, constants, and no cell below
  * what the lowest had. */
-START_TEST(the_sum_is_kept_and_nothing_undershoots_for_any_tail)
+FACT_FOR_EACH(the_sum_is_kept_and_nothing_undershoots_for_any_tail,
+              CLOUD_SHAPES)
 {
     static const double tail[] = {1e-12, 1e-3, 0.5};
     struct mesh *const mesh = shape(_i);
@@ -105,10 +106,9 @@ START_TEST(the_sum_is_kept_and_nothing_undershoots_for_any_tail)
     free(u);
     mesh_free(mesh);
 }
-END_TEST
 
 /* sum V a (E b) = sum V (E a) b, to rounding, however much is left away. */
-START_TEST(it_is_its_own_adjoint)
+FACT_FOR_EACH(it_is_its_own_adjoint, CLOUD_SHAPES)
 {
     struct mesh *const mesh = shape(_i);
     const int n = mesh->n_cells;
@@ -128,11 +128,10 @@ START_TEST(it_is_its_own_adjoint)
     free(E);
     mesh_free(mesh);
 }
-END_TEST
 
 /* Fields are independent of each other and of the threads, however they are
  * bundled: the same bits. 33 fields do not fit into one bundle, or two. */
-START_TEST(fields_and_threads_do_not_change_the_bits)
+FACT_FOR_EACH(fields_and_threads_do_not_change_the_bits, 9)
 {
     enum { MOST = 33 };
     static const int fewer[] = {1, 2, 3, 4, 7, 8, 16, 17, 32};
@@ -157,10 +156,9 @@ START_TEST(fields_and_threads_do_not_change_the_bits)
     free(u);
     mesh_free(mesh);
 }
-END_TEST
 
 /* Long enough, some milliseconds, for two threads to be at work at once. */
-START_TEST(no_thread_packs_into_the_bundle_of_another)
+FACT(no_thread_packs_into_the_bundle_of_another)
 {
     struct mesh *const mesh = closed_box(1.0, 1.0, 1.0, 40, 40, 40);
     const int n = 7 * mesh->n_cells;
@@ -180,12 +178,11 @@ START_TEST(no_thread_packs_into_the_bundle_of_another)
     free(two);
     mesh_free(mesh);
 }
-END_TEST
 
 /* In cells of d with b = 4 d, to 1e-6: the standard deviation is b / sqrt 2 =
  * 2.83 cells; a Gaussian has 1e-6 / 6 of itself beyond 5.23 of it, 15 cells.
  * That of a mesh falls a little more slowly. */
-START_TEST(weights_go_as_far_as_a_gaussian_does)
+FACT(weights_go_as_far_as_a_gaussian_does)
 {
     const struct box_spec spec = {
         {100.0, 20.0, 1.0}, {100, 20, 1}, {1.0, 1.0, 1.0}, {1, 0, 0}};
@@ -199,9 +196,8 @@ START_TEST(weights_go_as_far_as_a_gaussian_does)
     separable_free(s);
     mesh_free(mesh);
 }
-END_TEST
 
-START_TEST(no_box_or_a_very_long_one_is_refused)
+FACT(no_box_or_a_very_long_one_is_refused)
 {
     const struct box none = {{0, 0, 0}, {0, 0, 0}, {NULL, NULL, NULL}};
     struct mesh *const mesh =
@@ -211,18 +207,8 @@ START_TEST(no_box_or_a_very_long_one_is_refused)
     ck_assert_ptr_null(separable_create(&mesh->box, 1.0, 0.0, 1e-6));
     mesh_free(mesh);
 }
-END_TEST
 
-FACTS("separable")
+FACTS
 {
     omp_set_num_threads(1);
-    FACT_FOR_EACH(by_directions_it_is_the_exponential_of_the_whole_matrix,
-                  9 * CLOUD_SHAPES);
-    FACT_FOR_EACH(the_sum_is_kept_and_nothing_undershoots_for_any_tail,
-                  CLOUD_SHAPES);
-    FACT_FOR_EACH(it_is_its_own_adjoint, CLOUD_SHAPES);
-    FACT_FOR_EACH(fields_and_threads_do_not_change_the_bits, 9);
-    FACT(no_thread_packs_into_the_bundle_of_another);
-    FACT(weights_go_as_far_as_a_gaussian_does);
-    FACT(no_box_or_a_very_long_one_is_refused);
 }

@@ -21,7 +21,7 @@ static void tear_down(void)
     "version=\"1.0\">\n<Collection>\n"
 #define TAIL "</Collection>\n</VTKFile>\n"
 
-START_TEST(a_collection_lists_each_file_with_its_time)
+FACT(a_collection_lists_each_file_with_its_time)
 {
     struct series *const s = series_create(dir, "fluid", "vtr");
 
@@ -42,10 +42,9 @@ START_TEST(a_collection_lists_each_file_with_its_time)
     ck_assert(!scratch_exists(scratch_path(dir, "fluid.pvd.partial")));
     series_free(s);
 }
-END_TEST
 
 /* Paths are as the folder has them, but the collection names them as XML. */
-START_TEST(names_are_escaped)
+FACT(names_are_escaped)
 {
     struct series *s = series_create(dir, "a&b <\"c\">", "vtp");
 
@@ -58,10 +57,9 @@ START_TEST(names_are_escaped)
                         "a&amp;b &lt;&quot;c&quot;&gt;_000000.vtp\"/>\n" TAIL);
     series_free(s);
 }
-END_TEST
 
 /* The collection on the disk is cut as well. */
-START_TEST(a_resumed_series_has_the_files_of_its_state)
+FACT(a_resumed_series_has_the_files_of_its_state)
 {
     struct kept *const kept = kept_create();
     struct series *s = series_create(dir, "fluid", "vtr");
@@ -85,9 +83,8 @@ START_TEST(a_resumed_series_has_the_files_of_its_state)
     kept_free(kept);
     free(was);
 }
-END_TEST
 
-START_TEST(a_series_that_has_lost_a_file_is_not_resumed)
+FACT(a_series_that_has_lost_a_file_is_not_resumed)
 {
     struct kept *const kept = kept_create();
     struct series *const s = series_create(dir, "fluid", "vtr");
@@ -103,23 +100,16 @@ START_TEST(a_series_that_has_lost_a_file_is_not_resumed)
     series_free(s);
     kept_free(kept);
 }
-END_TEST
 
-START_TEST(a_folder_that_cannot_be_made_is_reported)
+FACT(a_folder_that_cannot_be_made_is_reported)
 {
     scratch_listen(dir);
     scratch_write(scratch_path(dir, "fluid"), "a file");
     ck_assert_ptr_null(series_create(dir, "fluid", "vtr"));
     series_free(NULL);
 }
-END_TEST
 
-FACTS("series")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(a_collection_lists_each_file_with_its_time);
-    FACT(names_are_escaped);
-    FACT(a_resumed_series_has_the_files_of_its_state);
-    FACT(a_series_that_has_lost_a_file_is_not_resumed);
-    FACT(a_folder_that_cannot_be_made_is_reported);
 }

@@ -142,7 +142,7 @@ static const char *with(const char *old, const char *new)
     return text;
 }
 
-START_TEST(values_come_back_as_the_case_says)
+FACT(values_come_back_as_the_case_says)
 {
     struct settings *const s = good_with(NULL);
 
@@ -155,9 +155,8 @@ START_TEST(values_come_back_as_the_case_says)
     ck_assert_double_eq(s->effects.gravity[1], -9.81);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(left_out_keys_have_their_defaults_and_are_not_named)
+FACT(left_out_keys_have_their_defaults_and_are_not_named)
 {
     struct settings *const s = good_with(NULL);
 
@@ -171,9 +170,8 @@ START_TEST(left_out_keys_have_their_defaults_and_are_not_named)
     ck_assert(!settings_has(s, "particles"));
     settings_free(s);
 }
-END_TEST
 
-START_TEST(lists_hold_groups_with_defaults_of_their_own)
+FACT(lists_hold_groups_with_defaults_of_their_own)
 {
     struct settings *const s = good_with(NULL);
     const char *const list = "output.profiles";
@@ -187,9 +185,8 @@ START_TEST(lists_hold_groups_with_defaults_of_their_own)
     ck_assert_int_eq(settings_length(s, "particles.place"), 0);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(inlet_is_a_number_or_a_course_in_time)
+FACT(inlet_is_a_number_or_a_course_in_time)
 {
     struct settings *s = good_with(NULL);
     const struct key_series *u = &settings_side(s, "bottom")->inlet;
@@ -206,9 +203,8 @@ START_TEST(inlet_is_a_number_or_a_course_in_time)
     ck_assert_double_eq(u->value[0], 1.0);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(side_is_found_alone_or_in_its_pair)
+FACT(side_is_found_alone_or_in_its_pair)
 {
     struct settings *const s = good_with(NULL);
 
@@ -218,11 +214,10 @@ START_TEST(side_is_found_alone_or_in_its_pair)
     ck_assert_str_eq(settings_text(s, "fluid.sides"), "no-slip");
     settings_free(s);
 }
-END_TEST
 
 /* libconfig takes whole and real numbers in one array only in round brackets; a
  * text that looks like one, and the lines of messages, stay as they are. */
-START_TEST(vector_may_mix_whole_and_real_numbers)
+FACT(vector_may_mix_whole_and_real_numbers)
 {
     static const char *const arrays[] = {"[0, -9.81, 0]", "[0.0, -9.81, 0]",
                                          "[ 0,\n\t-9.81 /* ] */, 0 ]"};
@@ -251,9 +246,8 @@ START_TEST(vector_may_mix_whole_and_real_numbers)
     refused(with("[4, 5, 6]", "[4, 5.0, 6]"), NULL,
             "case.cfg:2: mesh.cells: ~without point");
 }
-END_TEST
 
-START_TEST(override_replaces_adds_and_reaches_into_lists)
+FACT(override_replaces_adds_and_reaches_into_lists)
 {
     struct settings *s = good_with("fluid.density=1.2");
 
@@ -273,9 +267,8 @@ START_TEST(override_replaces_adds_and_reaches_into_lists)
     ck_assert_int_eq(settings_side(s, "bottom")->inlet.n, 1);
     settings_free(s);
 }
-END_TEST
 
-START_TEST(unknown_key_names_file_line_and_the_nearest)
+FACT(unknown_key_names_file_line_and_the_nearest)
 {
     refused(with("viscosity", "viscsity"), NULL,
             "case.cfg:4: ~fluid.viscsity~did you mean fluid.viscosity~[Pa s]");
@@ -286,9 +279,8 @@ START_TEST(unknown_key_names_file_line_and_the_nearest)
     refused(with("gravity =", "gravty ="), NULL,
             "case.cfg:10: ~did you mean effects.gravity");
 }
-END_TEST
 
-START_TEST(missing_key_names_its_group_and_meaning)
+FACT(missing_key_names_its_group_and_meaning)
 {
     refused(with("    step = 1e-4;", ""), NULL,
             "case.cfg:3: fluid.step is missing~a number > 0 [s]~time step");
@@ -296,9 +288,8 @@ START_TEST(missing_key_names_its_group_and_meaning)
             "case.cfg:12: output.profiles.height is missing~[m]");
     refused("title = \"empty\";", NULL, "case.cfg: mesh is missing");
 }
-END_TEST
 
-START_TEST(wrong_value_names_expectation_unit_and_what_was_found)
+FACT(wrong_value_names_expectation_unit_and_what_was_found)
 {
     refused(with("density = 1000", "density = -1000"), NULL,
             "case.cfg:4: fluid.density~number > 0 [kg/m^3]~found -1000");
@@ -319,9 +310,8 @@ START_TEST(wrong_value_names_expectation_unit_and_what_was_found)
     refused(with("effects = {", "effects = { pull = 3;"), NULL,
             "effects.pull: expected a group");
 }
-END_TEST
 
-START_TEST(wrong_override_is_named_as_such)
+FACT(wrong_override_is_named_as_such)
 {
     refused(good, "fluid.density=-1", "option -s fluid.density=-1: ~[kg/m^3]");
     refused(good, "fluid.densty=1", "option -s ~did you mean fluid.density");
@@ -338,17 +328,15 @@ START_TEST(wrong_override_is_named_as_such)
     refused(good, "fluid.density=", "not one value");
     refused(good, "fluid.density=1;title=2", "not one value");
 }
-END_TEST
 
-START_TEST(group_that_is_needed_must_be_there)
+FACT(group_that_is_needed_must_be_there)
 {
     refused(with("effects = {", "effects = { pull = { force = 1; };"), NULL,
             "case.cfg:10: effects.pull needs particles");
     refused(good, "exchange={drag=\"gidaspow\";}", "exchange needs averaging");
 }
-END_TEST
 
-START_TEST(whole_number_too_large_for_an_int_is_not_misread)
+FACT(whole_number_too_large_for_an_int_is_not_misread)
 {
     refused(with("density = 1000", "density = 70000000000"), NULL,
             "case.cfg:4: 70000000000 is too large");
@@ -356,17 +344,15 @@ START_TEST(whole_number_too_large_for_an_int_is_not_misread)
     settings_free(good_with("fluid.density=70000000000.0"));
     settings_free(good_with("title=\"call 70000000000\""));
 }
-END_TEST
 
-START_TEST(syntax_error_quotes_the_line)
+FACT(syntax_error_quotes_the_line)
 {
     refused("mesh = {\n  size = [0, 1.0 1.0];\n};", NULL,
             "case.cfg:2: syntax error~    size = [0, 1.0 1.0];");
     refused("title = \"a\";\ntitle = \"b\";", NULL, "case.cfg:2: duplicate");
 }
-END_TEST
 
-START_TEST(included_file_is_found_beside_the_case_and_named_in_errors)
+FACT(included_file_is_found_beside_the_case_and_named_in_errors)
 {
     char part[64], text[5000];
 
@@ -381,9 +367,8 @@ START_TEST(included_file_is_found_beside_the_case_and_named_in_errors)
              with("viscosity", "viscsity"));
     refused(text, NULL, "/case.cfg:5: fluid.viscsity");
 }
-END_TEST
 
-START_TEST(file_that_cannot_be_read_is_code_4)
+FACT(file_that_cannot_be_read_is_code_4)
 {
     static const char *const none[] = {NULL};
     static char said[CAPTURE_TEXT];
@@ -398,25 +383,8 @@ START_TEST(file_that_cannot_be_read_is_code_4)
     ck_assert_int_eq(code, 4);
     ck_assert_ptr_nonnull(strstr(said, "absent.cfg"));
 }
-END_TEST
 
-FACTS("settings")
+FACTS
 {
     tcase_add_checked_fixture(facts, make_folder, remove_folder);
-    FACT(values_come_back_as_the_case_says);
-    FACT(left_out_keys_have_their_defaults_and_are_not_named);
-    FACT(lists_hold_groups_with_defaults_of_their_own);
-    FACT(inlet_is_a_number_or_a_course_in_time);
-    FACT(side_is_found_alone_or_in_its_pair);
-    FACT(vector_may_mix_whole_and_real_numbers);
-    FACT(override_replaces_adds_and_reaches_into_lists);
-    FACT(unknown_key_names_file_line_and_the_nearest);
-    FACT(missing_key_names_its_group_and_meaning);
-    FACT(wrong_value_names_expectation_unit_and_what_was_found);
-    FACT(wrong_override_is_named_as_such);
-    FACT(group_that_is_needed_must_be_there);
-    FACT(whole_number_too_large_for_an_int_is_not_misread);
-    FACT(syntax_error_quotes_the_line);
-    FACT(included_file_is_found_beside_the_case_and_named_in_errors);
-    FACT(file_that_cannot_be_read_is_code_4);
 }

@@ -66,7 +66,7 @@ static double exact(struct scene *s, double t)
 
 /* Frozen drag is explicit Euler: with 50 sub-steps of 0.044 tau the error is
  * at most x/(2 e) = 0.8 % of the stream, and with 25 it is twice that. */
-START_TEST(xs11_4_1_sub_steps_converge_to_the_exact_course)
+FACT(xs11_4_1_sub_steps_converge_to_the_exact_course)
 {
     double error[2];
 
@@ -80,12 +80,11 @@ START_TEST(xs11_4_1_sub_steps_converge_to_the_exact_course)
     ck_assert_double_lt(fabs(error[1]), 8e-3 * stream);
     ck_assert_double_eq_tol(error[0] / error[1], 2.0, 0.1);
 }
-END_TEST
 
 /* XS11 Fig. 8: one sub-step of 2.2 tau accelerates the grain to 2.2 times the
  * velocity of the stream, and it diverges; two sub-steps are stable; so is the
  * exponential integration. */
-START_TEST(xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges)
+FACT(xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges)
 {
     struct scene s = grain(1);
     struct simulation *sim = let_go(&s);
@@ -103,11 +102,4 @@ START_TEST(xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges)
         ck_assert_double_eq_tol(sim->particles->vx[0], stream, 1e-5);
         discard(sim);
     }
-}
-END_TEST
-
-FACTS("grain")
-{
-    FACT(xs11_4_1_sub_steps_converge_to_the_exact_course);
-    FACT(xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges);
 }

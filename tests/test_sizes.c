@@ -43,7 +43,7 @@ static struct sizes *kind(int i)
 
 /* The middle of every 1/N of the particles: the error of this rule is of
  * order 1/N^2, and 1/N where the quantile jumps or has a tail without end. */
-START_TEST(drawn_diameters_have_the_given_moments)
+FACT_FOR_EACH(drawn_diameters_have_the_given_moments, KINDS)
 {
     enum { N = 100000 };
     struct sizes *const s = kind(_i);
@@ -56,11 +56,10 @@ START_TEST(drawn_diameters_have_the_given_moments)
     }
     sizes_free(s);
 }
-END_TEST
 
 /* M_0 of the quantile of p is p, but for a jump of "discrete", where it is at
  * least p; and no quantile is outside of the cut-offs. */
-START_TEST(the_quantile_is_the_inverse_of_the_cumulative_distribution)
+FACT_FOR_EACH(the_quantile_is_the_inverse_of_the_cumulative_distribution, KINDS)
 {
     struct sizes *const s = kind(_i);
     const int jumps = strcmp(kinds[_i].law, "discrete") == 0;
@@ -82,7 +81,6 @@ START_TEST(the_quantile_is_the_inverse_of_the_cumulative_distribution)
     ck_assert_double_eq(sizes_moment_below(s, 0, 0.5 * sizes_min(s)), 0.0);
     sizes_free(s);
 }
-END_TEST
 
 struct bell {
     int k;
@@ -110,7 +108,7 @@ static double integral(int k, double a, double b)
 /* The bell of Case 4, integrated by brute force up to the borders of the three
  * groups that the paper colours. Without the cut at 0.083 mm 0.6 % would be
  * smaller, and some negative. */
-START_TEST(xs11_case_4_has_the_moments_of_a_bell_with_cut_offs)
+FACT(xs11_case_4_has_the_moments_of_a_bell_with_cut_offs)
 {
     static const double border[3] = {0.83e-3, 1.67e-3, 2.5e-3};
     struct sizes *const s = kind(0);
@@ -124,10 +122,9 @@ START_TEST(xs11_case_4_has_the_moments_of_a_bell_with_cut_offs)
         }
     sizes_free(s);
 }
-END_TEST
 
 /* With cut-offs eight deviations away: mu, mu^2 + s^2, mu^3 + 3 mu s^2. */
-START_TEST(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss)
+FACT(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss)
 {
     const struct sizes_options o = {.law = sizes_law_named("normal"),
                                     .mean = 1.0,
@@ -142,9 +139,8 @@ START_TEST(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss)
     ck_assert_double_eq_tol(sizes_quantile(s, 0.841344746), 1.1, 1e-9);
     sizes_free(s);
 }
-END_TEST
 
-START_TEST(a_uniform_distribution_has_its_textbook_moments)
+FACT(a_uniform_distribution_has_its_textbook_moments)
 {
     struct sizes *const s = kind(1);
 
@@ -154,11 +150,10 @@ START_TEST(a_uniform_distribution_has_its_textbook_moments)
     ck_assert_double_eq_tol(sizes_quantile(s, 0.25), 1.5e-3, 1e-16);
     sizes_free(s);
 }
-END_TEST
 
 /* Moments exp(k mu + k^2 s^2 / 2); the 84 % quantile is the ratio; and half of
  * the mass lies below exp(3 s^2) times the median (Hatch and Choate). */
-START_TEST(a_lognormal_distribution_has_its_textbook_moments)
+FACT(a_lognormal_distribution_has_its_textbook_moments)
 {
     struct sizes *const s = kind(2);
     const double v = gsl_pow_2(log(1.5));
@@ -173,10 +168,9 @@ START_TEST(a_lognormal_distribution_has_its_textbook_moments)
                             0.5 * sizes_moment(s, 3), 1e-21);
     sizes_free(s);
 }
-END_TEST
 
 /* Given by mass, half of the mass lies below the median. */
-START_TEST(a_lognormal_mass_has_its_median_by_mass)
+FACT(a_lognormal_mass_has_its_median_by_mass)
 {
     struct sizes *const s = kind(7);
 
@@ -185,11 +179,10 @@ START_TEST(a_lognormal_mass_has_its_median_by_mass)
     ck_assert_double_lt(sizes_quantile(s, 0.5), 0.7e-3);
     sizes_free(s);
 }
-END_TEST
 
 /* Of equal masses of two sizes, one twice as large, 8 of 9 particles are
  * small; of 3 to 1 by mass, 24 of 25. */
-START_TEST(fractions_by_mass_are_fractions_by_number_times_d_cubed)
+FACT(fractions_by_mass_are_fractions_by_number_times_d_cubed)
 {
     struct sizes *const number = kind(4), *const mass = kind(8);
 
@@ -201,11 +194,10 @@ START_TEST(fractions_by_mass_are_fractions_by_number_times_d_cubed)
     sizes_free(number);
     sizes_free(mass);
 }
-END_TEST
 
 /* A sieve analysis by mass comes back as the mass of what is drawn; between
  * two sieves in proportion, and an empty class has no particles. */
-START_TEST(a_sieve_analysis_by_mass_is_met_by_the_mass)
+FACT(a_sieve_analysis_by_mass_is_met_by_the_mass)
 {
     struct sizes *const s = kind(9);
     const double all = sizes_moment(s, 3);
@@ -218,7 +210,6 @@ START_TEST(a_sieve_analysis_by_mass_is_met_by_the_mass)
                         sizes_moment_below(s, 0, 5e-4));
     sizes_free(s);
 }
-END_TEST
 
 static void refused(const char *law, struct sizes_options o, const char *why)
 {
@@ -228,7 +219,7 @@ static void refused(const char *law, struct sizes_options o, const char *why)
     ck_assert_msg(strstr(wrong, why) != NULL, "no \"%s\" in %s", why, wrong);
 }
 
-START_TEST(a_distribution_that_cannot_be_is_refused)
+FACT(a_distribution_that_cannot_be_is_refused)
 {
     static const double down[][2] = {{2.0, 0.0}, {1.0, 1.0}};
     static const double none[][2] = {{1.0, 0.0}, {2.0, 0.0}};
@@ -254,20 +245,4 @@ START_TEST(a_distribution_that_cannot_be_is_refused)
     refused("table", (o){.n = 1, .point = down}, "too few");
     refused("table", (o){.n = 3, .point = fall}, "must not fall");
     refused("table", (o){.n = 2, .point = none}, "below the last 1");
-}
-END_TEST
-
-FACTS("sizes")
-{
-    FACT_FOR_EACH(drawn_diameters_have_the_given_moments, KINDS);
-    FACT_FOR_EACH(the_quantile_is_the_inverse_of_the_cumulative_distribution,
-                  KINDS);
-    FACT(xs11_case_4_has_the_moments_of_a_bell_with_cut_offs);
-    FACT(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss);
-    FACT(a_uniform_distribution_has_its_textbook_moments);
-    FACT(a_lognormal_distribution_has_its_textbook_moments);
-    FACT(a_lognormal_mass_has_its_median_by_mass);
-    FACT(fractions_by_mass_are_fractions_by_number_times_d_cubed);
-    FACT(a_sieve_analysis_by_mass_is_met_by_the_mass);
-    FACT(a_distribution_that_cannot_be_is_refused);
 }

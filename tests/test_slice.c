@@ -36,7 +36,7 @@ static struct slice turning(int thin, double **u, double **p)
 
 /* The plane is normal to the direction of one cell, though it is the longest;
  * between the centres of cells a linear field is exact. */
-START_TEST(a_slice_shows_the_plane_that_a_flow_lies_in)
+FACT_FOR_EACH(a_slice_shows_the_plane_that_a_flow_lies_in, 3)
 {
     double *u, *p, w[2];
     struct slice s = turning(_i, &u, &p);
@@ -55,7 +55,6 @@ START_TEST(a_slice_shows_the_plane_that_a_flow_lies_in)
     free(u);
     free(p);
 }
-END_TEST
 
 struct lines {
     int n, points;
@@ -81,7 +80,7 @@ static void add_point(void *of, const double *x)
 /* By Euler's method a line of 300 steps would leave its circle by a tenth of a
  * metre; the midpoint rule leaves 1e-4 r. Beyond the last centres the field
  * does not rise any more, so lines there are left out. */
-START_TEST(streamlines_of_a_fluid_that_turns_are_circles)
+FACT(streamlines_of_a_fluid_that_turns_are_circles)
 {
     double *u, *p;
     struct slice s = turning(2, &u, &p);
@@ -95,13 +94,12 @@ START_TEST(streamlines_of_a_fluid_that_turns_are_circles)
     free(u);
     free(p);
 }
-END_TEST
 
 /* --- surfaces ------------------------------------------------------------- */
 
 /* A square that stands on the plane, one that lies in it and a triangle that is
  * cut at half its height. */
-START_TEST(surfaces_are_cut_where_they_cross_the_plane)
+FACT(surfaces_are_cut_where_they_cross_the_plane)
 {
     double x[] = {0, 0, -1, 0, 0, 1,  0, 1, 1, 0, 1, -1, /* stands */
                   0, 0, 5,  1, 0, 5,  1, 1, 5,           /* lies above */
@@ -117,12 +115,4 @@ START_TEST(surfaces_are_cut_where_they_cross_the_plane)
     fclose(out);
     ck_assert_str_eq(text, "0 0\n0 1\n\n3.5 0\n2.5 0\n\n");
     free(text);
-}
-END_TEST
-
-FACTS("slice")
-{
-    FACT_FOR_EACH(a_slice_shows_the_plane_that_a_flow_lies_in, 3);
-    FACT(streamlines_of_a_fluid_that_turns_are_circles);
-    FACT(surfaces_are_cut_where_they_cross_the_plane);
 }

@@ -7,17 +7,16 @@
 #include "suspension.h"
 
 /* The bed of the chapter's map: eps_f = 0.45, its edge at 0.41 tau_p. */
-START_TEST(a_packed_bed_requires_less_than_half_its_relaxation_time)
+FACT(a_packed_bed_requires_less_than_half_its_relaxation_time)
 {
     ck_assert_double_eq_tol(stability_longest_step(0.45, 1.0), 0.405, 1e-12);
     ck_assert_double_eq_tol(stability_longest_step(1.0, 3.0), 6.0, 1e-12);
 }
-END_TEST
 
 /* Where the largest factor is 1. Without an added mass q = r. With it neutral
  * spheres have half of the volume, and a tenth as heavy ones the root of q^2 -
  * 4 q + 2 r + 1 = 0, both without a share in advance. */
-START_TEST(the_oscillation_decays_below_the_densest_packing)
+FACT(the_oscillation_decays_below_the_densest_packing)
 {
     static const double ratio[] = {1.0, 1.0, 0.1, 0.1};
     static const struct added_mass added[] = {{0.0, 0.0}, {0.5, 0.0}};
@@ -33,7 +32,6 @@ START_TEST(the_oscillation_decays_below_the_densest_packing)
             1e-11);
     }
 }
-END_TEST
 
 static double larger_root(double C, double r, double q, double s)
 {
@@ -45,7 +43,7 @@ static double larger_root(double C, double r, double q, double s)
 
 /* By a search in steps of a hundredth. Near a double root the larger one goes
  * as the root of the rounding error of s. */
-START_TEST(no_other_share_in_advance_has_a_smaller_factor)
+FACT_FOR_EACH(no_other_share_in_advance_has_a_smaller_factor, 6)
 {
     static const double ratio[] = {0.1, 1.0, 2.0, 2.65, 8.0, 2000.0};
     const double r = ratio[_i];
@@ -62,7 +60,6 @@ START_TEST(no_other_share_in_advance_has_a_smaller_factor)
                                     larger_root(C, r, q, 0.01 * k) + 1e-7);
         }
 }
-END_TEST
 
 /* Everything at rest. */
 static void stop(struct simulation *sim)
@@ -148,7 +145,7 @@ static double left_of_20_10(const double D[SINKING], double C, double r,
     return most;
 }
 
-START_TEST(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10)
+FACT_FOR_EACH(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10, 3)
 {
     static const double ratio[] = {1.3, 2.5, 5.0}, C[] = {0.0, 0.5};
     const double r = ratio[_i];
@@ -169,7 +166,6 @@ START_TEST(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10)
                 left_of_20_10(D, C[k], r, eps_s / (1.0 - eps_s), share), 5e-3);
         }
 }
-END_TEST
 
 /* The growth in a step, in the mean over many, of a free bed whose steps are
  * computed one after the other as (20.9) has them, with the history force H of
@@ -196,7 +192,7 @@ static double growth_of_steps(double C, double H, double r, double q, double s)
 
 /* A double root grows as 4000 times its power, 0.2 % a step more. Where the bed
  * at rest has a larger factor, that one is given, and is not compared. */
-START_TEST(a_bed_with_history_grows_by_the_largest_root_of_20_12)
+FACT_FOR_EACH(a_bed_with_history_grows_by_the_largest_root_of_20_12, 3)
 {
     static const double ratio[] = {1.3, 2.65, 8.0};
     static const struct added_mass added[] = {
@@ -218,13 +214,12 @@ START_TEST(a_bed_with_history_grows_by_the_largest_root_of_20_12)
         }
     ck_assert_int_gt(compared, 3);
 }
-END_TEST
 
 /* Spheres that are too heavy to move, in a fluid without friction that is
  * pushed once, to 1e-5 m/s, at which the drag of the wake is small too. Without
  * a share in advance it changes in each step by -q C of the change before:
  * (20.13). */
-START_TEST(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13)
+FACT(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13)
 {
     static const struct added_mass half = {0.5, 0.0};
     struct scene s = air;
@@ -258,10 +253,9 @@ START_TEST(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13)
     }
     discard(sim);
 }
-END_TEST
 
 /* They are computed twice where particles are inserted or removed. */
-START_TEST(drag_terms_that_are_computed_twice_are_the_same)
+FACT(drag_terms_that_are_computed_twice_are_the_same)
 {
     struct scene s = air;
     const int n = s.cells * s.cells * s.cells;
@@ -279,11 +273,10 @@ START_TEST(drag_terms_that_are_computed_twice_are_the_same)
     free(K);
     discard(sim);
 }
-END_TEST
 
 /* Charged with all of the reaction in advance, this bed in water grows by 1.4 a
  * step. */
-START_TEST(a_bed_with_virtual_mass_and_history_in_water_is_stable)
+FACT(a_bed_with_virtual_mass_and_history_in_water_is_stable)
 {
     struct scene s = air;
     double D[SINKING];
@@ -295,14 +288,12 @@ START_TEST(a_bed_with_virtual_mass_and_history_in_water_is_stable)
     sink(&s, 1.3, D);
     ck_assert_double_lt(fabs(D[SINKING - 1]), 0.2 * fabs(D[1]));
 }
-END_TEST
 
 /* Sand in air, a solid fraction of 0.6: 1500 kg and 0.48 kg a cubic metre. */
-START_TEST(the_loading_is_mass_beside_mass)
+FACT(the_loading_is_mass_beside_mass)
 {
     ck_assert_double_eq_tol(stability_loading(2500.0, 0.6, 1.2), 3125.0, 1e-9);
 }
-END_TEST
 
 /* Largest momentum of 400 light spheres in a fluid without friction, over what
  * they began with. 1 mm in 12 mm: eps_s = 0.12. Two that cross move by a radius
@@ -335,7 +326,7 @@ static double growth(double ratio, double C)
 /* Below 1 nothing grows, though the spheres weigh a fiftieth of the fluid; far
  * above (the interpolation over 2 cells damps some of it) the oscillation
  * diverges, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
-START_TEST(light_spheres_are_limited_by_the_amplification_not_by_their_loading)
+FACT(light_spheres_are_limited_by_the_amplification_not_by_their_loading)
 {
     static const struct added_mass none = {0.0, 0.0}, half = {0.5, 0.0};
     const double eps_s = 400.0 * M_PI / 6.0 / 1728.0;
@@ -348,7 +339,6 @@ START_TEST(light_spheres_are_limited_by_the_amplification_not_by_their_loading)
     ck_assert_double_lt(stability_amplification(&half, 0.02, eps_s, 1), 0.5);
     ck_assert_double_lt(growth(0.02, 0.5), 1.0);
 }
-END_TEST
 
 /* 64 spheres side by side in honey, one a cell, all as fast; a step lasts x of
  * their relaxation times, and the spheres weigh M times as much as the fluid.
@@ -399,7 +389,7 @@ static struct scene way(enum treatment treatment,
 /* A fifth of the step below and above (20.2), and the edge of the semi-implicit
  * one; the factor of a step is then 0.6 to 0.9 and 1.1 to 1.5, and 30 steps
  * make 0.04 and 20 of it at least. */
-START_TEST(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them)
+FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them, 3)
 {
     static const double loading[] = {0.01, 1.0, 100.0},
                         root[] = {1.94387, 1.0, 0.514439};
@@ -415,10 +405,9 @@ START_TEST(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them)
     ck_assert_double_lt(slip_left(0.8 * edge, M, &new), 0.05);
     ck_assert_double_gt(slip_left(1.4 * edge, M, &new), 1.5);
 }
-END_TEST
 
 /* The exponential has no edge, and "auto" keeps within those of its parts. */
-START_TEST(what_relaxes_in_the_step_or_in_its_parts_is_stable)
+FACT(what_relaxes_in_the_step_or_in_its_parts_is_stable)
 {
     static const double loading[] = {0.1, 1.0, 10.0, 100.0};
     const struct scene exact = way(TREATMENT_SEMI_IMPLICIT,
@@ -434,22 +423,8 @@ START_TEST(what_relaxes_in_the_step_or_in_its_parts_is_stable)
         ck_assert_double_lt(slip_left(2.5, loading[k], &parts), 0.01);
     }
 }
-END_TEST
 
-FACTS("stability")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT(a_packed_bed_requires_less_than_half_its_relaxation_time);
-    FACT(the_oscillation_decays_below_the_densest_packing);
-    FACT_FOR_EACH(no_other_share_in_advance_has_a_smaller_factor, 6);
-    FACT_FOR_EACH(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10, 3);
-    FACT_FOR_EACH(a_bed_with_history_grows_by_the_largest_root_of_20_12, 3);
-    FACT(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13);
-    FACT(drag_terms_that_are_computed_twice_are_the_same);
-    FACT(a_bed_with_virtual_mass_and_history_in_water_is_stable);
-    FACT(the_loading_is_mass_beside_mass);
-    FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them,
-                  3);
-    FACT(what_relaxes_in_the_step_or_in_its_parts_is_stable);
-    FACT(light_spheres_are_limited_by_the_amplification_not_by_their_loading);
 }

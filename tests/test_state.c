@@ -78,7 +78,7 @@ static void save(const struct part *a)
     free(image.bytes);
 }
 
-START_TEST(the_visit_that_saves_loads_the_same_bits)
+FACT(the_visit_that_saves_loads_the_same_bits)
 {
     struct part a = {.t = 0.0};
     const char *why;
@@ -101,9 +101,8 @@ START_TEST(the_visit_that_saves_loads_the_same_bits)
     free(text);
     state_file_free(f);
 }
-END_TEST
 
-START_TEST(a_single_number_is_found_by_its_name_whatever_its_type)
+FACT(a_single_number_is_found_by_its_name_whatever_its_type)
 {
     const char *why;
 
@@ -116,10 +115,9 @@ START_TEST(a_single_number_is_found_by_its_name_whatever_its_type)
     ck_assert(isnan(state_file_number(f, "/part/none")));
     state_file_free(f);
 }
-END_TEST
 
 /* One flipped bit in any byte: every 7th is tried. */
-START_TEST(a_damaged_file_is_noticed_whichever_byte_it_is)
+FACT(a_damaged_file_is_noticed_whichever_byte_it_is)
 {
     size_t size = 0;
     const char *why;
@@ -137,9 +135,8 @@ START_TEST(a_damaged_file_is_noticed_whichever_byte_it_is)
     }
     free(bytes);
 }
-END_TEST
 
-START_TEST(half_a_file_is_noticed_and_none_has_no_reason)
+FACT(half_a_file_is_noticed_and_none_has_no_reason)
 {
     size_t size = 0;
     const char *why;
@@ -158,9 +155,8 @@ START_TEST(half_a_file_is_noticed_and_none_has_no_reason)
     ck_assert_ptr_null(why);
     free(bytes);
 }
-END_TEST
 
-START_TEST(the_file_of_before_is_kept_beside_the_new_one)
+FACT(the_file_of_before_is_kept_beside_the_new_one)
 {
     struct part later = full, a = {.t = 0.0};
     const char *why;
@@ -174,7 +170,6 @@ START_TEST(the_file_of_before_is_kept_beside_the_new_one)
     ck_assert(a.t == full.t);
     state_file_free(f);
 }
-END_TEST
 
 /* Loads with one thing that is not as in the file; the message has `said`. */
 static void refused(void (*visit)(struct state *s), const char *said)
@@ -218,7 +213,7 @@ static void visit_some(struct state *s)
     state_real(s, "part/t", "s", &t);
 }
 
-START_TEST(a_state_of_another_case_is_refused)
+FACT_FOR_EACH(a_state_of_another_case_is_refused, 4)
 {
     static const struct {
         void (*visit)(struct state *s);
@@ -230,10 +225,9 @@ START_TEST(a_state_of_another_case_is_refused)
 
     refused(cases[_i].visit, cases[_i].said);
 }
-END_TEST
 
 /* A name for two arrays would lose one of them. */
-START_TEST(two_arrays_of_one_name_cannot_be_saved)
+FACT(two_arrays_of_one_name_cannot_be_saved)
 {
     double a = 1.0, b = 2.0;
     struct state_file *const f = state_file_create();
@@ -246,10 +240,9 @@ START_TEST(two_arrays_of_one_name_cannot_be_saved)
     struct state_image image = state_file_image(f);
     ck_assert_ptr_null(image.bytes);
 }
-END_TEST
 
 /* Whoever attaches an array to the particles need not think of this. */
-START_TEST(every_array_that_is_attached_is_saved_and_loaded)
+FACT(every_array_that_is_attached_is_saved_and_loaded)
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
     struct particles *const ps = particles_create(2);
@@ -273,17 +266,8 @@ START_TEST(every_array_that_is_attached_is_saved_and_loaded)
     kept_free(kept);
     particles_free(ps);
 }
-END_TEST
 
-FACTS("state")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(the_visit_that_saves_loads_the_same_bits);
-    FACT(a_single_number_is_found_by_its_name_whatever_its_type);
-    FACT(a_damaged_file_is_noticed_whichever_byte_it_is);
-    FACT(half_a_file_is_noticed_and_none_has_no_reason);
-    FACT(the_file_of_before_is_kept_beside_the_new_one);
-    FACT_FOR_EACH(a_state_of_another_case_is_refused, 4);
-    FACT(two_arrays_of_one_name_cannot_be_saved);
-    FACT(every_array_that_is_attached_is_saved_and_loaded);
 }

@@ -21,27 +21,25 @@ static void signal_of(int n, double a, int which, double *x)
 
 /* 1, 2, 3, 10: mean 4, squares 9 + 4 + 1 + 36 over 4, cubes -27 - 8 - 1 + 216.
  */
-START_TEST(ew18_23_mean_of_four_numbers)
+FACT(ew18_23_mean_of_four_numbers)
 {
     static const double x[] = {1.0, 2.0, 3.0, 10.0};
     ck_assert_double_eq(moments_mean(4, x), 4.0);
     ck_assert_double_eq(moments_mean(0, x), 0.0);
 }
-END_TEST
 
-START_TEST(ew18_24_deviation_is_divided_by_all)
+FACT(ew18_24_deviation_is_divided_by_all)
 {
     static const double x[] = {1.0, 2.0, 3.0, 10.0};
     ck_assert_double_eq_tol(moments_deviation(4, x), sqrt(12.5), 1e-15);
     ck_assert_double_eq_tol(moments_skewness(4, x), 45.0 / pow(12.5, 1.5),
                             1e-14);
 }
-END_TEST
 
 /* The mean of n correlated values has the variance 2 T / (n dt): blocks of 100
  * memories find it, to sqrt(1 / 2 x 100 blocks) = 7 %, three times that here.
  * Taken as independent the error would be three times too small. */
-START_TEST(blocks_give_the_error_of_a_correlated_mean)
+FACT(blocks_give_the_error_of_a_correlated_mean)
 {
     enum { N = 50000, BLOCKS = 100 };
     double *const x = alloc_doubles(N);
@@ -54,10 +52,9 @@ START_TEST(blocks_give_the_error_of_a_correlated_mean)
     ck_assert(isnan(moments_block_error(10, x, 11)));
     free(x);
 }
-END_TEST
 
 /* Against the sum as it is written, at all lags. */
-START_TEST(ew18_28_transform_is_the_sum_of_products)
+FACT(ew18_28_transform_is_the_sum_of_products)
 {
     enum { N = 37 };
     double x[N], c[N] = {0.0};
@@ -72,10 +69,9 @@ START_TEST(ew18_28_transform_is_the_sum_of_products)
         ck_assert_double_eq_tol(c[k], sum / (N - k), 1e-13);
     }
 }
-END_TEST
 
 /* The mean of a signal is not a part of its fluctuation. */
-START_TEST(ew18_29_mean_is_taken_off)
+FACT(ew18_29_mean_is_taken_off)
 {
     enum { N = 64 };
     double x[N], y[N], c[8] = {0.0}, d[8] = {0.0};
@@ -88,11 +84,10 @@ START_TEST(ew18_29_mean_is_taken_off)
     for (int k = 0; k < 8; k++)
         ck_assert_double_eq_tol(c[k], d[k], 1e-8);
 }
-END_TEST
 
 /* R = exp(-tau), exactly: its integral to t is 1 - exp(-t), the trapezoids'
  * error dt^2 / 12. */
-START_TEST(ew18_30_integral_of_an_exponential_is_its_time)
+FACT(ew18_30_integral_of_an_exponential_is_its_time)
 {
     enum { N = 2000 };
     static double R[N], I[N];
@@ -103,14 +98,13 @@ START_TEST(ew18_30_integral_of_an_exponential_is_its_time)
     ck_assert_double_eq_tol(I[100], 1.0 - exp(-1.0), 1e-5);
     ck_assert_double_eq_tol(I[N - 1], 1.0, 1e-5);
 }
-END_TEST
 
 /* 50 signals of T = 1, each with a sine of its own phase, half as strong and
  * of the period 8: the running integral swings by 8 / 2 pi / 5, a fourth of T,
  * and the mean over two periods of ends does not. 5 %: that the mean of each
  * signal is taken off lowers T by 2 T / 1638 over ends of 12, 2 %, and three
  * standard errors of 50 x 800 memories are 2 %. */
-START_TEST(ew18_31_a_plateau_takes_out_a_slow_wave)
+FACT(ew18_31_a_plateau_takes_out_a_slow_wave)
 {
     enum { N = 32768, LAGS = 420, SIGNALS = 50 };
     const double dt = 0.05, period = 8.0, a = exp(-dt);
@@ -138,10 +132,9 @@ START_TEST(ew18_31_a_plateau_takes_out_a_slow_wave)
     free(x);
     free(c);
 }
-END_TEST
 
 /* A normal sample has a normal density, to four standard errors of a bin. */
-START_TEST(a_density_of_normal_numbers_is_normal)
+FACT(a_density_of_normal_numbers_is_normal)
 {
     enum { N = 50000, BINS = 12 };
     double *const x = alloc_doubles(N), p[BINS], whole = 0.0;
@@ -159,12 +152,11 @@ START_TEST(a_density_of_normal_numbers_is_normal)
     ck_assert_double_eq_tol(whole, inside, 1e-12);
     free(x);
 }
-END_TEST
 
 /* Two boxes of four cells, one of them with a sphere in a corner: the mean is
  * over the fluid alone, so that a constant comes back, and a box without fluid
  * gives 0. */
-START_TEST(ew18_25_a_box_has_the_mean_of_its_fluid)
+FACT(ew18_25_a_box_has_the_mean_of_its_fluid)
 {
     const double V[] = {1.0, 1.0, 2.0, 1.0, 1.0, 1.0};
     const double chi[] = {1.0, 0.25, 0.5, 0.0, 0.0, 0.0};
@@ -181,11 +173,10 @@ START_TEST(ew18_25_a_box_has_the_mean_of_its_fluid)
     ck_assert_double_eq(mean[2], 0.0);
     ck_assert_double_eq(eps[1], 0.0);
 }
-END_TEST
 
 /* Values that grow by 1 a unit of Re and 100 a unit of eps, in a wide cloud:
  * near (10, 0.6) they are 70 +- 0.6. Its share of the cloud is known, too. */
-START_TEST(ew18_24_a_sample_takes_what_is_within_a_per_cent)
+FACT(ew18_24_a_sample_takes_what_is_within_a_per_cent)
 {
     enum { N = 20000 };
     double *const v = alloc_doubles(4 * N), *const Re = v + N,
@@ -207,18 +198,16 @@ START_TEST(ew18_24_a_sample_takes_what_is_within_a_per_cent)
     ck_assert_double_eq_tol(s.deviation, spread, 4.0 * s.deviation_error);
     free(v);
 }
-END_TEST
 
 /* The velocity that all have is none. */
-START_TEST(granular_temperature_is_that_about_the_mean)
+FACT(granular_temperature_is_that_about_the_mean)
 {
     static const double v[] = {3.0, 5.0, 4.0, 4.0};
     ck_assert_double_eq_tol(temperature_of(4, v), 0.5, 1e-15);
 }
-END_TEST
 
 /* Layers of grains at 0.5, 1.5, ... 9.5 are a bed of height 10. */
-START_TEST(height_of_an_even_bed_is_twice_the_mean)
+FACT(height_of_an_even_bed_is_twice_the_mean)
 {
     double y[1000], room[1000];
 
@@ -228,21 +217,4 @@ START_TEST(height_of_an_even_bed_is_twice_the_mean)
     ck_assert_double_eq(temperature_percentile(1000, y, 1.0, room), 11.5);
     ck_assert_double_eq_tol(temperature_percentile(1000, y, 0.5, room), 7.0,
                             0.5);
-}
-END_TEST
-
-FACTS("statistics")
-{
-    FACT(ew18_23_mean_of_four_numbers);
-    FACT(ew18_24_deviation_is_divided_by_all);
-    FACT(blocks_give_the_error_of_a_correlated_mean);
-    FACT(ew18_28_transform_is_the_sum_of_products);
-    FACT(ew18_29_mean_is_taken_off);
-    FACT(ew18_30_integral_of_an_exponential_is_its_time);
-    FACT(ew18_31_a_plateau_takes_out_a_slow_wave);
-    FACT(a_density_of_normal_numbers_is_normal);
-    FACT(ew18_25_a_box_has_the_mean_of_its_fluid);
-    FACT(ew18_24_a_sample_takes_what_is_within_a_per_cent);
-    FACT(granular_temperature_is_that_about_the_mean);
-    FACT(height_of_an_even_bed_is_twice_the_mean);
 }

@@ -68,7 +68,8 @@ static int compare_one_host(const struct mesh *m, const struct stencil *s,
 
 /* 0.01: within the cell. 0.37: across more than a period of those shapes that
  * have two cells or five. */
-START_TEST(a_stencil_contains_the_cells_near_its_own_and_no_others)
+FACT_FOR_EACH(a_stencil_contains_the_cells_near_its_own_and_no_others,
+              4 * CLOUD_SHAPES)
 {
     static const double b[] = {0.01, 0.11, 0.23, 0.37};
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 4]);
@@ -88,11 +89,10 @@ START_TEST(a_stencil_contains_the_cells_near_its_own_and_no_others)
     stencil_free(s);
     mesh_free(m);
 }
-END_TEST
 
 /* Equal cells, walls all round, b of 1.6 cells reaches 2 cells off: 2 kinds of
  * cell near each wall and one between, 5 a direction. */
-START_TEST(cells_with_equal_surroundings_share_a_stencil)
+FACT(cells_with_equal_surroundings_share_a_stencil)
 {
     struct mesh *const m = closed_box(1.2, 1.1, 1.0, 12, 11, 10);
     struct stencil *const s = stencil_create(m, 0.16, STENCIL_TO_CENTRE);
@@ -101,7 +101,6 @@ START_TEST(cells_with_equal_surroundings_share_a_stencil)
     stencil_free(s);
     mesh_free(m);
 }
-END_TEST
 
 /* 1 if cell c has point p for a corner. */
 static int has_corner(const struct mesh_shape *s, int c, int p)
@@ -115,7 +114,7 @@ static int has_corner(const struct mesh_shape *s, int c, int p)
 
 /* Oblique, bent or of many faces: a body at a corner, however small, is in all
  * cells that have it, so they must be near each other for the smallest b. */
-START_TEST(cells_that_share_a_corner_are_near)
+FACT_FOR_EACH(cells_that_share_a_corner_are_near, 3)
 {
     struct mesh *const m = _i == 0 ? poly_read("tests/data/poly/sheared", NULL)
                            : _i == 1 ? poly_read("tests/data/poly/dual", NULL)
@@ -135,10 +134,9 @@ START_TEST(cells_that_share_a_corner_are_near)
     stencil_free(near);
     mesh_free(m);
 }
-END_TEST
 
 /* The estimate that `winnow check` gives is right within a factor of two. */
-START_TEST(the_memory_is_known_beforehand)
+FACT(the_memory_is_known_beforehand)
 {
     const struct box_spec spec = {
         {7.0, 7.0, 7.0}, {7, 7, 7}, {1.0, 1.0, 1.0}, {1, 1, 1}};
@@ -160,10 +158,9 @@ START_TEST(the_memory_is_known_beforehand)
     mesh_free(m);
     mesh_free(box);
 }
-END_TEST
 
 /* Only cells that differ have a list each, in whichever direction they do. */
-START_TEST(equal_cells_need_no_memory_and_graded_ones_do)
+FACT_FOR_EACH(equal_cells_need_no_memory_and_graded_ones_do, 4)
 {
     struct box_spec spec = {
         {0.8, 0.7, 0.6}, {4, 4, 4}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -179,15 +176,4 @@ START_TEST(equal_cells_need_no_memory_and_graded_ones_do)
         ck_assert_double_gt(any, near);
     }
     mesh_free(m);
-}
-END_TEST
-
-FACTS("stencil")
-{
-    FACT_FOR_EACH(a_stencil_contains_the_cells_near_its_own_and_no_others,
-                  4 * CLOUD_SHAPES);
-    FACT(cells_with_equal_surroundings_share_a_stencil);
-    FACT_FOR_EACH(cells_that_share_a_corner_are_near, 3);
-    FACT(the_memory_is_known_beforehand);
-    FACT_FOR_EACH(equal_cells_need_no_memory_and_graded_ones_do, 4);
 }

@@ -48,7 +48,7 @@ static void refused(const char *text, const char *said)
     free(heard);
 }
 
-START_TEST(text_with_two_solids_is_read)
+FACT(text_with_two_solids_is_read)
 {
     struct stl s;
 
@@ -61,7 +61,6 @@ START_TEST(text_with_two_solids_is_read)
     ck_assert_double_eq(s.corner[1][2][2], 1.0);
     stl_release(&s);
 }
-END_TEST
 
 /* Writes n triangles of the announced ones, after a head that says "solid", as
  * some programs do. */
@@ -80,7 +79,7 @@ static void write_binary(uint32_t announced, int n)
     fclose(f);
 }
 
-START_TEST(binary_file_is_known_by_its_length)
+FACT(binary_file_is_known_by_its_length)
 {
     struct stl s;
 
@@ -90,9 +89,8 @@ START_TEST(binary_file_is_known_by_its_length)
     ck_assert_double_eq(s.corner[2][2][1], 0.25);
     stl_release(&s);
 }
-END_TEST
 
-START_TEST(broken_text_is_refused_with_its_line)
+FACT(broken_text_is_refused_with_its_line)
 {
     refused("solid a\nfacet normal 0 0 1\nouter loop\nvertx 0 0 0\n",
             "a.stl:4: expected \"vertex\", found \"vertx\"");
@@ -113,9 +111,8 @@ START_TEST(broken_text_is_refused_with_its_line)
             "a.stl:2: expected \"facet\" or \"endsolid\", found \"solid\"");
     refused("solid a\n", "the file ends before \"endsolid\"");
 }
-END_TEST
 
-START_TEST(file_without_a_triangle_is_refused)
+FACT(file_without_a_triangle_is_refused)
 {
     refused("solid a\nendsolid a\n", "there is no triangle in it");
     refused("", "not an STL file");
@@ -123,9 +120,8 @@ START_TEST(file_without_a_triangle_is_refused)
             "that there is a head.\n",
             "not an STL file, or truncated: its header announces");
 }
-END_TEST
 
-START_TEST(binary_file_that_is_cut_off_or_not_there_is_refused)
+FACT(binary_file_that_is_cut_off_or_not_there_is_refused)
 {
     struct stl s;
     FILE *f;
@@ -142,14 +138,8 @@ START_TEST(binary_file_that_is_cut_off_or_not_there_is_refused)
     ck_assert_ptr_nonnull(strstr(heard, "absent.stl: cannot be read: No such"));
     free(heard);
 }
-END_TEST
 
-FACTS("stl")
+FACTS
 {
     tcase_add_checked_fixture(facts, arrive, leave);
-    FACT(text_with_two_solids_is_read);
-    FACT(binary_file_is_known_by_its_length);
-    FACT(broken_text_is_refused_with_its_line);
-    FACT(file_without_a_triangle_is_refused);
-    FACT(binary_file_that_is_cut_off_or_not_there_is_refused);
 }

@@ -31,7 +31,7 @@ static double correlation(double dt, double T, double sigma, int n, int lag)
  * three standard errors of the correlated sample: for the variance sigma^2
  * sqrt(2 T / (n dt)), and no more for the correlation. Without the sqrt(1 -
  * a^2) the variance would be 1/(1 - a^2), 170 times as large at dt = 0.003. */
-START_TEST(ew18_33_signal_has_its_variance_and_memory_at_any_step)
+FACT_FOR_EACH(ew18_33_signal_has_its_variance_and_memory_at_any_step, 3)
 {
     static const double step[] = {0.003, 0.03, 0.3};
     const double dt = step[_i], T = 1.0, sigma = 2.0;
@@ -43,7 +43,6 @@ START_TEST(ew18_33_signal_has_its_variance_and_memory_at_any_step)
     ck_assert_double_eq_tol(correlation(dt, T, sigma, n, lag),
                             4.0 * exp(-lag * dt / T), 3.0 * error);
 }
-END_TEST
 
 /* Paths that begin at C' = 3: their mean and variance after n steps, to three
  * standard errors. The exponent n dt that is printed would give a^0.3 for a^10,
@@ -64,7 +63,7 @@ static void expect(double *mean, double *variance, double a, double b, int n)
     *variance = square / PATHS - *mean * *mean;
 }
 
-START_TEST(ew18_35_mean_to_expect_falls_with_the_nth_power_of_a)
+FACT(ew18_35_mean_to_expect_falls_with_the_nth_power_of_a)
 {
     const double a = 0.86, b = 2.0;
     double mean, variance;
@@ -74,9 +73,8 @@ START_TEST(ew18_35_mean_to_expect_falls_with_the_nth_power_of_a)
                             3.0 * sqrt(variance / 20000.0));
     ck_assert_double_eq_tol(stochastic_drag_mean(a, 10, 3.0), 0.6639, 1e-4);
 }
-END_TEST
 
-START_TEST(ew18_36_variance_to_expect_grows_to_that_of_the_signal)
+FACT(ew18_36_variance_to_expect_grows_to_that_of_the_signal)
 {
     const double a = 0.86, b = 2.0;
     double mean, variance;
@@ -87,19 +85,17 @@ START_TEST(ew18_36_variance_to_expect_grows_to_that_of_the_signal)
     ck_assert_double_eq_tol(stochastic_drag_variance(a, b, 1000), 4.0, 1e-12);
     ck_assert_double_eq(stochastic_drag_variance(a, b, 0), 0.0);
 }
-END_TEST
 
-START_TEST(ew18_37_time_and_memory_are_one_another)
+FACT(ew18_37_time_and_memory_are_one_another)
 {
     ck_assert_double_eq_tol(
         stochastic_drag_time(stochastic_drag_memory(0.03, 1.7), 0.03), 1.7,
         1e-12);
 }
-END_TEST
 
 /* EW18's coefficients for the liquid, 512.875 Re^-1.54919, by its ends, and
  * those for the gas, linear. */
-START_TEST(ew18_fig_10_sigma_is_a_power_or_a_line_between_its_ends)
+FACT(ew18_fig_10_sigma_is_a_power_or_a_line_between_its_ends)
 {
     const struct stochastic_drag_sigma liquid = {512.875 * pow(3.0, -1.54919),
                                                  512.875 * pow(10.5, -1.54919),
@@ -112,7 +108,6 @@ START_TEST(ew18_fig_10_sigma_is_a_power_or_a_line_between_its_ends)
     ck_assert_double_eq(stochastic_drag_sigma(&liquid, 20.0), liquid.high);
     ck_assert_double_eq_tol(stochastic_drag_sigma(&gas, 22.27), 29.95, 1e-10);
 }
-END_TEST
 
 /* --- in the coupled loop -------------------------------------------------- */
 
@@ -129,7 +124,7 @@ static struct simulation *agitated(const struct scene *s, double sigma,
 
 /* The random part is in the coefficient that the fluid is charged with: 1e-10
  * is the tolerance of the flow solver, as without it. */
-START_TEST(ew18_32_random_drag_keeps_the_total_momentum)
+FACT_FOR_EACH(ew18_32_random_drag_keeps_the_total_momentum, 8)
 {
     struct scene s = air;
     double before[3], after[3];
@@ -149,7 +144,6 @@ START_TEST(ew18_32_random_drag_keeps_the_total_momentum)
         ck_assert_double_eq_tol((after[k] - before[k]) / scale, 0.0, 1e-9);
     discard(sim);
 }
-END_TEST
 
 static double checksum(const struct simulation *sim)
 {
@@ -162,7 +156,7 @@ static double checksum(const struct simulation *sim)
 }
 
 /* Nothing but what is random is added: with sigma = 0 not a bit differs. */
-START_TEST(ew18_32_without_sigma_nothing_changes)
+FACT(ew18_32_without_sigma_nothing_changes)
 {
     struct scene s = air;
     struct simulation *const off = build(&s),
@@ -181,9 +175,8 @@ START_TEST(ew18_32_without_sigma_nothing_changes)
     discard(on);
     discard(other);
 }
-END_TEST
 
-START_TEST(ew18_34_random_numbers_are_the_same_for_any_threads)
+FACT(ew18_34_random_numbers_are_the_same_for_any_threads)
 {
     struct scene s = air;
     double sum[2];
@@ -199,7 +192,6 @@ START_TEST(ew18_34_random_numbers_are_the_same_for_any_threads)
     }
     ck_assert_double_eq(sum[0], sum[1]);
 }
-END_TEST
 
 /* Spheres that sink at their terminal velocity in still air, one by one: the
  * variance of their velocity is that of a relaxation that such a signal forces,
@@ -208,7 +200,7 @@ END_TEST
  * e)^2 (1 + a e) / ((1 - e^2)(1 - a e)). 400 spheres over 110 T are 400 x 110 /
  * 2 samples or more: 2 % are two standard errors. White noise, a = 0, would
  * give a third of it. */
-START_TEST(ew18_33_a_grain_follows_as_a_relaxation_does)
+FACT(ew18_33_a_grain_follows_as_a_relaxation_does)
 {
     struct scene s = air;
     double sum = 0.0;
@@ -253,12 +245,11 @@ START_TEST(ew18_33_a_grain_follows_as_a_relaxation_does)
                             0.02);
     discard(sim);
 }
-END_TEST
 
 /* A sigma of a hundred times C_d is cut at most times, and the drag still
  * pushes along the slip: no coefficient is negative or more than twice the
  * mean. */
-START_TEST(ew18_32_a_drag_that_would_turn_round_is_cut_and_counted)
+FACT(ew18_32_a_drag_that_would_turn_round_is_cut_and_counted)
 {
     struct scene s = air;
     struct effect_count c[EFFECT_COUNTS];
@@ -272,19 +263,4 @@ START_TEST(ew18_32_a_drag_that_would_turn_round_is_cut_and_counted)
     for (int i = 0; i < sim->particles->n; i++)
         ck_assert(sim->coupling->k[i] >= 0.0);
     discard(sim);
-}
-END_TEST
-
-FACTS("stochastic_drag")
-{
-    FACT_FOR_EACH(ew18_33_signal_has_its_variance_and_memory_at_any_step, 3);
-    FACT(ew18_35_mean_to_expect_falls_with_the_nth_power_of_a);
-    FACT(ew18_36_variance_to_expect_grows_to_that_of_the_signal);
-    FACT(ew18_37_time_and_memory_are_one_another);
-    FACT(ew18_fig_10_sigma_is_a_power_or_a_line_between_its_ends);
-    FACT_FOR_EACH(ew18_32_random_drag_keeps_the_total_momentum, 8);
-    FACT(ew18_32_without_sigma_nothing_changes);
-    FACT(ew18_34_random_numbers_are_the_same_for_any_threads);
-    FACT(ew18_33_a_grain_follows_as_a_relaxation_does);
-    FACT(ew18_32_a_drag_that_would_turn_round_is_cut_and_counted);
 }

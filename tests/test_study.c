@@ -24,7 +24,7 @@ static struct choices two_choices(void)
 }
 
 /* Commas in brackets and quotes separate nothing. */
-START_TEST(values_split_at_top_level_commas_and_keys_cross)
+FACT(values_split_at_top_level_commas_and_keys_cross)
 {
     struct choices c = two_choices();
     struct texts set = {0};
@@ -42,10 +42,9 @@ START_TEST(values_split_at_top_level_commas_and_keys_cross)
     ck_assert_int_eq(choices_with(&c, 3, 0, 2), 5);
     choices_free(&c);
 }
-END_TEST
 
 /* A group that a case does not have cannot be written as a value. */
-START_TEST(a_value_as_is_sets_nothing)
+FACT(a_value_as_is_sets_nothing)
 {
     struct choices c = {0};
     struct texts set = {0};
@@ -59,12 +58,11 @@ START_TEST(a_value_as_is_sets_nothing)
     texts_free(&set);
     choices_free(&c);
 }
-END_TEST
 
 /* A step gets smaller; of cells only those that change count, and more of them
  * are smaller. A word among numbers has no size, and the numbers keep theirs.
  */
-START_TEST(sizes_fall_from_coarse_to_fine)
+FACT(sizes_fall_from_coarse_to_fine)
 {
     struct choices c = two_choices();
 
@@ -85,12 +83,11 @@ START_TEST(sizes_fall_from_coarse_to_fine)
     ck_assert_int_eq(choices_axis(&c), 0);
     choices_free(&c);
 }
-END_TEST
 
 /* --- statistics ----------------------------------------------------------- */
 
 /* q = 3 + 0.7 h^1.6 exactly, at sizes that do not halve. */
-START_TEST(richardson_finds_the_order_and_the_limit)
+FACT(richardson_finds_the_order_and_the_limit)
 {
     const double h[3] = {1.0, 0.5, 0.2};
     double q[3];
@@ -105,7 +102,6 @@ START_TEST(richardson_finds_the_order_and_the_limit)
     ck_assert_double_eq_tol(curve_order(1.0, 0.7, 0.5, 0.7 / 8.0), 3.0, 1e-14);
     ck_assert_double_nan(curve_richardson(h, 0.5)); /* they part */
 }
-END_TEST
 
 /* A curve of two points; its errors are `error`. */
 static struct curve line_of(double low, double high, double error)
@@ -121,7 +117,7 @@ static struct curve line_of(double low, double high, double error)
 
 /* Changes of (4, 8) and (1, 2) have the ratio 4, the order 2 if sizes halve; if
  * the second is back, or within the errors, there is no order. */
-START_TEST(changes_that_turn_back_or_are_chance_have_no_order)
+FACT(changes_that_turn_back_or_are_chance_have_no_order)
 {
     static const double h[3] = {4.0, 2.0, 1.0};
     struct curve of[] = {line_of(0.0, 0.0, 0.0), line_of(4.0, 8.0, 0.0),
@@ -137,12 +133,11 @@ START_TEST(changes_that_turn_back_or_are_chance_have_no_order)
     for (int i = 0; i < 5; i++)
         curve_free(&of[i]);
 }
-END_TEST
 
 /* Seeds that give the same bits have no standard error, though their sum
  * rounds; those that scatter have that of their scatter, of 0.1 and 0.3 it is
  * 0.1, or their own if it is larger. */
-START_TEST(a_mean_over_seeds_has_the_error_of_their_scatter)
+FACT(a_mean_over_seeds_has_the_error_of_their_scatter)
 {
     struct curve of[] = {line_of(0.1, 0.1, 0.0), line_of(0.1, 0.3, 0.0),
                          line_of(0.1, 0.1, 0.0), line_of(0.1, 0.3, 0.6)};
@@ -160,13 +155,12 @@ START_TEST(a_mean_over_seeds_has_the_error_of_their_scatter)
     for (int i = 0; i < 4; i++)
         curve_free(&of[i]);
 }
-END_TEST
 
 /* x_k = phi x_k-1 + noise: neighbours are alike, and the mean of n is as
  * uncertain as that of n (1 - phi) / (1 + phi) independent samples, 1/19 of
  * them for phi = 0.9. The error of an error from a few dozen blocks is some
  * 15 %; taking the samples as independent misses by a factor of 4.4. */
-START_TEST(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean)
+FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean)
 {
     enum { N = 65536 };
     const double phi = 0.9;
@@ -183,7 +177,6 @@ START_TEST(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean)
     free(x);
     gsl_rng_free(rng);
 }
-END_TEST
 
 /* --- what runs have written ----------------------------------------------- */
 
@@ -192,7 +185,7 @@ static const char summary[] =
     "  \"exit_code\": null,\n  \"seconds\": {\n    \"cfd\": 0.25,\n"
     "    \"steps\": 3\n  },\n  \"worst\": {\n    \"overlap\": 1e-3\n  }\n}\n";
 
-START_TEST(numbers_of_a_summary_are_found_by_their_path)
+FACT(numbers_of_a_summary_are_found_by_their_path)
 {
     char dir[64];
 
@@ -209,10 +202,9 @@ START_TEST(numbers_of_a_summary_are_found_by_their_path)
     ck_assert_double_nan(read_summary_number(dir, "steps.cfd"));
     scratch_clear(dir);
 }
-END_TEST
 
 /* A quote, a backslash and an end of line, as the summary writes them. */
-START_TEST(texts_of_a_summary_are_those_that_were_written)
+FACT(texts_of_a_summary_are_those_that_were_written)
 {
     char dir[64];
 
@@ -224,7 +216,6 @@ START_TEST(texts_of_a_summary_are_those_that_were_written)
     free(text);
     scratch_clear(dir);
 }
-END_TEST
 
 /* A history of v = 10 t, cut in its last row. */
 static struct curve taken(const char *text)
@@ -255,7 +246,7 @@ static struct curve taken(const char *text)
     return c;
 }
 
-START_TEST(a_measure_reduces_a_column_as_it_says)
+FACT(a_measure_reduces_a_column_as_it_says)
 {
     static const struct {
         const char *text;
@@ -271,11 +262,10 @@ START_TEST(a_measure_reduces_a_column_as_it_says)
         curve_free(&c);
     }
 }
-END_TEST
 
 /* Rows each 0.1 s, and one where the run ends, 0.04 s later. Of two bodies each
  * time has two rows. A profile over cells that shrink has no such row. */
-START_TEST(a_mean_counts_the_rows_that_were_due)
+FACT(a_mean_counts_the_rows_that_were_due)
 {
     static const struct {
         const char *head, *rows;
@@ -311,10 +301,9 @@ START_TEST(a_mean_counts_the_rows_that_were_due)
         scratch_clear(dir);
     }
 }
-END_TEST
 
 /* A run that ended at once has one row; of the time 0.4 s it knows nothing. */
-START_TEST(one_row_says_nothing_of_another_time)
+FACT(one_row_says_nothing_of_another_time)
 {
     const struct measure m = {
         .file = "history.csv", .column = 1, .from = 0.4, .to = NAN};
@@ -327,10 +316,9 @@ START_TEST(one_row_says_nothing_of_another_time)
     curve_free(&c);
     scratch_clear(dir);
 }
-END_TEST
 
 /* A profile says of each mean how sure it is, or nan after too few samples. */
-START_TEST(a_profile_comes_with_its_standard_errors)
+FACT(a_profile_comes_with_its_standard_errors)
 {
     char dir[64];
     const struct measure m = {.how = MEASURE_CURVE,
@@ -351,7 +339,6 @@ START_TEST(a_profile_comes_with_its_standard_errors)
     curve_free(&c);
     scratch_clear(dir);
 }
-END_TEST
 
 /* --- truths --------------------------------------------------------------- */
 
@@ -365,7 +352,7 @@ static double truth_of(const char *text, double x)
     return value;
 }
 
-START_TEST(a_formula_is_computed_as_one_writes_it)
+FACT(a_formula_is_computed_as_one_writes_it)
 {
     ck_assert_double_eq(truth_of("-2^2+3*4/2", 0.0), 2.0);
     ck_assert_double_eq(truth_of("2^3^2", 0.0), 512.0);
@@ -374,12 +361,11 @@ START_TEST(a_formula_is_computed_as_one_writes_it)
                         0.05 * (1.0 - exp(-2.0)));
     ck_assert_double_eq(truth_of("sqrt(x)/cos(pi)", 4.0), -2.0);
 }
-END_TEST
 
 /* Measured values come as other programs write them: lines that end with CR LF,
  * blanks around commas, empty fields, a last line without an end. What is not
  * there is a gap, drawn across; beyond the ends nothing is known. */
-START_TEST(a_table_of_measured_values_may_have_gaps)
+FACT(a_table_of_measured_values_may_have_gaps)
 {
     char dir[64];
     struct truth t;
@@ -401,13 +387,12 @@ START_TEST(a_table_of_measured_values_may_have_gaps)
     truth_free(&t);
     scratch_clear(dir);
 }
-END_TEST
 
 /* The key of `winnow eval`, with the time left to the samples: the end of the
  * course is the stream, its start the acceleration u_f / tau_p, which
  * XS11:3.17 gives by another way; the next term is of relative order
  * t/tau_p = 2e-6. */
-START_TEST(xs11_4_1_is_a_truth_in_time)
+FACT(xs11_4_1_is_a_truth_in_time)
 {
     static const char key[] = "XS11:4.1 rho_s=2000 eps_s=0.4 rho_f=1000 "
                               "mu=1e-3 d=8.3e-5 u_f=0.05";
@@ -420,7 +405,6 @@ START_TEST(xs11_4_1_is_a_truth_in_time)
                             1e-5);
     ck_assert_double_eq(truth_of(key, 0.0), 0.0);
 }
-END_TEST
 
 /* --- the case as it stands ------------------------------------------------ */
 
@@ -453,7 +437,7 @@ static int standing(const char *dir, int n, const char *const *choices)
 }
 
 /* However a number is written: as 1 or 1.0, 0.02 or 2e-2. */
-START_TEST(the_case_as_it_stands_is_found_among_its_variants)
+FACT(the_case_as_it_stands_is_found_among_its_variants)
 {
     char dir[64];
 
@@ -468,26 +452,4 @@ START_TEST(the_case_as_it_stands_is_found_among_its_variants)
     ck_assert_int_eq(standing(dir, 1, (const char *[]){"fluid.step=0.02,0.03"}),
                      -1);
     scratch_clear(dir);
-}
-END_TEST
-
-FACTS("study")
-{
-    FACT(values_split_at_top_level_commas_and_keys_cross);
-    FACT(a_value_as_is_sets_nothing);
-    FACT(sizes_fall_from_coarse_to_fine);
-    FACT(richardson_finds_the_order_and_the_limit);
-    FACT(changes_that_turn_back_or_are_chance_have_no_order);
-    FACT(a_mean_over_seeds_has_the_error_of_their_scatter);
-    FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
-    FACT(numbers_of_a_summary_are_found_by_their_path);
-    FACT(texts_of_a_summary_are_those_that_were_written);
-    FACT(a_measure_reduces_a_column_as_it_says);
-    FACT(a_mean_counts_the_rows_that_were_due);
-    FACT(one_row_says_nothing_of_another_time);
-    FACT(a_profile_comes_with_its_standard_errors);
-    FACT(a_formula_is_computed_as_one_writes_it);
-    FACT(a_table_of_measured_values_may_have_gaps);
-    FACT(xs11_4_1_is_a_truth_in_time);
-    FACT(the_case_as_it_stands_is_found_among_its_variants);
 }

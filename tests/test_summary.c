@@ -17,7 +17,7 @@ static void tear_down(void)
     scratch_clear(dir);
 }
 
-START_TEST(entries_keep_their_order_and_groups)
+FACT(entries_keep_their_order_and_groups)
 {
     const char *const path = scratch_path(dir, "summary.json");
     struct summary *const s = summary_create(path);
@@ -42,9 +42,8 @@ START_TEST(entries_keep_their_order_and_groups)
                               "  \"done\": 1\n"
                               "}\n");
 }
-END_TEST
 
-START_TEST(what_is_no_number_is_null)
+FACT(what_is_no_number_is_null)
 {
     const char *const path = scratch_path(dir, "summary.json");
     struct summary *const s = summary_create(path);
@@ -54,11 +53,10 @@ START_TEST(what_is_no_number_is_null)
     ck_assert_int_eq(summary_commit(s), 0);
     scratch_assert_text(path, "{\n  \"a\": null,\n  \"b\": null\n}\n");
 }
-END_TEST
 
 /* The last four are no UTF-8: a lone continuation, an overlong slash, a letter
  * cut off by another, and one cut off by the end. */
-START_TEST(text_is_escaped_and_always_utf_8)
+FACT(text_is_escaped_and_always_utf_8)
 {
     const struct {
         const char *given, *written;
@@ -83,9 +81,8 @@ START_TEST(text_is_escaped_and_always_utf_8)
         scratch_assert_text(path, expected);
     }
 }
-END_TEST
 
-START_TEST(a_summary_that_cannot_be_written_is_reported)
+FACT(a_summary_that_cannot_be_written_is_reported)
 {
     scratch_listen(dir);
     struct summary *const s = summary_create(scratch_path(dir, "none/s.json"));
@@ -98,13 +95,8 @@ START_TEST(a_summary_that_cannot_be_written_is_reported)
     summary_end(s);
     ck_assert_int_ne(summary_commit(s), 0);
 }
-END_TEST
 
-FACTS("summary")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(entries_keep_their_order_and_groups);
-    FACT(what_is_no_number_is_null);
-    FACT(text_is_escaped_and_always_utf_8);
-    FACT(a_summary_that_cannot_be_written_is_reported);
 }

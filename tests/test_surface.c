@@ -37,7 +37,7 @@ static void assert_vector(const double a[3], double x, double y, double z)
 
 /* The axis of the cylinder is along z; the point is 0.3 from it along x, 0.2
  * within the radius. */
-START_TEST(a_cylinder_is_solid_around_or_inside_its_radius)
+FACT_FOR_EACH(a_cylinder_is_solid_around_or_inside_its_radius, 2)
 {
     const struct surface s = cylinder(_i, 0.0, 0.0, 1.0);
     const double y[3] = {0.4, -0.2, 7.0};
@@ -46,11 +46,10 @@ START_TEST(a_cylinder_is_solid_around_or_inside_its_radius)
     assert_vector(h.n, _i ? -1.0 : 1.0, 0.0, 0.0);
     assert_vector(h.q, 0.6, -0.2, 7.0);
 }
-END_TEST
 
 /* There all directions are alike, and some unit vector across the axis is
  * taken, whatever the axis. */
-START_TEST(a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it)
+FACT_FOR_EACH(a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it, 12)
 {
     static const double axes[][3] = {{1, 0, 0},   {0, 1, 0},    {0, 0, 1},
                                      {2, 0.1, 0}, {0.1, -1, 1}, {1, 1, 1}};
@@ -61,10 +60,9 @@ START_TEST(a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it)
     ck_assert_double_eq_tol(vector_dot(h.n, s.normal), 0.0, 1e-14);
     ck_assert_double_eq_tol(h.r, _i % 2 ? 0.5 : -0.5, 1e-14);
 }
-END_TEST
 
 /* On both sides along its normal and, in the triangle itself, along it, too. */
-START_TEST(a_triangle_has_two_sides_and_a_point_in_it_is_given_one)
+FACT_FOR_EACH(a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 3)
 {
     double corner[1][3][3] = {{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}};
     const struct surface s = {.name = "sheet",
@@ -79,9 +77,8 @@ START_TEST(a_triangle_has_two_sides_and_a_point_in_it_is_given_one)
     ck_assert_double_eq_tol(vector_length(h.n), 1.0, 1e-14);
     triangles_free((struct triangles *)(uintptr_t)s.triangles);
 }
-END_TEST
 
-START_TEST(a_triangle_without_an_area_has_no_normal)
+FACT(a_triangle_without_an_area_has_no_normal)
 {
     const double line[3][3] = {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
     const double wide[3][3] = {{1, 0, 0}, {1, 2, 0}, {1, 0, 3}};
@@ -92,11 +89,10 @@ START_TEST(a_triangle_without_an_area_has_no_normal)
     triangle_normal(wide, n);
     assert_vector(n, 1.0, 0.0, 0.0);
 }
-END_TEST
 
 /* A quarter turn about z through (1, 0, 0), and then 0.5 along z: the plane
  * y = 0 has become x = 1, its normal (0, 1, 0) has become (-1, 0, 0). */
-START_TEST(a_sphere_touches_a_turned_plane_where_it_is_now)
+FACT(a_sphere_touches_a_turned_plane_where_it_is_now)
 {
     const struct surface s = {.shape = &surface_plane,
                               .normal = {0.0, 1.0, 0.0},
@@ -113,11 +109,10 @@ START_TEST(a_sphere_touches_a_turned_plane_where_it_is_now)
     ck_assert_int_eq(surface_contains(&s, &p, deep, 0.31), 0);
     ck_assert_int_eq(surface_contains(&s, &p, deep, 0.29), 1);
 }
-END_TEST
 
 /* Of a plane and a cylinder all that is in the box may be near; of triangles
  * only they. */
-START_TEST(a_surface_reaches_to_the_farthest_corner_from_its_centre)
+FACT(a_surface_reaches_to_the_farthest_corner_from_its_centre)
 {
     double corner[1][3][3] = {{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}};
     const double lo[3] = {-5.0, -1.0, -1.0}, hi[3] = {4.0, 1.0, 2.0};
@@ -130,9 +125,8 @@ START_TEST(a_surface_reaches_to_the_farthest_corner_from_its_centre)
     ck_assert_double_eq_tol(surface_reach(&s, lo, hi), sqrt(4.0 + 4.0), 1e-14);
     triangles_free((struct triangles *)(uintptr_t)s.triangles);
 }
-END_TEST
 
-START_TEST(what_makes_no_surface_is_refused)
+FACT(what_makes_no_surface_is_refused)
 {
     struct surface s = cylinder(1, 0.0, 0.0, 1.0);
     struct capture c = capture_begin(2);
@@ -150,11 +144,10 @@ START_TEST(what_makes_no_surface_is_refused)
     ck_assert_ptr_nonnull(strstr(text, "its normal or axis has no direction"));
     ck_assert_ptr_nonnull(strstr(text, "it has no triangles"));
 }
-END_TEST
 
 /* A sphere of radius 0.1 m may begin 0.01 m deep in a plane or a sheet, not
  * 0.011 m; and its position is reported. */
-START_TEST(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin)
+FACT_FOR_EACH(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin, 2)
 {
     double corner[1][3][3] = {{{-9, 0, -9}, {9, 0, -9}, {0, 0, 9}}};
     struct surface s = {.name = "floor",
@@ -186,7 +179,6 @@ START_TEST(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin)
         1e-14);
     triangles_free((struct triangles *)(uintptr_t)s.triangles);
 }
-END_TEST
 
 /* Where sphere 1 is that slid down a plane, sticking at first: with a neighbour
  * far away that is taken out half-way, or alone. */
@@ -228,25 +220,11 @@ static void slide(int neighbour, double found[4])
 }
 
 /* To the last bit: it has none of the data of the removed sphere. */
-START_TEST(a_contact_on_a_surface_keeps_its_own_tangential_displacement)
+FACT(a_contact_on_a_surface_keeps_its_own_tangential_displacement)
 {
     double with[4], alone[4];
     slide(1, with);
     slide(0, alone);
     for (int k = 0; k < 4; k++)
         ck_assert_double_eq(with[k], alone[k]);
-}
-END_TEST
-
-FACTS("surface")
-{
-    FACT_FOR_EACH(a_cylinder_is_solid_around_or_inside_its_radius, 2);
-    FACT_FOR_EACH(a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it, 12);
-    FACT_FOR_EACH(a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 3);
-    FACT(a_triangle_without_an_area_has_no_normal);
-    FACT(a_sphere_touches_a_turned_plane_where_it_is_now);
-    FACT(a_surface_reaches_to_the_farthest_corner_from_its_centre);
-    FACT(what_makes_no_surface_is_refused);
-    FACT_FOR_EACH(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin, 2);
-    FACT(a_contact_on_a_surface_keeps_its_own_tangential_displacement);
 }

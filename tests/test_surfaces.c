@@ -93,7 +93,7 @@ static void assert_alike(const struct sphere_state *a,
 
 /* The box's own floor, reached by another way: only rounding differs. With
  * rolling friction, too, and where the walls are of a material of their own. */
-START_TEST(plane_is_what_a_wall_of_the_box_is)
+FACT_FOR_EACH(plane_is_what_a_wall_of_the_box_is, 4)
 {
     const struct contact_law *const law = _i ? &contact_hertz : &contact_linear;
     const struct material steel = {.young = 1e9,
@@ -114,12 +114,11 @@ START_TEST(plane_is_what_a_wall_of_the_box_is)
     const struct sphere_state b = state_after(&o, 0.5, -1.0, 20000);
     assert_alike(&a, &b, 1e-10);
 }
-END_TEST
 
 /* The angular momentum about the axis and, without friction and damping, the
  * energy stay what they were, over a hundred collisions: the normal is that of
  * the cylinder to rounding, and the scheme is symplectic. */
-START_TEST(sphere_in_a_smooth_cylinder_keeps_its_angular_momentum)
+FACT(sphere_in_a_smooth_cylinder_keeps_its_angular_momentum)
 {
     const struct surface s = {.name = "tube",
                               .shape = &surface_cylinder,
@@ -153,10 +152,9 @@ START_TEST(sphere_in_a_smooth_cylinder_keeps_its_angular_momentum)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* The rod has contacts on its outside only. */
-START_TEST(sphere_rebounds_from_a_rod_at_its_radius)
+FACT(sphere_rebounds_from_a_rod_at_its_radius)
 {
     const struct surface s = {.name = "rod",
                               .shape = &surface_cylinder,
@@ -182,13 +180,12 @@ START_TEST(sphere_rebounds_from_a_rod_at_its_radius)
     dem_free(dem);
     particles_free(ps);
 }
-END_TEST
 
 /* --- one triangle -------------------------------------------------------- */
 
 /* q is nearest to y if and only if it is in the triangle and no corner lies in
  * front of the plane through q across y - q. */
-START_TEST(nearest_point_of_a_triangle_has_no_corner_in_front)
+FACT(nearest_point_of_a_triangle_has_no_corner_in_front)
 {
     uint64_t seed = 7;
 
@@ -213,9 +210,8 @@ START_TEST(nearest_point_of_a_triangle_has_no_corner_in_front)
         ck_assert_double_le(total, 1e-11); /* in the plane */
     }
 }
-END_TEST
 
-START_TEST(a_path_through_a_triangle_is_detected_and_one_beside_it_is_not)
+FACT(a_path_through_a_triangle_is_detected_and_one_beside_it_is_not)
 {
     const double corner[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
@@ -230,7 +226,6 @@ START_TEST(a_path_through_a_triangle_is_detected_and_one_beside_it_is_not)
     ck_assert(!triangle_crossed(corner, (double[3]){-0.1, 0.5, 1},
                                 (double[3]){-0.1, 0.5, -1}));
 }
-END_TEST
 
 /* --- one place of the wall is one contact -------------------------------- */
 
@@ -282,7 +277,7 @@ static struct surface floor_with_hanging_corners(void)
  * vertex, and where corners of small triangles hang on the side of large ones.
  * The difference is rounding, 1e-10 of what is compared; counting a seam twice
  * for a single step is seen at 1e-4. */
-START_TEST(sphere_crosses_a_seam_as_if_there_were_none)
+FACT_FOR_EACH(sphere_crosses_a_seam_as_if_there_were_none, 9)
 {
     struct surface flat = plane(0.0, 0.0, 0.0, 0.0, 1.0, 0.0);
     struct surface s = _i < 7    ? floor_of_two(_i * M_PI / 12.0)
@@ -297,7 +292,6 @@ START_TEST(sphere_crosses_a_seam_as_if_there_were_none)
     assert_alike(&one, &two, 1e-10);
     forget(&s);
 }
-END_TEST
 
 /* A box of 12 triangles, from -a to a, whatever the side. */
 static struct surface box_of(const double a[3])
@@ -335,7 +329,7 @@ static int contacts_at(const struct surface *s, double x, double y, double z,
 /* Outside of a cube: one contact over a face (here on the diagonal that parts
  * its triangles), an edge, a vertex; with the force k (R - r) from the nearest
  * point to the centre. */
-START_TEST(convex_body_touches_a_sphere_once)
+FACT_FOR_EACH(convex_body_touches_a_sphere_once, 3)
 {
     struct surface s = box_of((double[3]){0.5, 0.5, 0.5});
     const double near = 0.09, each[3] = {near, near / sqrt(2), near / sqrt(3)};
@@ -350,10 +344,9 @@ START_TEST(convex_body_touches_a_sphere_once)
     ck_assert_double_eq_tol(F[2], _i >= 2 ? F[0] : 0.0, 1e-9);
     forget(&s);
 }
-END_TEST
 
 /* Inside: as many as there are faces; each pushes with its own overlap. */
-START_TEST(concave_corner_touches_a_sphere_with_each_face)
+FACT_FOR_EACH(concave_corner_touches_a_sphere_with_each_face, 3)
 {
     struct surface s = box_of((double[3]){0.5, 0.5, 0.5});
     const double x = 0.41, y = _i >= 1 ? 0.42 : 0.1, z = _i >= 2 ? 0.43 : 0.1;
@@ -365,11 +358,10 @@ START_TEST(concave_corner_touches_a_sphere_with_each_face)
     ck_assert_double_eq_tol(F[2], _i >= 2 ? -1e4 * 0.03 : 0.0, 1e-9);
     forget(&s);
 }
-END_TEST
 
 /* A plate of 12 triangles that is thinner than the overlap: its far side and
  * its rim do not push. */
-START_TEST(thin_plate_touches_a_sphere_once)
+FACT_FOR_EACH(thin_plate_touches_a_sphere_once, 4)
 {
     struct surface s = box_of((double[3]){0.5, 0.001, 0.5});
     const double at[4][2] = {
@@ -381,10 +373,9 @@ START_TEST(thin_plate_touches_a_sphere_once)
     ck_assert_double_eq_tol(fabs(F[0]) + fabs(F[2]), 0.0, 1e-9);
     forget(&s);
 }
-END_TEST
 
 /* Between two plates: one contact each. */
-START_TEST(sphere_between_two_plates_touches_both)
+FACT(sphere_between_two_plates_touches_both)
 {
     struct surface s = box_of((double[3]){0.5, 0.099, 0.5});
     double F[3];
@@ -393,7 +384,6 @@ START_TEST(sphere_between_two_plates_touches_both)
     ck_assert_double_eq_tol(vector_length(F), 0.0, 1e-9);
     forget(&s);
 }
-END_TEST
 
 /* --- many ----------------------------------------------------------------- */
 
@@ -429,16 +419,15 @@ static double apart(int threads, struct particles **left)
     return far;
 }
 
-START_TEST(box_of_triangles_is_a_box)
+FACT(box_of_triangles_is_a_box)
 {
     struct particles *ps;
 
     ck_assert_double_le(apart(1, &ps), 1e-9);
     particles_free(ps);
 }
-END_TEST
 
-START_TEST(surfaces_give_the_same_bits_with_two_threads)
+FACT(surfaces_give_the_same_bits_with_two_threads)
 {
     struct particles *one, *two;
 
@@ -452,14 +441,13 @@ START_TEST(surfaces_give_the_same_bits_with_two_threads)
     particles_free(two);
     omp_set_num_threads(1);
 }
-END_TEST
 
 /* --- springs -------------------------------------------------------------- */
 
 /* A sphere slides and rolls over a floor; the run is interrupted in the middle
  * and continued from the state of the contacts, with a new list: the same but
  * for the rounding of R omega, which depends on when lists are made. */
-START_TEST(springs_of_surfaces_are_part_of_the_state)
+FACT(springs_of_surfaces_are_part_of_the_state)
 {
     struct surface s = floor_of_two(0.5 * M_PI);
     const struct dem_options o = with(&contact_hertz, 2e-5, &s, 1);
@@ -490,13 +478,12 @@ START_TEST(springs_of_surfaces_are_part_of_the_state)
     particles_free(twin);
     forget(&s);
 }
-END_TEST
 
 /* --- through the wall ------------------------------------------------------
  */
 
 /* So fast that it is near the sheet in no step; or pressed through. */
-START_TEST(particle_through_a_sheet_is_lost_by_its_id)
+FACT_FOR_EACH(particle_through_a_sheet_is_lost_by_its_id, 2)
 {
     struct surface s[2] = {plane(0, -1.5, 0, 0, 1, 0), floor_of_two(0.3)};
     const struct dem_options o = with(&contact_linear, _i ? 1e-5 : 1e-2, s, 2);
@@ -515,9 +502,8 @@ START_TEST(particle_through_a_sheet_is_lost_by_its_id)
     particles_free(ps);
     forget(&s[1]);
 }
-END_TEST
 
-START_TEST(particle_in_the_solid_of_a_plane_is_lost)
+FACT(particle_in_the_solid_of_a_plane_is_lost)
 {
     struct surface s = plane(0, 0, 0, 0, 1, 0);
     struct dem_options o = with(&contact_linear, 1e-5, &s, 1);
@@ -532,24 +518,4 @@ START_TEST(particle_in_the_solid_of_a_plane_is_lost)
     ck_assert_int_eq(r.lost_through, 0);
     dem_free(dem);
     particles_free(ps);
-}
-END_TEST
-
-FACTS("surfaces")
-{
-    FACT_FOR_EACH(plane_is_what_a_wall_of_the_box_is, 4);
-    FACT(sphere_in_a_smooth_cylinder_keeps_its_angular_momentum);
-    FACT(sphere_rebounds_from_a_rod_at_its_radius);
-    FACT(nearest_point_of_a_triangle_has_no_corner_in_front);
-    FACT(a_path_through_a_triangle_is_detected_and_one_beside_it_is_not);
-    FACT_FOR_EACH(sphere_crosses_a_seam_as_if_there_were_none, 9);
-    FACT_FOR_EACH(convex_body_touches_a_sphere_once, 3);
-    FACT_FOR_EACH(concave_corner_touches_a_sphere_with_each_face, 3);
-    FACT_FOR_EACH(thin_plate_touches_a_sphere_once, 4);
-    FACT(sphere_between_two_plates_touches_both);
-    FACT(box_of_triangles_is_a_box);
-    FACT(surfaces_give_the_same_bits_with_two_threads);
-    FACT(springs_of_surfaces_are_part_of_the_state);
-    FACT_FOR_EACH(particle_through_a_sheet_is_lost_by_its_id, 2);
-    FACT(particle_in_the_solid_of_a_plane_is_lost);
 }

@@ -72,17 +72,16 @@ static void release(struct setting *s)
     links_free(&s->b);
 }
 
-START_TEST(a_box_needs_no_list_of_columns)
+FACT(a_box_needs_no_list_of_columns)
 {
     struct setting s = both(0);
 
     ck_assert_int_eq(symmetric_links_left(s.S), 0);
     release(&s);
 }
-END_TEST
 
 /* Seven terms of order 10, added in another order: some 1e-15. */
-START_TEST(the_product_is_that_of_the_csr)
+FACT(the_product_is_that_of_the_csr)
 {
     for (int which = 0; which < BOXES; which++) {
         struct setting s = both(which);
@@ -100,10 +99,9 @@ START_TEST(the_product_is_that_of_the_csr)
         release(&s);
     }
 }
-END_TEST
 
 /* Single precision: 6e-8 of terms of order 10 x 0.25. */
-START_TEST(residual_and_relaxation_are_their_formulas)
+FACT(residual_and_relaxation_are_their_formulas)
 {
     for (int which = 0; which < BOXES; which++) {
         struct setting s = both(which);
@@ -142,10 +140,9 @@ START_TEST(residual_and_relaxation_are_their_formulas)
         release(&s);
     }
 }
-END_TEST
 
 /* The same numbers, to the bit, by any number of threads. */
-START_TEST(all_stages_in_one_pass_are_stage_by_stage)
+FACT_FOR_EACH(all_stages_in_one_pass_are_stage_by_stage, 4)
 {
     const struct level_matrix_kind *const kind = &level_matrix_bands;
     const struct level_smoothing w = {0.8F, 0.1F, 0.6F};
@@ -192,13 +189,8 @@ START_TEST(all_stages_in_one_pass_are_stage_by_stage)
     free(parent);
     links_free(&b);
 }
-END_TEST
 
-FACTS("symmetric")
+FACTS
 {
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-    FACT(a_box_needs_no_list_of_columns);
-    FACT(the_product_is_that_of_the_csr);
-    FACT(residual_and_relaxation_are_their_formulas);
-    FACT_FOR_EACH(all_stages_in_one_pass_are_stage_by_stage, 4);
 }

@@ -27,16 +27,15 @@ static const char *history(void)
     return scratch_path(dir, "history.csv");
 }
 
-START_TEST(the_first_line_names_columns_with_units)
+FACT(the_first_line_names_columns_with_units)
 {
     struct table *const t = table_create(history(), 2, names);
 
     scratch_assert_text(history(), "time [s],pressure_drop [Pa]\n");
     table_free(t);
 }
-END_TEST
 
-START_TEST(each_row_is_in_the_file_at_once)
+FACT(each_row_is_in_the_file_at_once)
 {
     struct table *const t = table_create(history(), 2, names);
 
@@ -49,9 +48,8 @@ START_TEST(each_row_is_in_the_file_at_once)
     table_free(t);
     table_free(NULL);
 }
-END_TEST
 
-START_TEST(names_with_commas_and_quotes_are_quoted)
+FACT(names_with_commas_and_quotes_are_quoted)
 {
     const char *const odd[3] = {"a, b [m]", "the \"c\"", "d"};
 
@@ -59,10 +57,9 @@ START_TEST(names_with_commas_and_quotes_are_quoted)
         table_write(history(), 3, odd, 1, (double[3]){1.0, 2.0, 3.0}), 0);
     scratch_assert_text(history(), "\"a, b [m]\",\"the \"\"c\"\"\",d\n1,2,3\n");
 }
-END_TEST
 
 /* As after a power cut in the middle of a row. */
-START_TEST(a_resumed_table_goes_on_after_the_rows_of_its_state)
+FACT(a_resumed_table_goes_on_after_the_rows_of_its_state)
 {
     struct kept *const kept = kept_create();
     struct table *t = table_create(history(), 2, names);
@@ -82,9 +79,8 @@ START_TEST(a_resumed_table_goes_on_after_the_rows_of_its_state)
                                    "0.1,1\n0.2,4\n");
     kept_free(kept);
 }
-END_TEST
 
-START_TEST(a_table_that_has_lost_rows_is_not_resumed)
+FACT(a_table_that_has_lost_rows_is_not_resumed)
 {
     struct kept *const kept = kept_create();
     struct table *t = table_create(history(), 2, names);
@@ -103,9 +99,8 @@ START_TEST(a_table_that_has_lost_rows_is_not_resumed)
     free(said);
     kept_free(kept);
 }
-END_TEST
 
-START_TEST(a_restart_refuses_a_missing_file_and_other_columns)
+FACT(a_restart_refuses_a_missing_file_and_other_columns)
 {
     scratch_listen(dir);
     ck_assert_ptr_null(table_open(history(), 2, names));
@@ -118,10 +113,9 @@ START_TEST(a_restart_refuses_a_missing_file_and_other_columns)
     ck_assert_ptr_nonnull(strstr(said, "other columns"));
     free(said);
 }
-END_TEST
 
 /* The disk ends within the second row; the first stays the last. */
-START_TEST(a_full_disk_is_reported_and_leaves_whole_rows)
+FACT(a_full_disk_is_reported_and_leaves_whole_rows)
 {
     struct rlimit limit, small;
 
@@ -142,16 +136,8 @@ START_TEST(a_full_disk_is_reported_and_leaves_whole_rows)
                         "time [s],pressure_drop [Pa]\n0.1,1\n0.3,3\n");
     table_free(t);
 }
-END_TEST
 
-FACTS("table")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(the_first_line_names_columns_with_units);
-    FACT(each_row_is_in_the_file_at_once);
-    FACT(names_with_commas_and_quotes_are_quoted);
-    FACT(a_resumed_table_goes_on_after_the_rows_of_its_state);
-    FACT(a_table_that_has_lost_rows_is_not_resumed);
-    FACT(a_restart_refuses_a_missing_file_and_other_columns);
-    FACT(a_full_disk_is_reported_and_leaves_whole_rows);
 }

@@ -31,7 +31,7 @@ static struct manufactured_error made(const char *convection, int n,
  * scheme it is 1.74, and the error 0.0180. With off = 0 in
  * deferred_correction.c they are 1.22 and 0.032, without inner_mean 1.55 and
  * 0.022, and with the weight of boxes in least squares 1.59 and 0.022. */
-START_TEST(a_flow_on_tetrahedra_has_an_order_on_its_way_to_two)
+FACT_FOR_EACH(a_flow_on_tetrahedra_has_an_order_on_its_way_to_two, 3)
 {
     const struct manufactured_error coarse = made(schemes[_i], 4, 0.1, 0.0);
     const struct manufactured_error fine = made(schemes[_i], 8, 0.1, 0.0);
@@ -41,11 +41,10 @@ START_TEST(a_flow_on_tetrahedra_has_an_order_on_its_way_to_two)
     ck_assert_double_gt(log2(coarse.p / fine.p), 0.85);
     ck_assert_double_lt(fine.u, 0.0195);
 }
-END_TEST
 
 /* Drag leaves less to viscosity. The errors are 0.0157 and, twice as shaken,
  * 0.0170; without the term of the mean the order is 1.94. */
-START_TEST(a_flow_with_drag_on_tetrahedra_has_order_two)
+FACT(a_flow_with_drag_on_tetrahedra_has_order_two)
 {
     const struct manufactured_error coarse = made("linear", 4, 0.1, 20.0);
     const struct manufactured_error fine = made("linear", 8, 0.1, 20.0);
@@ -55,30 +54,27 @@ START_TEST(a_flow_with_drag_on_tetrahedra_has_order_two)
     ck_assert_double_gt(log2(coarse.p / fine.p), 1.6);
     ck_assert_double_gt(fine.u / shaken.u, 0.9);
 }
-END_TEST
 
 /* It grows by 10 %, and with the weights of (19.5) for viscosity, too, by 19 %:
  * on finer meshes that grows on. */
-START_TEST(a_flow_does_not_suffer_from_shaken_tetrahedra)
+FACT(a_flow_does_not_suffer_from_shaken_tetrahedra)
 {
     const double even = made("linear", 8, 0.1, 0.0).u;
     const double shaken = made("linear", 8, 0.2, 0.0).u;
 
     ck_assert_double_lt(shaken / even, 1.12);
 }
-END_TEST
 
 /* Drag as in a bed, 5000 kg/(m^3 s): with the linear mean for it, too, the
  * error of p would be 5.7 Pa. */
-START_TEST(drag_keeps_its_own_weights_in_the_flux_between_tetrahedra)
+FACT(drag_keeps_its_own_weights_in_the_flux_between_tetrahedra)
 {
     ck_assert_double_lt(made("linear", 8, 0.2, 5000.0).p, 5.3);
 }
-END_TEST
 
 /* The forces alone, with the fluid at rest: the order of p was 1.3 as long as
  * the terms of its faces came from slopes by Gauss. */
-START_TEST(a_fluid_at_rest_on_tetrahedra_has_its_pressure_to_second_order)
+FACT(a_fluid_at_rest_on_tetrahedra_has_its_pressure_to_second_order)
 {
     struct manufactured a = {.kind = MANUFACTURED_BOX,
                              .n = 4,
@@ -97,7 +93,6 @@ START_TEST(a_fluid_at_rest_on_tetrahedra_has_its_pressure_to_second_order)
     ck_assert_double_gt(log2(coarse.p / fine.p), 2.0);
     ck_assert_double_gt(log2(coarse.u / fine.u), 2.0);
 }
-END_TEST
 
 /* --- a gradient ----------------------------------------------------------- */
 
@@ -121,7 +116,7 @@ static int near_boundary(const struct mesh *m, int c)
 /* The theorem of Gauss with values linear between the cells has an error of 0.3
  * on tetrahedra, on the finest mesh, too; with the term it has none. 1e-12:
  * rounding of 1000 sums. The mesh has cells enough for 100 away from walls. */
-START_TEST(a_linear_pressure_has_its_slope_on_tetrahedra)
+FACT(a_linear_pressure_has_its_slope_on_tetrahedra)
 {
     const int n[3] = {6, 6, 6};
     struct mesh *const m = tetrahedra_create(n, 0.1, NULL);
@@ -150,7 +145,6 @@ START_TEST(a_linear_pressure_has_its_slope_on_tetrahedra)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* A cell whose boundary faces are all ends in z; the others count as well if it
  * has none. */
@@ -206,7 +200,7 @@ static double worst_slope(struct mesh *m)
 /* On a slip wall and at an outlet the velocity is that of the cell. Taken for
  * that in the middle of the face, which is not above the centre, it gave slopes
  * wrong by more than 0.5, by least squares as by Gauss. 1e-12: rounding. */
-START_TEST(a_velocity_along_slip_walls_and_outlets_has_its_slope)
+FACT(a_velocity_along_slip_walls_and_outlets_has_its_slope)
 {
     const int n[3] = {4, 4, 4};
     const struct box_spec spec = {
@@ -216,7 +210,6 @@ START_TEST(a_velocity_along_slip_walls_and_outlets_has_its_slope)
     ck_assert_double_lt(worst_slope(tetrahedra_create(n, 0.1, NULL)), 1e-12);
     ck_assert_double_lt(worst_slope(mesh_create_sheared(&spec, shear)), 1e-12);
 }
-END_TEST
 
 /* --- a pipe --------------------------------------------------------------- */
 
@@ -224,33 +217,22 @@ END_TEST
  * 2592 cells have 0.979. Without the terms of deferred_correction.c it would be
  * 4 % more, without that of convection alone 3 %, and with slopes by Gauss 5 %
  * more again. */
-START_TEST(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop)
+FACT(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop)
 {
     ck_assert_double_eq_tol(pipe_of_tetrahedra(6, "second-upwind", NULL, 0.5),
                             0.979, 0.02);
 }
-END_TEST
 
 /* Links at 83 degrees that miss the middles of their faces by 2.5 times their
  * length: without the two limits of pressure.c and deferred_correction.c this
  * broke down in the fourth step. 5 %: what six steps leave of the start. */
-START_TEST(a_pipe_of_flat_tetrahedra_holds)
+FACT(a_pipe_of_flat_tetrahedra_holds)
 {
     ck_assert_double_eq_tol(pipe_of_tetrahedra(12, "second-upwind", NULL, 0.09),
                             1.0, 0.05);
 }
-END_TEST
 
-FACTS("tetrahedra")
+FACTS
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(a_flow_on_tetrahedra_has_an_order_on_its_way_to_two, 3);
-    FACT(a_flow_with_drag_on_tetrahedra_has_order_two);
-    FACT(a_flow_does_not_suffer_from_shaken_tetrahedra);
-    FACT(drag_keeps_its_own_weights_in_the_flux_between_tetrahedra);
-    FACT(a_fluid_at_rest_on_tetrahedra_has_its_pressure_to_second_order);
-    FACT(a_linear_pressure_has_its_slope_on_tetrahedra);
-    FACT(a_velocity_along_slip_walls_and_outlets_has_its_slope);
-    FACT(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop);
-    FACT(a_pipe_of_flat_tetrahedra_holds);
 }

@@ -81,7 +81,7 @@ static int refused(const struct key *const *tables)
     return n;
 }
 
-START_TEST(no_key_takes_a_text_with_a_control_character)
+FACT(no_key_takes_a_text_with_a_control_character)
 {
     const struct key *tables[CASE_FILE_TABLES];
     const struct key *const of_study[] = {plan_keys, NULL};
@@ -90,7 +90,6 @@ START_TEST(no_key_takes_a_text_with_a_control_character)
     ck_assert_int_ge(refused(tables), 20);
     ck_assert_int_ge(refused(of_study), 7);
 }
-END_TEST
 
 static const char nasty[] = "a'b\"c$(touch x)`touch x`\\<d>&|, \"\"\" &";
 
@@ -106,7 +105,7 @@ static const char *put(const char *text, enum text_target target)
     return made;
 }
 
-START_TEST(a_shell_gets_the_very_word)
+FACT(a_shell_gets_the_very_word)
 {
     char command[256], said[256] = "";
 
@@ -119,9 +118,8 @@ START_TEST(a_shell_gets_the_very_word)
     ck_assert_str_eq(put("", TEXT_SHELL), "''");
     ck_assert_str_eq(put("runs/a-1.cfg", TEXT_SHELL), "runs/a-1.cfg");
 }
-END_TEST
 
-START_TEST(each_target_has_its_quotes)
+FACT(each_target_has_its_quotes)
 {
     ck_assert_str_eq(put("a b\"`x`\\'@", TEXT_GNUPLOT),
                      "\"a b\\042\\140x\\140\\134\\047\\100\"");
@@ -133,9 +131,8 @@ START_TEST(each_target_has_its_quotes)
     ck_assert_str_eq(put("a,\"b", TEXT_CSV), "\"a,\"\"b\"");
     ck_assert_str_eq(put("a b", TEXT_CSV), "a b");
 }
-END_TEST
 
-START_TEST(no_target_gets_a_control_character)
+FACT(no_target_gets_a_control_character)
 {
     for (int target = TEXT_PLAIN; target <= TEXT_XML; target++) {
         const char *const made = put("a\nb\x1b"
@@ -146,13 +143,8 @@ START_TEST(no_target_gets_a_control_character)
         ck_assert_ptr_nonnull(strstr(made, "a b 2J c \xc3\xa9"));
     }
 }
-END_TEST
 
-FACTS("text")
+FACTS
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(no_key_takes_a_text_with_a_control_character);
-    FACT(a_shell_gets_the_very_word);
-    FACT(each_target_has_its_quotes);
-    FACT(no_target_gets_a_control_character);
 }

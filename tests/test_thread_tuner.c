@@ -30,7 +30,7 @@ static double run(struct thread_tuner *c, const struct machine *m, int steps)
 }
 
 /* Or one that is as good but for what a trial must gain. */
-START_TEST(it_finds_the_number_that_is_fastest)
+FACT_FOR_EACH(it_finds_the_number_that_is_fastest, 4)
 {
     static const struct machine m[] = {
         {1.0, 2.0}, {1.0, 0.2}, {1.0, 0.06}, {1.0, 0.0}};
@@ -43,11 +43,10 @@ START_TEST(it_finds_the_number_that_is_fastest)
         best = fmin(best, step(&m[_i], threads));
     ck_assert_double_lt(step(&m[_i], c.threads), best / 0.9);
 }
-END_TEST
 
 /* Processors are taken away and come back. That they are taken shows in the
  * time that 0.5 * 3 * 128 s of steps had taken before: then in fewer steps. */
-START_TEST(it_follows_what_others_leave)
+FACT(it_follows_what_others_leave)
 {
     const struct machine free = {1.0, 0.0}, taken = {1.0, 5.0};
     struct thread_tuner c;
@@ -60,12 +59,11 @@ START_TEST(it_follows_what_others_leave)
     run(&c, &free, 1000);
     ck_assert_int_eq(c.threads, 2);
 }
-END_TEST
 
 /* Three steps with one thread for 128 times three with two lose three. Where
  * two are ten times as slow as one, a trial is lost after its first step, and
  * costs as much as ten. */
-START_TEST(trials_cost_little)
+FACT(trials_cost_little)
 {
     const struct machine free = {1.0, 0.0}, taken = {1.0, 4.75};
     struct thread_tuner c;
@@ -76,23 +74,13 @@ START_TEST(trials_cost_little)
     ck_assert_double_lt(run(&c, &taken, 10000) / (10000 * step(&taken, 1)),
                         1.05);
 }
-END_TEST
 
 /* Its time is not used. */
-START_TEST(one_thread_stays_one)
+FACT(one_thread_stays_one)
 {
     struct thread_tuner c;
 
     thread_tuner_init(&c, 1);
     for (int k = 0; k < 100; k++)
         ck_assert_int_eq(thread_tuner_next(&c, 0.0), 1);
-}
-END_TEST
-
-FACTS("crew")
-{
-    FACT_FOR_EACH(it_finds_the_number_that_is_fastest, 4);
-    FACT(it_follows_what_others_leave);
-    FACT(trials_cost_little);
-    FACT(one_thread_stays_one);
 }

@@ -166,7 +166,7 @@ static void assert_seen(struct scene *a, struct scene *b, const struct frame *t)
     }
 }
 
-START_TEST(averages_do_not_depend_on_the_axes)
+FACT_FOR_EACH(averages_do_not_depend_on_the_axes, WAYS *BOXES)
 {
     const int way = _i % WAYS, shape = _i / WAYS;
     const int frame = shape == 0 ? 4 : 5; /* turned, and mirrored, too */
@@ -180,10 +180,9 @@ START_TEST(averages_do_not_depend_on_the_axes)
     discard(b);
     discard(a);
 }
-END_TEST
 
 /* To the last bit: the unit is a power of two. */
-START_TEST(averages_do_not_depend_on_the_unit_of_length)
+FACT_FOR_EACH(averages_do_not_depend_on_the_unit_of_length, WAYS *BOXES)
 {
     const int way = _i % WAYS, shape = _i / WAYS;
     struct scene *const a = create(&turned_frames[0], 1.0, way, shape);
@@ -206,11 +205,8 @@ START_TEST(averages_do_not_depend_on_the_unit_of_length)
     discard(a);
     discard(b);
 }
-END_TEST
 
-FACTS("turned averaging")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(averages_do_not_depend_on_the_axes, WAYS * BOXES);
-    FACT_FOR_EACH(averages_do_not_depend_on_the_unit_of_length, WAYS * BOXES);
 }

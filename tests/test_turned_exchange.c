@@ -170,7 +170,7 @@ static void assert_alike(const struct simulation *a, const struct simulation *b,
                             b->coupling->report.lowest_interpolated, 1e-10);
 }
 
-START_TEST(the_coupling_does_not_depend_on_the_axes)
+FACT_FOR_EACH(the_coupling_does_not_depend_on_the_axes, VARIANTS)
 {
     struct mesh *const plain = mesh_in(turned_si);
     struct simulation *const a = moved(_i, plain, &turned_frames[0], turned_si);
@@ -183,10 +183,9 @@ START_TEST(the_coupling_does_not_depend_on_the_axes)
     discard(a);
     mesh_free(plain);
 }
-END_TEST
 
 /* Drag laws take powers of numbers without a unit: to the last bit. */
-START_TEST(the_coupling_does_not_depend_on_the_units)
+FACT_FOR_EACH(the_coupling_does_not_depend_on_the_units, VARIANTS)
 {
     const struct units in = turned_units;
     const double speed = in.L / in.T, force = in.M * speed / in.T;
@@ -208,11 +207,8 @@ START_TEST(the_coupling_does_not_depend_on_the_units)
     mesh_free(plain);
     mesh_free(other);
 }
-END_TEST
 
-FACTS("turned exchange")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(the_coupling_does_not_depend_on_the_axes, VARIANTS);
-    FACT_FOR_EACH(the_coupling_does_not_depend_on_the_units, VARIANTS);
 }

@@ -266,7 +266,7 @@ static void assert_sums(const struct scene *a, const struct scene *b)
 /* Velocities are some 0.3 m/s, pressures some 10 Pa over cells of 0.02 m; the
  * solvers leave 1e-13 of their right sides. A term of one component or one side
  * that is wrong shows as 1e-4 and more. */
-START_TEST(a_flow_does_not_depend_on_the_axes)
+FACT_FOR_EACH(a_flow_does_not_depend_on_the_axes, VARIANTS)
 {
     struct scene *const a = create(&variants[_i], &turned_frames[0], turned_si);
     for (int t = 1; t < TURNED; t++) {
@@ -278,10 +278,9 @@ START_TEST(a_flow_does_not_depend_on_the_axes)
     }
     discard(a);
 }
-END_TEST
 
 /* To the last bit: all units are powers of two. */
-START_TEST(a_flow_does_not_depend_on_the_units)
+FACT_FOR_EACH(a_flow_does_not_depend_on_the_units, VARIANTS)
 {
     const struct frame *const t = &turned_frames[0];
     struct scene *const a = create(&variants[_i], t, turned_si);
@@ -314,11 +313,8 @@ START_TEST(a_flow_does_not_depend_on_the_units)
     discard(a);
     discard(b);
 }
-END_TEST
 
-FACTS("turned flow")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(a_flow_does_not_depend_on_the_axes, VARIANTS);
-    FACT_FOR_EACH(a_flow_does_not_depend_on_the_units, VARIANTS);
 }

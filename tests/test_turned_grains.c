@@ -272,7 +272,7 @@ static void assert_sums(const struct scene *a, const struct scene *b)
     ck_assert_double_eq_tol(e->normal, f->normal, 1e-12);
 }
 
-START_TEST(the_motion_of_particles_does_not_depend_on_the_axes)
+FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_axes, VARIANTS)
 {
     struct scene *const a = create(&variants[_i], &turned_frames[0], turned_si);
     for (int t = 1; t < TURNED; t++) {
@@ -284,10 +284,9 @@ START_TEST(the_motion_of_particles_does_not_depend_on_the_axes)
     }
     discard(a);
 }
-END_TEST
 
 /* To the last bit: all units are powers of two. */
-START_TEST(the_motion_of_particles_does_not_depend_on_the_units)
+FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_units, VARIANTS)
 {
     const struct frame *const t = &turned_frames[0];
     struct scene *const a = create(&variants[_i], t, turned_si);
@@ -319,13 +318,8 @@ START_TEST(the_motion_of_particles_does_not_depend_on_the_units)
     discard(a);
     discard(b);
 }
-END_TEST
 
-FACTS("turned grains")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_axes,
-                  VARIANTS);
-    FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_units,
-                  VARIANTS);
 }

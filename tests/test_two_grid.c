@@ -28,7 +28,7 @@ static void row(int n, double b, double x, double *field)
 
 /* Three cells, two of the other grid: the first of these, which has density 2,
  * is all over cell 0 and half over cell 1. b = 0.4 has room for two. */
-START_TEST(a_coarse_cell_gives_each_cell_what_is_common)
+FACT(a_coarse_cell_gives_each_cell_what_is_common)
 {
     double f[3];
 
@@ -37,10 +37,9 @@ START_TEST(a_coarse_cell_gives_each_cell_what_is_common)
     ck_assert_double_eq_tol(f[1], 1.0, 1e-14);
     ck_assert_double_eq_tol(f[2], 0.0, 1e-14);
 }
-END_TEST
 
 /* Wherever the particle is in its coarse cell. */
-START_TEST(the_place_within_a_coarse_cell_does_not_matter)
+FACT(the_place_within_a_coarse_cell_does_not_matter)
 {
     double f[8], g[8];
 
@@ -50,11 +49,10 @@ START_TEST(the_place_within_a_coarse_cell_does_not_matter)
         ck_assert(f[c] == g[c]);
     ck_assert_double_eq_tol(f[3], 2.0, 1e-14);
 }
-END_TEST
 
 /* b of a cell and of less than two: the grids are one. Of more than the mesh
  * has: one coarse cell, and all is even. */
-START_TEST(with_the_width_of_a_cell_it_is_pcm)
+FACT(with_the_width_of_a_cell_it_is_pcm)
 {
     double f[8];
 
@@ -67,24 +65,14 @@ START_TEST(with_the_width_of_a_cell_it_is_pcm)
     for (int c = 0; c < 5; c++)
         ck_assert_double_eq_tol(f[c], 1.0, 1e-14);
 }
-END_TEST
 
 /* Coarse cells smaller than those of the mesh: it is pcm again but for cells
  * that lie across an edge. Four coarse cells, three of the mesh. */
-START_TEST(a_second_grid_that_is_finer_loses_nothing)
+FACT(a_second_grid_that_is_finer_loses_nothing)
 {
     double f[3];
 
     row(3, 0.25, 0.3, f); /* the second of four, 0.25 .. 0.5 */
     ck_assert_double_eq_tol(f[0], 4.0 * (1.0 / 3.0 - 0.25) * 3.0, 1e-13);
     ck_assert_double_eq_tol(f[0] + f[1] + f[2], 3.0, 1e-13);
-}
-END_TEST
-
-FACTS("two_grid")
-{
-    FACT(a_coarse_cell_gives_each_cell_what_is_common);
-    FACT(the_place_within_a_coarse_cell_does_not_matter);
-    FACT(with_the_width_of_a_cell_it_is_pcm);
-    FACT(a_second_grid_that_is_finer_loses_nothing);
 }

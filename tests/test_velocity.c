@@ -76,7 +76,7 @@ static double *neighbour_sum(const struct fluid *fl)
 }
 
 /* H, of the size of 10 N, in another order of its seven terms. */
-START_TEST(h_is_the_right_side_minus_the_neighbours)
+FACT(h_is_the_right_side_minus_the_neighbours)
 {
     struct mesh *const m = box();
     struct fluid *const fl = equation(m, walls);
@@ -89,9 +89,8 @@ START_TEST(h_is_the_right_side_minus_the_neighbours)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(the_corrected_velocity_balances_each_cell_with_given_neighbours)
+FACT(the_corrected_velocity_balances_each_cell_with_given_neighbours)
 {
     struct mesh *const m = box();
     struct fluid *const fl = equation(m, walls);
@@ -111,11 +110,10 @@ START_TEST(the_corrected_velocity_balances_each_cell_with_given_neighbours)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* The predictor solves the equation; a velocity that is 1 m/s off in one cell
  * leaves a_P there and a_N in the neighbours. */
-START_TEST(the_residual_is_that_of_the_equation_with_the_present_velocity)
+FACT(the_residual_is_that_of_the_equation_with_the_present_velocity)
 {
     struct mesh *const m = box();
     struct fluid *const fl = equation(m, walls);
@@ -142,10 +140,9 @@ START_TEST(the_residual_is_that_of_the_equation_with_the_present_velocity)
     fluid_free(fl);
     mesh_free(m);
 }
-END_TEST
 
 /* The predictor's own residual stands for a product with the matrix. */
-START_TEST(h_after_the_prediction_is_that_of_the_predicted_velocity)
+FACT(h_after_the_prediction_is_that_of_the_predicted_velocity)
 {
     struct mesh *const m = box();
     struct fluid *const fl = equation(m, walls);
@@ -158,13 +155,4 @@ START_TEST(h_after_the_prediction_is_that_of_the_predicted_velocity)
     free(H);
     fluid_free(fl);
     mesh_free(m);
-}
-END_TEST
-
-FACTS("velocity")
-{
-    FACT(h_is_the_right_side_minus_the_neighbours);
-    FACT(the_corrected_velocity_balances_each_cell_with_given_neighbours);
-    FACT(the_residual_is_that_of_the_equation_with_the_present_velocity);
-    FACT(h_after_the_prediction_is_that_of_the_predicted_velocity);
 }

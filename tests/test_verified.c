@@ -139,7 +139,7 @@ static struct made_error made_run(int n, int shared, int unsteady, double dt,
 }
 
 /* Both forms of the pressure term, steady. */
-START_TEST(a_manufactured_solution_with_eps_has_order_two_in_u_and_p)
+FACT_FOR_EACH(a_manufactured_solution_with_eps_has_order_two_in_u_and_p, 2)
 {
     const struct made_error a = made_run(16, _i, 0, 0.02, 40, "euler");
     const struct made_error b = made_run(32, _i, 0, 0.02, 40, "euler");
@@ -147,11 +147,10 @@ START_TEST(a_manufactured_solution_with_eps_has_order_two_in_u_and_p)
     ck_assert_double_gt(log2(a.p / b.p), 1.5);
     ck_assert_double_lt(b.u, 0.015);
 }
-END_TEST
 
 /* Unsteady, on one mesh: what a step of dt adds to the error of the mesh falls
  * by 2 with Euler and by 4 with BDF2 (order 1 and 2). */
-START_TEST(a_manufactured_solution_has_the_order_of_the_scheme_in_time)
+FACT_FOR_EACH(a_manufactured_solution_has_the_order_of_the_scheme_in_time, 2)
 {
     const char *const time = _i ? "bdf2" : "euler";
     double u[3];
@@ -161,7 +160,6 @@ START_TEST(a_manufactured_solution_has_the_order_of_the_scheme_in_time)
     ck_assert_double_gt(order, _i ? 1.6 : 0.7);
     if (_i) ck_assert_double_lt(fabs(u[1] - u[2]), 1e-3);
 }
-END_TEST
 
 /* A void fraction that travels through a periodic box, eps = 0.5 + 0.2 sin(x -
  * c t), with u = c + q / eps: which satisfies void-rate continuity exactly. */
@@ -211,14 +209,13 @@ static double wave_error(const char *time, int n, double dt)
     return sqrt(sum);
 }
 
-START_TEST(a_travelling_void_has_order_two_in_space_and_time)
+FACT(a_travelling_void_has_order_two_in_space_and_time)
 {
     const double coarse = wave_error("bdf2", 24, 0.04);
     const double fine = wave_error("bdf2", 48, 0.02);
     ck_assert_double_gt(log2(coarse / fine), 1.8);
     ck_assert_double_lt(fine, 0.5 * wave_error("euler", 48, 0.02));
 }
-END_TEST
 
 /* --- the cavity of Ghia --------------------------------------------------- */
 
@@ -280,13 +277,12 @@ static double ghia_error(int n)
 }
 
 /* [Ghia82, Table I], Re = 100, on 32 x 32 cells: 1 % of the lid's velocity. */
-START_TEST(the_cavity_has_the_profile_of_ghia_at_re_100)
+FACT(the_cavity_has_the_profile_of_ghia_at_re_100)
 {
     const double coarse = ghia_error(16), fine = ghia_error(32);
     ck_assert_double_lt(fine, 0.01);
     ck_assert_double_gt(coarse / fine, 2.0);
 }
-END_TEST
 
 /* Half of a cube whose other half is its image, Re 1000, n^3 cells. Root mean
  * square of u - u_AK on the vertical centreline over 15 points [m/s]. */
@@ -329,13 +325,12 @@ static double cube_error(int n)
 
 /* [Albensoeder05, Table 5]: coarse, and nearer with each cell; Chapter "The
  * flow, verified" has finer meshes. */
-START_TEST(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000)
+FACT(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000)
 {
     const double fine = cube_error(16);
     ck_assert_double_lt(fine, 0.08);
     ck_assert_double_gt(cube_error(8), 1.2 * fine);
 }
-END_TEST
 
 /* --- hard cases ----------------------------------------------------------- */
 
@@ -371,7 +366,7 @@ static struct fluid *column(const struct boundary b[6], double dt,
  * drag coefficients up to 1e8, Courant numbers up to 12, cells 100 times as
  * wide as high, one cell across. The stream must be there; viscosity smooths
  * the jump of its velocity by 3e-3. */
-START_TEST(a_stream_switched_on_at_once_comes_to_its_steady_state)
+FACT_FOR_EACH(a_stream_switched_on_at_once_comes_to_its_steady_state, 6)
 {
     static const struct {
         double dt, K, size[3];
@@ -402,11 +397,10 @@ START_TEST(a_stream_switched_on_at_once_comes_to_its_steady_state)
         ck_assert_double_eq_tol(fl->u[3 * c + 1] * fl->eps[c] / U, 1.0, 5e-3);
     discard(fl);
 }
-END_TEST
 
 /* A cavity at ten times its stable explicit step, Courant number 5: Euler and
  * upwind stay bounded by the lid. */
-START_TEST(a_cavity_at_courant_number_5_stays_below_its_lid)
+FACT(a_cavity_at_courant_number_5_stays_below_its_lid)
 {
     struct boundary b[4];
     for (int i = 0; i < 4; i++)
@@ -422,11 +416,10 @@ START_TEST(a_cavity_at_courant_number_5_stays_below_its_lid)
     ck_assert_double_lt(fl->report.piso_residual, 1e-3);
     discard(fl);
 }
-END_TEST
 
 /* Viscosity that crosses many cells within a step: two corrections are not
  * enough and would diverge; further ones are added automatically. */
-START_TEST(corrections_go_on_where_viscosity_is_fast)
+FACT(corrections_go_on_where_viscosity_is_fast)
 {
     struct boundary b[4];
     for (int i = 0; i < 4; i++)
@@ -444,18 +437,8 @@ START_TEST(corrections_go_on_where_viscosity_is_fast)
         ck_assert_double_lt(fabs(fl->u[i]), 1.0);
     discard(fl);
 }
-END_TEST
 
-FACTS("verified")
+FACTS
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(a_manufactured_solution_with_eps_has_order_two_in_u_and_p, 2);
-    FACT_FOR_EACH(a_manufactured_solution_has_the_order_of_the_scheme_in_time,
-                  2);
-    FACT(a_travelling_void_has_order_two_in_space_and_time);
-    FACT(the_cavity_has_the_profile_of_ghia_at_re_100);
-    FACT(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000);
-    FACT_FOR_EACH(a_stream_switched_on_at_once_comes_to_its_steady_state, 6);
-    FACT(a_cavity_at_courant_number_5_stays_below_its_lid);
-    FACT(corrections_go_on_where_viscosity_is_fast);
 }

@@ -1,4 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define FACTS_OWN_MAIN
+#include "facts.h"
+
 #include "output/vtk.h"
 #include "scratch.h"
 #include "vtk_read.h"
@@ -75,7 +78,7 @@ static void fill_with_noise(double *a, int n)
     }
 }
 
-START_TEST(a_box_reads_back_bit_for_bit)
+FACT(a_box_reads_back_bit_for_bit)
 {
     struct mesh *const m = sample_box(7, 5, 3);
     double p[105], u[315];
@@ -100,9 +103,8 @@ START_TEST(a_box_reads_back_bit_for_bit)
     free(f.text);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(particles_read_back_bit_for_bit)
+FACT(particles_read_back_bit_for_bit)
 {
     enum { N = 12345 };
     static double a[7][N], side[3 * N];
@@ -139,9 +141,8 @@ START_TEST(particles_read_back_bit_for_bit)
     ck_assert_ptr_eq(assert_array(&f, "id", id, sizeof id), f.end);
     free(f.text);
 }
-END_TEST
 
-START_TEST(no_particles_leave_empty_arrays)
+FACT(no_particles_leave_empty_arrays)
 {
     const double *const x[3] = {NULL, NULL, NULL};
     const struct vtk_array arrays[] = {
@@ -157,11 +158,10 @@ START_TEST(no_particles_leave_empty_arrays)
     ck_assert_ptr_eq(assert_array(&f, "velocity", "", 0), f.end);
     free(f.text);
 }
-END_TEST
 
 /* One number less than a block, a block, one more, and the same for two. The
  * last word of the header is 0 where the last block is full. */
-START_TEST(blocks_may_be_full_or_not)
+FACT_FOR_EACH(blocks_may_be_full_or_not, 6)
 {
     const int full = VTK_BLOCK / 8;
     const int n = (1 + _i / 3) * full + _i % 3 - 1;
@@ -177,11 +177,10 @@ START_TEST(blocks_may_be_full_or_not)
     free(f.text);
     free(a);
 }
-END_TEST
 
 /* Stored, noise grows by 5 bytes in 16 KiB, to 1.0004; compressed at level 0,
  * the smooth array of zeros would not shrink at all. */
-START_TEST(smooth_arrays_shrink_and_noise_does_not_grow)
+FACT(smooth_arrays_shrink_and_noise_does_not_grow)
 {
     enum { N = 40000 };
     static double noise[N], smooth[N];
@@ -204,9 +203,8 @@ START_TEST(smooth_arrays_shrink_and_noise_does_not_grow)
     ck_assert_int_lt(end - middle, (long)(0.02 * sizeof smooth));
     free(f.text);
 }
-END_TEST
 
-START_TEST(names_are_escaped)
+FACT(names_are_escaped)
 {
     struct mesh *const m = sample_box(1, 1, 1);
     const double one = 1.0;
@@ -220,9 +218,8 @@ START_TEST(names_are_escaped)
     free(f.text);
     mesh_free(m);
 }
-END_TEST
 
-START_TEST(a_full_disk_leaves_nothing_and_the_writer_goes_on)
+FACT(a_full_disk_leaves_nothing_and_the_writer_goes_on)
 {
     enum { N = 20000 };
     static double a[N];
@@ -245,7 +242,6 @@ START_TEST(a_full_disk_leaves_nothing_and_the_writer_goes_on)
     ck_assert_int_eq(vtk_write_particles(writer, path, N, x, 0.0, 0, NULL), 0);
     ck_assert(scratch_exists(path));
 }
-END_TEST
 
 /* --- Samples for vtk_check.py --------------------------------------------- */
 
@@ -308,25 +304,12 @@ static int write_samples(const char *folder)
     return failed;
 }
 
+FACTS
+{
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+}
+
 int main(int n_arguments, char **argument)
 {
-    if (n_arguments == 2) return write_samples(argument[1]);
-
-    Suite *const s = suite_create("vtk");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, a_box_reads_back_bit_for_bit);
-    tcase_add_test(t, particles_read_back_bit_for_bit);
-    tcase_add_test(t, no_particles_leave_empty_arrays);
-    tcase_add_loop_test(t, blocks_may_be_full_or_not, 0, 6);
-    tcase_add_test(t, smooth_arrays_shrink_and_noise_does_not_grow);
-    tcase_add_test(t, names_are_escaped);
-    tcase_add_test(t, a_full_disk_leaves_nothing_and_the_writer_goes_on);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    return n_arguments == 2 ? write_samples(argument[1]) : facts_run();
 }

@@ -49,7 +49,7 @@ static const struct wall_image *image_at(const struct hall *h, int c,
 
 /* Of three walls at right angles: one image in each, in each two, in all. From
  * farther inside those in two are beyond the reach. */
-START_TEST(ew18_21_a_corner_of_a_box_has_seven_images)
+FACT(ew18_21_a_corner_of_a_box_has_seven_images)
 {
     const struct blocks cubes = {.n = {4, 4, 4}};
     struct hall h = hall_of(blocks_create(&cubes), 1.6);
@@ -72,10 +72,9 @@ START_TEST(ew18_21_a_corner_of_a_box_has_seven_images)
     ck_assert_int_eq(h.mirrors->start[inner + 1] - h.mirrors->start[inner], 3);
     hall_free(&h);
 }
-END_TEST
 
 /* Between two walls of distance 1 an image every 1, every second one turned. */
-START_TEST(between_two_walls_images_have_images)
+FACT(between_two_walls_images_have_images)
 {
     const struct blocks slot = {.n = {9, 9, 1}};
     struct hall h = hall_of(blocks_create(&slot), 3.2);
@@ -92,7 +91,6 @@ START_TEST(between_two_walls_images_have_images)
     }
     hall_free(&h);
 }
-END_TEST
 
 /* A quarter of it is left out: a corner that juts into the domain. */
 static int step_there(const int at[3])
@@ -126,7 +124,7 @@ enum { ROOMS = sizeof rooms / sizeof *rooms };
  * Where angles are not right ones a cell and its image meet at a wall or at a
  * bisector as no two cells do, and the sum of values at centres is less exact.
  */
-START_TEST(the_images_of_all_cells_fill_the_space_once)
+FACT_FOR_EACH(the_images_of_all_cells_fill_the_space_once, ROOMS)
 {
     const double b = 2.0;
     struct hall h = hall_of(blocks_create(&rooms[_i].blocks), 3.0 * b);
@@ -152,12 +150,4 @@ START_TEST(the_images_of_all_cells_fill_the_space_once)
     ck_assert_double_lt(1.0 - lo, rooms[_i].off);
     ck_assert_double_lt(hi - 1.0, rooms[_i].off);
     hall_free(&h);
-}
-END_TEST
-
-FACTS("mirrors")
-{
-    FACT(ew18_21_a_corner_of_a_box_has_seven_images);
-    FACT(between_two_walls_images_have_images);
-    FACT_FOR_EACH(the_images_of_all_cells_fill_the_space_once, ROOMS);
 }

@@ -20,7 +20,7 @@ static double angle_function(double alpha)
     return wear_finnie(&w, 1.0, v, (const double[3]){0.0, 1.0, 0.0});
 }
 
-START_TEST(finnie_cuts_most_at_16_845_degrees)
+FACT(finnie_cuts_most_at_16_845_degrees)
 {
     const double best = 0.5 * atan(2.0 / 3.0), degree = M_PI / 180.0;
 
@@ -41,7 +41,6 @@ START_TEST(finnie_cuts_most_at_16_845_degrees)
     ck_assert_double_eq_tol(angle_function(90.0 * degree), 0.0, 1e-15);
     ck_assert(angle_function(-30.0 * degree) == 0.0); /* on the way out */
 }
-END_TEST
 
 /* A floor, y = 0, of two triangles. */
 static struct surface floor_that_wears(double cutting, double archard)
@@ -118,7 +117,7 @@ static struct wear_face impact(const struct surface *s, double vx, double vy,
 }
 
 /* Neither the step nor the restitution nor a plate that moves with both. */
-START_TEST(an_impact_wears_what_its_velocity_says)
+FACT(an_impact_wears_what_its_velocity_says)
 {
     struct surface s = floor_that_wears(0.8, 0.0);
     double m;
@@ -137,14 +136,13 @@ START_TEST(an_impact_wears_what_its_velocity_says)
     }
     forget(&s);
 }
-END_TEST
 
 /* V p/k_A = J (v_s - (7/4) mu J/m) of an elastic impact in which it slides all
  * the time, J = 2 m v_n. The steps in which the contact begins and ends are
  * counted whole or not at all, (dt/t_c)^2 in all; and the overlap, a thousandth
  * of the radius, shortens the arm of the friction. The forces of the faces are
  * J and mu J. */
-START_TEST(an_impact_that_slides_wears_what_archard_says)
+FACT(an_impact_that_slides_wears_what_archard_says)
 {
     struct surface s = floor_that_wears(0.0, 0.02);
     const double mu = 0.3, vn = 0.3, vs = 1.0;
@@ -161,12 +159,11 @@ START_TEST(an_impact_that_slides_wears_what_archard_says)
     }
     forget(&s);
 }
-END_TEST
 
 /* It lies on the floor at its weight and slides at 1 m/s: without friction for
  * ever, with friction until it rolls, after v^2/(7 mu g). Then it wears no
  * more. */
-START_TEST(a_sphere_wears_by_its_weight_times_its_way_of_sliding)
+FACT_FOR_EACH(a_sphere_wears_by_its_weight_times_its_way_of_sliding, 2)
 {
     struct surface s = floor_that_wears(0.0, 0.02);
     const double mu = _i ? 0.2 : 0.0, step = 2e-5;
@@ -191,7 +188,6 @@ START_TEST(a_sphere_wears_by_its_weight_times_its_way_of_sliding)
     particles_free(ps);
     forget(&s);
 }
-END_TEST
 
 /* A box of 12 triangles, from -0.6 to 0.6, that shakes, with a cloud in it. */
 static struct surface shaken_box(void)
@@ -234,7 +230,7 @@ static void shake(const struct surface *s, int threads, double mu,
 
 /* Without friction the forces of the faces along their normals are all that the
  * box receives. */
-START_TEST(forces_of_the_faces_are_the_reaction_of_the_particles)
+FACT(forces_of_the_faces_are_the_reaction_of_the_particles)
 {
     struct surface s = shaken_box();
     struct wear_face face[12];
@@ -252,9 +248,8 @@ START_TEST(forces_of_the_faces_are_the_reaction_of_the_particles)
         ck_assert_double_eq_tol(sum[k], got.impulse[k], 1e-12 * size);
     forget(&s);
 }
-END_TEST
 
-START_TEST(wear_has_the_same_bits_with_two_threads)
+FACT(wear_has_the_same_bits_with_two_threads)
 {
     struct surface s = shaken_box();
     struct wear_face one[12], two[12];
@@ -264,15 +259,4 @@ START_TEST(wear_has_the_same_bits_with_two_threads)
     shake(&s, 2, 0.3, two, &got);
     ck_assert_int_eq(memcmp(one, two, sizeof one), 0);
     forget(&s);
-}
-END_TEST
-
-FACTS("wear")
-{
-    FACT(finnie_cuts_most_at_16_845_degrees);
-    FACT(an_impact_wears_what_its_velocity_says);
-    FACT(an_impact_that_slides_wears_what_archard_says);
-    FACT_FOR_EACH(a_sphere_wears_by_its_weight_times_its_way_of_sliding, 2);
-    FACT(forces_of_the_faces_are_the_reaction_of_the_particles);
-    FACT(wear_has_the_same_bits_with_two_threads);
 }

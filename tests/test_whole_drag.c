@@ -31,7 +31,7 @@ static void stop_particles(struct simulation *sim)
 }
 
 /* [SX15 3]: with each law that has a range of eps_f, on spheres that move. */
-START_TEST(ew18_a5_whole_force_is_the_drag_over_the_fluid_fraction)
+FACT_FOR_EACH(ew18_a5_whole_force_is_the_drag_over_the_fluid_fraction, 4)
 {
     static const char *const laws[] = {"syamlal-obrien", "gidaspow", "beetstra",
                                        "di-felice"};
@@ -54,13 +54,12 @@ START_TEST(ew18_a5_whole_force_is_the_drag_over_the_fluid_fraction)
     discard(plain);
     discard(whole);
 }
-END_TEST
 
 /* A gradient drives air through a lattice of spheres until the velocity is
  * steady: eps_f G = n F_d where it is shared, G = n F_d / eps_f where it is
- * not [SX15 2b], which is the same equation. 1e-6: the relaxation takes some 30 steps,
- * and 400 are made. */
-START_TEST(ew18_11_flow_through_an_even_bed_is_that_of_model_a)
+ * not [SX15 2b], which is the same equation. 1e-6: the relaxation takes some 30
+ * steps, and 400 are made. */
+FACT(ew18_11_flow_through_an_even_bed_is_that_of_model_a)
 {
     double u[2];
 
@@ -76,11 +75,10 @@ START_TEST(ew18_11_flow_through_an_even_bed_is_that_of_model_a)
     ck_assert_double_gt(u[0], 0.1);
     ck_assert_double_eq_tol(u[1] / u[0], 1.0, 1e-6);
 }
-END_TEST
 
 /* m g - V rho_f g = V (rho_s - rho_f) g, and nothing else of the fluid at rest.
  */
-START_TEST(ew18_13_weight_is_less_by_the_buoyancy)
+FACT(ew18_13_weight_is_less_by_the_buoyancy)
 {
     struct scene s = air;
 
@@ -99,12 +97,11 @@ START_TEST(ew18_13_weight_is_less_by_the_buoyancy)
     }
     discard(sim);
 }
-END_TEST
 
 /* The fluid gets minus the buoyancy of the solids that it carries: with spheres
  * of its own density nothing moves, but for the first step, before which none
  * was charged: 1 g dt at most. */
-START_TEST(ew18_13_neutral_spheres_stay_where_they_are)
+FACT_FOR_EACH(ew18_13_neutral_spheres_stay_where_they_are, 2)
 {
     struct scene s = air;
 
@@ -124,13 +121,4 @@ START_TEST(ew18_13_neutral_spheres_stay_where_they_are)
     for (int i = 0; i < s.n; i++)
         ck_assert_double_lt(fabs(sim->particles->vy[i]), 9.81 * s.dt);
     discard(sim);
-}
-END_TEST
-
-FACTS("whole_drag")
-{
-    FACT_FOR_EACH(ew18_a5_whole_force_is_the_drag_over_the_fluid_fraction, 4);
-    FACT(ew18_11_flow_through_an_even_bed_is_that_of_model_a);
-    FACT(ew18_13_weight_is_less_by_the_buoyancy);
-    FACT_FOR_EACH(ew18_13_neutral_spheres_stay_where_they_are, 2);
 }

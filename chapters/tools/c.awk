@@ -56,7 +56,6 @@ function cut_item(file, k, n, above,    i, depth, code, all) {
             if (depth == 0 && code ~ /[;}] *$/) break
             if (source[file, k + 1] == "" && all ~ /^ [A-Z_]+[(].*[)]$/) break
         }
-    if (k < n && source[file, k + 1] ~ /^END_TEST/) k++
     last[file, i] = k
     label(file, i, all)
     return k
@@ -90,7 +89,7 @@ function label(file, i, all,    head, end, words, k) {
         note(file, i, "define", substr(all, 1, RLENGTH))
         return
     }
-    if (sub(/^START_TEST\(/, "", all)) {
+    if (sub(/^FACT(_FOR_EACH)?\( */, "", all)) {
         match(all, /^[a-z_0-9A-Z]+/)
         note(file, i, "test", substr(all, 1, RLENGTH))
         return

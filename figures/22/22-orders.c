@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-START_TEST(print_orders)
+FACT(print_orders)
 {
     printf("%-24s %6s %9s %9s %9s  order\n", "# effect", "steps", "error", "/4",
            "/16");
@@ -20,10 +20,8 @@ START_TEST(print_orders)
     }
     fflush(stdout);
 }
-END_TEST
 
-FACTS("orders")
+FACTS
 {
     tcase_set_timeout(facts, 60.0);
-    FACT(print_orders);
 }

@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "brenner.h"
-#include "facts.h"
 #include "narrow_gap.h"
 
 static void row(double cells, int of_two, double shift)
