@@ -11,8 +11,8 @@
  *   }
  *
  * The name of each is printed as what has been shown (tests/run.sh).
- * FACT_FOR_EACH runs it with _i from 0 to the number less one. What else Check
- * is told, such as a time limit, stands behind FACTS, with the TCase `facts`.
+ * FACT_FOR_EACH runs it with _i from 0 to the number less one. Each may take a
+ * minute. What else Check is told stands behind FACTS, with the TCase `facts`.
  * This header has the program's main, or facts_run alone for a program that
  * defines FACTS_OWN_MAIN.
  */
@@ -67,6 +67,7 @@ static int facts_run(void)
     TCase *const facts = tcase_create("facts");
 
     suite_add_tcase(suite, facts);
+    tcase_set_timeout(facts, 60);
     if (facts_begin != NULL) facts_begin(facts);
     for (const struct fact *f = facts_first; f != NULL; f = f->next)
         tcase_add_loop_test(facts, &f->test, 0, f->count);

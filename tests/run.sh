@@ -7,7 +7,7 @@
 # Check writes one line a test to its log: file, line, P or F or E, name. The
 # names of the tests are the facts; PROGRAM.facts holds those of a program.
 set -u
-# Instrumented tests are many times slower than the limit of 4 s is meant for.
+# Instrumented tests are many times slower than the limit of a minute is meant for.
 export CK_TIMEOUT_MULTIPLIER=20
 # Threads that wait should not keep others from working on a busy machine.
 export OMP_WAIT_POLICY=passive

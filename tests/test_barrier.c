@@ -45,8 +45,3 @@ FACT(a_thread_that_waits_long_sleeps)
     ck_assert_double_lt((double)(clock() - begin) / CLOCKS_PER_SEC, 0.1);
     barrier_free(b);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-}

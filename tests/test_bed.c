@@ -463,8 +463,3 @@ FACT(a_bed_file_with_another_bit_is_refused)
     ck_assert_msg(strstr(said, path) != NULL, "%s", said);
     unlink(path);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60);
-}

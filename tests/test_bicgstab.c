@@ -324,5 +324,4 @@ FACT(what_is_lent_leaves_the_residual_and_the_next_solution)
 FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
 }

@@ -232,8 +232,3 @@ FACT(grains_do_not_enter_a_body)
                         1e-3); /* through the seam */
     release(sim);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60);
-}

@@ -298,8 +298,3 @@ FACT_FOR_EACH(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 2)
     ck_assert_double_eq_tol(fl->report.cfl, 2.0, 1e-3);
     discard(fl);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

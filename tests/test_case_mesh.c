@@ -288,8 +288,3 @@ FACT(a_file_of_gmsh_is_refused_with_what_makes_a_folder_of_it)
     refused("polymesh = \"case_mesh.cfg\";", sides,
             "found the file build/case_mesh.cfg; gmshToFoam makes one");
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

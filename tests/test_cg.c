@@ -188,5 +188,4 @@ FACT(threads_do_not_change_a_bit)
 FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
 }

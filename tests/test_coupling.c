@@ -666,8 +666,3 @@ FACT(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads)
     ck_assert_mem_eq(u[0], u[1], sizeof u[0]);
     ck_assert_mem_eq(x[0], x[1], sizeof x[0]);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

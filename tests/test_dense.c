@@ -62,8 +62,3 @@ FACT(a_vanishing_pivot_leaves_its_unknown_at_zero)
     dense_free(D);
     links_free(&b);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-}

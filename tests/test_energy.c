@@ -504,8 +504,3 @@ FACT_FOR_EACH(a_budget_changes_no_bit_and_does_not_depend_on_threads, 2)
     particles_free(b);
     particles_free(c);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 30);
-}

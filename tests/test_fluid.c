@@ -560,8 +560,3 @@ FACT_FOR_EACH(the_pressure_of_flat_cells_takes_few_iterations, 3)
     fluid_free(fl);
     mesh_free(m);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

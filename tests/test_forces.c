@@ -306,8 +306,3 @@ FACT(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero)
     ck_assert_double_gt(coarse / fine, 3.4);
     ck_assert_double_lt(coarse / fine, 4.6);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

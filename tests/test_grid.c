@@ -263,8 +263,3 @@ FACT(springs_find_their_pairs_in_any_order)
     particles_free(a);
     particles_free(b);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60);
-}

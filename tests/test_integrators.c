@@ -356,8 +356,3 @@ FACT_FOR_EACH(no_step_that_adapts_passes_over_a_contact, 3)
     particles_free(ps);
     triangles_free((struct triangles *)(uintptr_t)sheet.triangles);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 30);
-}

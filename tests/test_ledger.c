@@ -153,8 +153,3 @@ FACT_FOR_EACH(the_files_of_a_closed_box_have_the_momentum_of_its_start, 24)
                                 scheme[1] ? 1e-5 : 2e-4);
     scratch_clear(dir);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

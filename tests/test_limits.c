@@ -119,8 +119,3 @@ FACT(in_a_safe_step_nobody_moves_by_more_than_its_radius)
     ck_assert_double_eq_tol(limits_step(law, &m, 1e-3, 1000.0, 300.0) / 1e-6,
                             1.0, 1e-14);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60);
-}

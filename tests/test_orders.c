@@ -38,8 +38,3 @@ FACT_FOR_EACH(ls_5_4_a_thrown_sphere_slows_as_boussinesq_basset_oseen, 16)
 
     ck_assert_double_lt(orders_relax(&s, ratios[_i % 8], 80), 4e-3);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

@@ -130,8 +130,3 @@ FACT(the_way_to_a_wall_grows_with_the_aggregate)
         ck_assert_double_eq(graph_depth(s.coarse, c), c % 3 == 1 ? 0.0 : 2.0);
     release(&s);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-}

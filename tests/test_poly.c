@@ -575,8 +575,3 @@ FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 17)
     ck_assert_ptr_null(m);
     ck_assert_msg(strstr(said, rows[_i].message) != NULL, "%s", said);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

@@ -456,8 +456,3 @@ FACT(places_of_a_file_are_moved_and_brought_back_into_the_period)
     ck_assert_double_eq(one.x[1], box.hi[1] + L);
     ck_assert_double_eq_tol(one.x[2], 0.5 * (box.lo[2] + box.hi[2]), 1e-15);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 30);
-}

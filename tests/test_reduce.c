@@ -168,5 +168,4 @@ FACT(a_long_array_asks_for_large_pages)
 FACTS
 {
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
 }

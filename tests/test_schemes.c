@@ -298,8 +298,3 @@ FACT_FOR_EACH(slopes_of_a_parabola_are_those_of_the_formulas, 2)
     free(u_b);
     mesh_free(m);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

@@ -423,8 +423,3 @@ FACT(what_relaxes_in_the_step_or_in_its_parts_is_stable)
         ck_assert_double_lt(slip_left(2.5, loading[k], &parts), 0.01);
     }
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

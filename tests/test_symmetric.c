@@ -189,8 +189,3 @@ FACT_FOR_EACH(all_stages_in_one_pass_are_stage_by_stage, 4)
     free(parent);
     links_free(&b);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
-}

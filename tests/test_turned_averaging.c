@@ -205,8 +205,3 @@ FACT_FOR_EACH(averages_do_not_depend_on_the_unit_of_length, WAYS *BOXES)
     discard(a);
     discard(b);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

@@ -207,8 +207,3 @@ FACT_FOR_EACH(the_coupling_does_not_depend_on_the_units, VARIANTS)
     mesh_free(plain);
     mesh_free(other);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

@@ -313,8 +313,3 @@ FACT_FOR_EACH(a_flow_does_not_depend_on_the_units, VARIANTS)
     discard(a);
     discard(b);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

@@ -318,8 +318,3 @@ FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_units, VARIANTS)
     discard(a);
     discard(b);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}

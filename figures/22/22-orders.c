@@ -20,8 +20,3 @@ FACT(print_orders)
     }
     fflush(stdout);
 }
-
-FACTS
-{
-    tcase_set_timeout(facts, 60.0);
-}
