@@ -64,7 +64,7 @@ static void compute(int n, struct fields *to)
                                         convection_scheme_named("linear"),
                                     .correctors = 2,
                                     .piso_tolerance = 1e-4,
-                                    .tolerance = 1e-7,
+                                    .tolerance = 1e-9,
                                     .boundaries = b};
     struct mesh *const m = mesh_create_box(&spec);
     struct fluid *const fl = fluid_create(m, &o);
