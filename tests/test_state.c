@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "dem/particles.h"
+#include "base/alloc.h"
 #include "facts.h"
 #include "kept.h"
 #include "scratch.h"
@@ -265,6 +266,26 @@ FACT(every_array_that_is_attached_is_saved_and_loaded)
     ck_assert_mem_eq(other, was, sizeof other);
     kept_free(kept);
     particles_free(ps);
+}
+
+/* The room that HDF5 makes the file in becomes the image. */
+FACT(the_image_of_a_state_takes_no_second_copy)
+{
+    enum { N = 4000000 };
+    double *const x = alloc_doubles(N);
+    const double before = alloc_peak();
+    struct state_file *const f = state_file_create();
+    struct state *const s = state_file_state(f);
+
+    state_begin(s, "part");
+    state_reals(s, "x", "m", x, N, 1);
+    state_end(s);
+    struct state_image image = state_file_image(f);
+    ck_assert_ptr_nonnull(image.bytes);
+    ck_assert(image.size > N * sizeof *x);
+    ck_assert_double_lt(alloc_peak() - before, 1.5 * N * sizeof *x);
+    free(image.bytes);
+    free(x);
 }
 
 FACTS

@@ -107,11 +107,11 @@ static int visit_all(const struct resume *r, struct state_file *f)
 static int copy_state(struct resume *r)
 {
     double clock = clock_now();
-    struct state_file *const f = state_file_create();
 
+    free(r->image.bytes); /* before its memory is needed for the new one */
+    struct state_file *const f = state_file_create();
     put_texts(r, f);
     visit_all(r, f);
-    free(r->image.bytes);
     r->image = state_file_image(f);
     r->cost = 0.0;
     clock_add(&r->cost, &clock);

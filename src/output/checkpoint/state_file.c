@@ -18,6 +18,8 @@ struct state_file {
     hid_t file;
     char *path;  /* for messages */
     long arrays; /* [-] visited so far */
+    int kept;    /* 1: what the file was made in remains when it is closed */
+    unsigned char *memory; /* then this */
 };
 
 /* The last line: the checksum of all bytes before it. */
@@ -232,19 +234,57 @@ static struct state_file *file_of(hid_t file, const char *path, int loading)
     return f;
 }
 
+/* What HDF5 makes a file in is ours: a copy would be as large again. */
+static void *memory_grown(void *memory, size_t size, H5FD_file_image_op_t why,
+                          void *of)
+{
+    (void)why, (void)of;
+    return realloc(memory, size);
+}
+
+static herr_t memory_left(void *memory, H5FD_file_image_op_t why, void *of)
+{
+    struct state_file *const f = of;
+
+    (void)why;
+    if (f->kept)
+        f->memory = memory;
+    else
+        free(memory);
+    return 0;
+}
+
+static void *state_file_same(void *of)
+{
+    return of;
+}
+
+static herr_t state_file_remains(void *of)
+{
+    (void)of;
+    return 0;
+}
+
 struct state_file *state_file_create(void)
 {
+    struct state_file *const f = file_of(-1, "state", 0);
+    H5FD_file_image_callbacks_t ours = {.image_realloc = memory_grown,
+                                        .image_free = memory_left,
+                                        .udata_copy = state_file_same,
+                                        .udata_free = state_file_remains,
+                                        .udata = f};
     const hid_t access = in_memory();
-    const hid_t made = H5Fcreate("state", H5F_ACC_TRUNC, H5P_DEFAULT, access);
 
+    H5Pset_file_image_callbacks(access, &ours);
+    f->file = H5Fcreate("state", H5F_ACC_TRUNC, H5P_DEFAULT, access);
     H5Pclose(access);
-    return file_of(made, "state", 0);
+    return f;
 }
 
 void state_file_free(struct state_file *f)
 {
     if (f == NULL) return;
-    H5Fclose(f->file);
+    if (f->file >= 0) H5Fclose(f->file);
     free(f->path);
     free(f);
 }
@@ -275,13 +315,16 @@ struct state_image state_file_image(struct state_file *f)
     put_attribute(f->file, "arrays", H5T_NATIVE_LONG, &f->arrays);
     H5Fflush(f->file, H5F_SCOPE_GLOBAL);
     const ssize_t size = H5Fget_file_image(f->file, NULL, 0);
-    if (!f->state.failed && size > 0) {
+    f->kept = !f->state.failed && size > 0;
+    H5Fclose(f->file);
+    f->file = -1;
+    if (f->kept) {
         image.size = (size_t)size + LAST_LINE;
-        image.bytes = alloc_zeroed(image.size + 1, 1);
-        H5Fget_file_image(f->file, image.bytes, (size_t)size);
+        image.bytes = realloc(f->memory, image.size + 1);
+    }
+    if (image.bytes != NULL)
         state_file_last_line((char *)image.bytes + size, image.bytes,
                              (size_t)size);
-    }
     state_file_free(f);
     return image;
 }
