@@ -204,7 +204,7 @@ static void stir(struct fluid *fl, int n)
 /* A few steps of a flow in which all terms are at work, from an inlet to an
  * outlet. */
 static struct fluid *flow(const struct mesh *m, const struct boundary *b,
-                          enum bed bed, enum way way)
+                          int bed, enum way way)
 {
     const int shared = bed == SHARED_GRADIENT;
     const struct fluid_options o = {

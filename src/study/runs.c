@@ -130,15 +130,13 @@ static int runs_make_folder(const struct plan *p, struct run *r)
 
 struct run *runs_create(const struct plan *p, int *n, int *code)
 {
-    const int seeds = p->seeds, times = p->times;
-
-    *n = choices_variants(&p->choices) * seeds * times;
+    *n = choices_variants(&p->choices) * p->seeds * p->times;
     *code = 0;
     struct run *const runs = alloc_zeroed((size_t)*n, sizeof *runs);
     for (int i = 0; i < *n && *code == 0; i++) {
-        runs[i].variant = i / times / seeds;
-        runs[i].seed = i / times % seeds;
-        runs[i].time = i % times;
+        runs[i].variant = i / p->times / p->seeds;
+        runs[i].seed = i / p->times % p->seeds;
+        runs[i].time = i % p->times;
         *code = interrupt_arrived() ? INTERRUPT_CODE
                                     : runs_make_folder(p, &runs[i]);
     }
@@ -420,10 +418,9 @@ static void check_worker(struct pool *c, struct worker *w)
     if (w->process > 0) {
         const int code = code_of_process(w->process);
         if (code < 0) return;
-        if (code == RUN_NOT_WRITTEN && folder_process(r->folder) != 0) {
+        if (code == RUN_NOT_WRITTEN && folder_process(r->folder) != 0)
             w->process = 0; /* a killed study's run has the folder: wait */
-            return;
-        }
+        if (w->process == 0) return;
         const int anew =
             w->resumed && (code == RUN_REFUSED || code == RUN_NOT_WRITTEN);
         *w = (struct worker){NULL, 0, 0};

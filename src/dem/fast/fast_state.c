@@ -202,8 +202,8 @@ void fast_state(struct dem *dem, struct state *s)
     neighbours_state(fast_of(dem)->neighbours, s);
 }
 
-static struct dem_history history_of(const struct chunk *c, int q,
-                                     const int *id)
+static struct dem_history entry_of_history(const struct chunk *c, int q,
+                                           const int *id)
 {
     const struct contact_history *const k = &c->history[q];
     struct dem_history h = {.id = id[k->owner]};
@@ -226,7 +226,7 @@ struct dem_history *fast_histories(struct dem *dem, int *n)
     list = alloc_zeroed((size_t)*n, sizeof *list);
     for (int s = 0, at = 0; s < nb->n_chunks; s++)
         for (int q = 0; q < nb->chunks[s].n_history; q++)
-            list[at++] = history_of(&nb->chunks[s], q, nb->ps->id);
+            list[at++] = entry_of_history(&nb->chunks[s], q, nb->ps->id);
     surface_history_list(nb->surfaces, ps, list + own);
     return list;
 }
