@@ -361,9 +361,11 @@ static void choose_contacts(struct neighbours *nb, int rebuilt, double least)
     }
     if (!rebuilt) return;
     neighbours_barrier(nb);
-    for (int s = mine.first; s < mine.last; s++)
+    for (int s = mine.first; s < mine.last; s++) {
         for (int q = 0; q < nb->chunks[s].n_history; q++)
             restore_history(nb, &nb->chunks[s], q);
+        nb->chunks[s].n_history = 0;
+    }
 }
 
 double neighbours_refresh(struct neighbours *nb, double least, double time)
