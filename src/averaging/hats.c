@@ -9,6 +9,11 @@
 #include "base/number.h"
 #include "base/vector.h"
 
+enum {
+    HATS_PARTS = 4,   /* [-] of the particles, each with sums of its own */
+    HATS_MANY = 4096, /* [-] particles: fewer are one part */
+};
+
 struct hats *hats_create(const struct mesh *mesh, int capacity)
 {
     struct hats *const h = alloc_zeroed(1, sizeof *h);
@@ -18,6 +23,8 @@ struct hats *hats_create(const struct mesh *mesh, int capacity)
     h->next = alloc_ints(3 * capacity);
     h->share = alloc_doubles(3 * capacity);
     h->place = alloc_doubles(3 * capacity);
+    if (capacity >= HATS_MANY)
+        h->sums = alloc_doubles(HATS_PARTS * HATS_MOMENTS * mesh->n_cells);
     return h;
 }
 
@@ -27,6 +34,7 @@ void hats_free(struct hats *h)
     free(h->next);
     free(h->share);
     free(h->place);
+    free(h->sums);
     free(h);
 }
 
@@ -57,6 +65,7 @@ static void hats_find_one(struct hats *h, int i, int k, double x)
 void hats_find(struct hats *h, const struct particles *ps)
 {
     h->n = ps->n;
+#pragma omp parallel for schedule(static)
     for (int i = 0; i < ps->n; i++) {
         hats_find_one(h, i, 0, ps->x[i]);
         hats_find_one(h, i, 1, ps->y[i]);
@@ -82,19 +91,53 @@ static inline int hats_corner(const struct hats *h, int i, int j, int whole,
     return at[0] + n[0] * (at[1] + n[1] * at[2]);
 }
 
-void hats_spread(const struct hats *h, int m, const double *q, double *field)
+/* --- sums over particles on cells ----------------------------------------- */
+
+/* Adds the m numbers q of particles first ... last - 1 to sums on cells. */
+typedef void hats_sum(const struct hats *h, int first, int last, int m,
+                      const double *q, double *sums);
+
+/* Many particles are divided into a fixed number of parts, and the sums of the
+ * parts are added in order: the same bits for any number of threads. */
+static void hats_in_parts(const struct hats *h, hats_sum *add, int m, int width,
+                          const double *q, double *field)
 {
-    const int n = h->mesh->n_cells;
+    const int n = width * h->mesh->n_cells;
+    const int parts = h->n < HATS_MANY ? 1 : HATS_PARTS;
+    double *const sums = parts > 1 ? h->sums : field;
+
+#pragma omp parallel for schedule(static) if (parts > 1)
+    for (int p = 0; p < parts; p++) {
+        memset(&sums[p * n], 0, (size_t)n * sizeof *sums);
+        add(h, h->n / parts * p, p < parts - 1 ? h->n / parts * (p + 1) : h->n,
+            m, q, &sums[p * n]);
+    }
+    if (parts == 1) return;
+#pragma omp parallel for schedule(static)
+    for (int e = 0; e < n; e++) {
+        field[e] = sums[e];
+        for (int p = 1; p < parts; p++)
+            field[e] += sums[p * n + e];
+    }
+}
+
+static void hats_add_cells(const struct hats *h, int first, int last, int m,
+                           const double *q, double *sums)
+{
     double share;
 
-    memset(field, 0, (size_t)(m * n) * sizeof *field);
-    for (int i = 0; i < h->n; i++)
+    for (int i = first; i < last; i++)
         for (int j = 0; j < 8; j++) {
             const int c = hats_corner(h, i, j, -1, &share);
             for (int k = 0; k < m; k++)
-                field[m * c + k] += share * q[m * i + k];
+                sums[m * c + k] += share * q[m * i + k];
         }
-    for (int c = 0; c < n; c++)
+}
+
+void hats_spread(const struct hats *h, int m, const double *q, double *field)
+{
+    hats_in_parts(h, hats_add_cells, m, m, q, field);
+    for (int c = 0; c < h->mesh->n_cells; c++)
         for (int k = 0; k < m; k++)
             field[m * c + k] /= h->mesh->V[c];
 }
@@ -120,18 +163,23 @@ static inline int hats_half(const struct hats *h, int i, int c, int k)
     return 6 * c + 2 * k + (h->place[3 * i + k] >= 0.5);
 }
 
-void hats_spread_halves(const struct hats *h, const double *q, double *half)
+static void hats_add_to_halves(const struct hats *h, int first, int last, int m,
+                               const double *q, double *sums)
 {
     double share;
 
-    memset(half, 0, (size_t)(6 * h->mesh->n_cells) * sizeof *half);
-    for (int i = 0; i < h->n; i++)
+    for (int i = first; i < last; i++)
         for (int k = 0; k < 3; k++)
             for (int j = 0; j < 8; j++) {
                 if (j >> k & 1) continue;
                 const int c = hats_corner(h, i, j, k, &share);
-                half[hats_half(h, i, c, k)] += share * q[i];
+                sums[hats_half(h, i, c, k)] += share * q[m * i];
             }
+}
+
+void hats_spread_halves(const struct hats *h, const double *q, double *half)
+{
+    hats_in_parts(h, hats_add_to_halves, 1, 6, q, half);
 }
 
 void hats_add_halves(const struct hats *h, const double *half, double *q)
@@ -150,6 +198,7 @@ void hats_add_halves(const struct hats *h, const double *half, double *q)
 void hats_moments(const struct hats *h, const struct particles *ps, double *q,
                   double *moments)
 {
+#pragma omp parallel for schedule(static)
     for (int i = 0; i < ps->n; i++) {
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         const double V = particles_volume(ps, i);

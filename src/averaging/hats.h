@@ -21,6 +21,7 @@ struct hats {
     int *next; /* [-] 3: the cell on the side of it, or the same at a wall */
     double *share; /* [-] 3: of the next one */
     double *place; /* [-] 3: in its cell, from 0 to 1 */
+    double *sums;  /* of the parts of many particles, 6 a cell and part */
 };
 
 struct hats *hats_create(const struct mesh *mesh, int capacity);

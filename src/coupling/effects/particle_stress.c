@@ -341,6 +341,7 @@ static void particle_stress_shift(const struct particle_stress *self,
     struct particles *const ps = sim->particles;
     double *const x[3] = {ps->x, ps->y, ps->z};
 
+#pragma omp parallel for schedule(static)
     for (int i = 0; i < ps->n; i++)
         for (int k = 0; k < 3; k++) {
             const double a = particle_stress_between(self, i, k);
