@@ -12,14 +12,15 @@
  *
  * The name of each is printed as what has been shown (tests/run.sh).
  * FACT_FOR_EACH runs it with _i from 0 to the number less one. Each may take a
- * minute. What else Check is told stands behind FACTS, with the TCase `facts`.
- * This header has the program's main, or facts_run alone for a program that
- * defines FACTS_OWN_MAIN.
+ * minute, and has one thread unless it asks for more. What else Check is told
+ * stands behind FACTS, with the TCase `facts`. This header has the program's
+ * main, or facts_run alone for a program that defines FACTS_OWN_MAIN.
  */
 #ifndef TESTS_FACTS_H
 #define TESTS_FACTS_H
 
 #include <check.h>
+#include <omp.h>
 #include <stddef.h>
 
 struct fact {
@@ -68,6 +69,7 @@ static int facts_run(void)
 
     suite_add_tcase(suite, facts);
     tcase_set_timeout(facts, 60);
+    omp_set_num_threads(1);
     if (facts_begin != NULL) facts_begin(facts);
     for (const struct fact *f = facts_first; f != NULL; f = f->next)
         tcase_add_loop_test(facts, &f->test, 0, f->count);

@@ -25,6 +25,23 @@ static inline void scratch_clear(const char *dir)
     ck_assert_int_eq(system(command), 0);
 }
 
+/* Each fact of the program has a new folder, `dir`. */
+#define FACTS_IN_A_FOLDER                                                      \
+    static char dir[64];                                                       \
+    static void scratch_set_up(void)                                           \
+    {                                                                          \
+        scratch_make(dir);                                                     \
+    }                                                                          \
+    static void scratch_tear_down(void)                                        \
+    {                                                                          \
+        scratch_clear(dir);                                                    \
+    }                                                                          \
+    FACTS                                                                      \
+    {                                                                          \
+        tcase_add_checked_fixture(facts, scratch_set_up, scratch_tear_down);   \
+    }                                                                          \
+    static char dir[64]
+
 /* DIR/NAME, in one of a few places used in turn. */
 static inline const char *scratch_path(const char *dir, const char *name)
 {

@@ -393,8 +393,3 @@ FACT(attractions_keep_the_momentum_of_a_periodic_box)
     particles_free(a);
     particles_free(b);
 }
-
-FACTS
-{
-    omp_set_num_threads(1);
-}

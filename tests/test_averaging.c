@@ -562,5 +562,4 @@ FACT_FOR_EACH(rotated_particles_give_a_rotated_field, ALL)
 FACTS
 {
     setenv("CK_FORK", "no", 1); /* hundreds of small tests */
-    omp_set_num_threads(1);     /* on meshes this small threads only wait */
 }

@@ -320,8 +320,3 @@ FACT(what_is_lent_leaves_the_residual_and_the_next_solution)
     bicgstab_work_free(w);
     release(&s);
 }
-
-FACTS
-{
-    omp_set_num_threads(1); /* two wait for each other on a busy machine */
-}

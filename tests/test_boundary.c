@@ -180,7 +180,6 @@ FACT(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
         const int mid = 16 * (n / 2);
         const double slope = (fl->p[mid + 12] - fl->p[mid + 8]) / 1.0;
         error[i] = fabs(slope / -(12.0 * 0.1) - 1.0);
-        error[i] = fabs(slope / -(12.0 * 0.1) - 1.0);
         discard(fl);
     }
     ck_assert_double_lt(error[0], 0.02);

@@ -210,8 +210,3 @@ FACT(threads_do_not_change_a_bit)
     }
     free(first);
 }
-
-FACTS
-{
-    omp_set_num_threads(1); /* two wait for each other on a busy machine */
-}

@@ -2,7 +2,6 @@
 /* One collision against closed forms, published numbers and symmetries. All use
  * dem_run, as a simulation does. */
 #include <gsl/gsl_math.h>
-#include <omp.h>
 #include <stdlib.h>
 
 #include "facts.h"
@@ -450,9 +449,4 @@ FACT(laws_are_found_by_name_and_only_by_theirs)
     ck_assert_ptr_eq(contact_law_named("linear"), &contact_linear);
     ck_assert_ptr_eq(contact_law_named("hertz"), &contact_hertz);
     ck_assert_ptr_null(contact_law_named("Hertz"));
-}
-
-FACTS
-{
-    omp_set_num_threads(1); /* one pair has nothing to share */
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The quantities that an oblique collision of two spinning spheres conserves,
  * and the frames in which it is the same. */
-#include <omp.h>
 
 #include "facts.h"
 #include "spheres.h"
@@ -168,9 +167,4 @@ FACT_FOR_EACH(ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame, 2)
     }
     particles_free(here);
     particles_free(there);
-}
-
-FACTS
-{
-    omp_set_num_threads(1); /* one pair has nothing to share */
 }

@@ -158,8 +158,3 @@ FACT(threads_do_not_change_a_bit)
     csr_free(A);
     links_free(&b);
 }
-
-FACTS
-{
-    omp_set_num_threads(1); /* two wait for each other on a busy machine */
-}

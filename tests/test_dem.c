@@ -4,7 +4,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_odeiv2.h>
-#include <omp.h>
 
 #include "facts.h"
 #include "spheres.h"
@@ -345,9 +344,4 @@ FACT(energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts)
         particles_free(ps);
     }
     ck_assert_double_eq_tol(worst[0] / worst[1], 4.0, 0.2);
-}
-
-FACTS
-{
-    omp_set_num_threads(1); /* one or two spheres have nothing to share */
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* dem_run with whole particle sets: none or one particle, lost particles,
  * periodic boxes, a saved and restored state, and its report. */
-#include <omp.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -406,9 +405,4 @@ FACT_FOR_EACH(springs_taken_out_and_put_back_continue_a_run, 2)
     free(springs);
     particles_free(ps);
     particles_free(copy);
-}
-
-FACTS
-{
-    omp_set_num_threads(1);
 }

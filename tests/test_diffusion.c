@@ -2,7 +2,6 @@
 #include "averaging/diffusion.h"
 
 #include <gsl/gsl_math.h>
-#include <omp.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
@@ -471,9 +470,4 @@ FACT(sx15_9_momentum_is_to_be_diffused_and_not_velocity)
     ck_assert_double_eq_tol(kept, 0.6, 1e-15);
     ck_assert_double_lt(changed, 0.4);
     scene_free(&s);
-}
-
-FACTS
-{
-    omp_set_num_threads(1); /* on meshes this small threads only wait */
 }

@@ -7,17 +7,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-static char dir[64];
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
-}
+FACTS_IN_A_FOLDER;
 
 /* Limits the size of files, as on a full disk; the write then fails with EFBIG
  * in place of ENOSPC. Returns the old limit. */
@@ -166,9 +156,4 @@ FACT(a_folder_below_a_file_is_refused_with_its_path)
     char *const said = scratch_heard(dir);
     ck_assert_ptr_nonnull(strstr(said, scratch_path(dir, "a/b: ")));
     free(said);
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }

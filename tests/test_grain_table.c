@@ -7,7 +7,7 @@
 
 #include <stdlib.h>
 
-static char dir[64];
+FACTS_IN_A_FOLDER;
 
 static const char *file_of(const char *text)
 {
@@ -17,16 +17,6 @@ static const char *file_of(const char *text)
     fputs(text, f);
     fclose(f);
     return path;
-}
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
 }
 
 /* The spheres that the dumps and the data files here hold. */
@@ -218,9 +208,4 @@ FACT(a_table_without_sizes_or_with_half_a_row_is_refused)
     ck_assert_ptr_nonnull(strstr(said, "expected columns x, y, z and d"));
     ck_assert_ptr_nonnull(strstr(said, "line 2: expected 4 numbers"));
     free(said);
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }

@@ -2,7 +2,6 @@
 /* Cases in which contact codes fail: very unequal sizes, very large forces, e =
  * 0 and e = 1, no particles. Each against a closed form. */
 #include <gsl/gsl_math.h>
-#include <omp.h>
 
 #include "dem/attraction.h"
 #include "dem/fast/neighbours.h"
@@ -209,9 +208,4 @@ FACT_FOR_EACH(no_particle_or_one_is_no_trouble_with_everything_on, 2)
         dem_free(dem);
         particles_free(ps);
     }
-}
-
-FACTS
-{
-    omp_set_num_threads(1);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several materials: the constants of a pair follow from both or from measured
  * values, and a single material costs and computes the same as before. */
-#include <omp.h>
 
 #include "dem/materials.h"
 #include "facts.h"
@@ -178,9 +177,4 @@ FACT_FOR_EACH(equal_materials_are_one_material_bit_for_bit, 4)
     ck_assert_ptr_null(a->material);
     particles_free(a);
     particles_free(b);
-}
-
-FACTS
-{
-    omp_set_num_threads(1);
 }

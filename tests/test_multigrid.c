@@ -360,8 +360,3 @@ FACT(threads_do_not_change_a_bit)
     free(two);
     release(&c);
 }
-
-FACTS
-{
-    omp_set_num_threads(1); /* two wait for each other on a busy machine */
-}

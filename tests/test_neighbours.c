@@ -461,8 +461,3 @@ FACT_FOR_EACH(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work, 2)
     neighbours_free(nb);
     particles_free(ps);
 }
-
-FACTS
-{
-    omp_set_num_threads(1); /* more only where that is the question */
-}

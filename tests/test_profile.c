@@ -5,17 +5,7 @@
 
 #include <math.h>
 
-static char dir[64];
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
-}
+FACTS_IN_A_FOLDER;
 
 /* Graded in all directions, so that no two widths agree. */
 static struct mesh *graded_box(void)
@@ -262,9 +252,4 @@ FACT(a_line_outside_the_box_is_refused)
     free(said);
     profile_free(NULL);
     mesh_free(m);
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }

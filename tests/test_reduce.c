@@ -164,8 +164,3 @@ FACT(a_long_array_asks_for_large_pages)
         ck_assert_ptr_nonnull(strstr(flags, " hg"));
     free(x);
 }
-
-FACTS
-{
-    omp_set_num_threads(1); /* two wait for each other on a busy machine */
-}

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The fast loop against the reference loop over hundreds of steps: what the
  * chapters on lists and on speed do must not change what comes out. */
-#include <omp.h>
 #include <stdlib.h>
 
 #include "dem/attraction.h"
@@ -310,9 +309,4 @@ FACT_FOR_EACH(the_reference_loop_refuses_what_it_does_not_know, 2)
     o.n_prescribed = 1;
     ck_assert_ptr_null(dem_create(ps, &o));
     particles_free(ps);
-}
-
-FACTS
-{
-    omp_set_num_threads(1);
 }

@@ -218,8 +218,3 @@ FACT(a_rolling_spring_is_wound_by_rolling_alone)
     ck_assert_double_eq_tol(M[2], -most, 1e-16);
     ck_assert_double_eq_tol(theta[2], most / k_r, 1e-16);
 }
-
-FACTS
-{
-    omp_set_num_threads(1);
-}

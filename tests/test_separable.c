@@ -207,8 +207,3 @@ FACT(no_box_or_a_very_long_one_is_refused)
     ck_assert_ptr_null(separable_create(&mesh->box, 1.0, 0.0, 1e-6));
     mesh_free(mesh);
 }
-
-FACTS
-{
-    omp_set_num_threads(1);
-}

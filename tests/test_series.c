@@ -4,17 +4,7 @@
 #include "kept.h"
 #include "scratch.h"
 
-static char dir[64];
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
-}
+FACTS_IN_A_FOLDER;
 
 #define HEAD                                                                   \
     "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "                   \
@@ -107,9 +97,4 @@ FACT(a_folder_that_cannot_be_made_is_reported)
     scratch_write(scratch_path(dir, "fluid"), "a file");
     ck_assert_ptr_null(series_create(dir, "fluid", "vtr"));
     series_free(NULL);
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }

@@ -12,17 +12,7 @@
 #include "kept.h"
 #include "scratch.h"
 
-static char dir[64];
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
-}
+FACTS_IN_A_FOLDER;
 
 /* A part of all kinds of arrays. */
 struct part {
@@ -286,9 +276,4 @@ FACT(the_image_of_a_state_takes_no_second_copy)
     ck_assert_double_lt(alloc_peak() - before, 1.5 * N * sizeof *x);
     free(image.bytes);
     free(x);
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }

@@ -5,17 +5,7 @@
 
 #include <math.h>
 
-static char dir[64];
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
-}
+FACTS_IN_A_FOLDER;
 
 FACT(entries_keep_their_order_and_groups)
 {
@@ -94,9 +84,4 @@ FACT(a_summary_that_cannot_be_written_is_reported)
     summary_text(s, "b", "c");
     summary_end(s);
     ck_assert_int_ne(summary_commit(s), 0);
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }

@@ -8,17 +8,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-static char dir[64];
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
-}
+FACTS_IN_A_FOLDER;
 
 static const char *const names[2] = {"time [s]", "pressure_drop [Pa]"};
 
@@ -135,9 +125,4 @@ FACT(a_full_disk_is_reported_and_leaves_whole_rows)
     scratch_assert_text(history(),
                         "time [s],pressure_drop [Pa]\n0.1,1\n0.3,3\n");
     table_free(t);
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }

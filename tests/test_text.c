@@ -12,17 +12,7 @@ static const char *const controls[] = {"\\n", "\\x1b[2J", "\xc2\x9b", "\\x7f",
                                        "\\x01"};
 enum { CONTROLS = sizeof controls / sizeof controls[0] };
 
-static char dir[64];
-
-static void set_up(void)
-{
-    scratch_make(dir);
-}
-
-static void tear_down(void)
-{
-    scratch_clear(dir);
-}
+FACTS_IN_A_FOLDER;
 
 /* A case with this key alone, each group on the way a list if it is one. */
 static void write_case(const struct key *const *tables, const char *path,
@@ -142,9 +132,4 @@ FACT(no_target_gets_a_control_character)
         ck_assert_ptr_null(text_control(made));
         ck_assert_ptr_nonnull(strstr(made, "a b 2J c \xc3\xa9"));
     }
-}
-
-FACTS
-{
-    tcase_add_checked_fixture(facts, set_up, tear_down);
 }
