@@ -15,12 +15,12 @@ static const char insert[] = "particles.insert";
 
 /* [byte] The largest memory that was measured in runs. A particle took 1010 on
  * a lattice, touching no other, and 1190 to 1280 in a heap. A cell of a box
- * took 290 without a fluid, 1190 to 1940 with one, 2350 with averaging by
- * diffusion; of a mesh that has corners of its own 1220, while it is made, 2050
- * to 2120 and 3380. */
+ * took 264 without a fluid, 1390 to 1630 with a fluid alone, 1790 to 2080 with
+ * particles in it; of a mesh that has corners of its own 1170, 2120 to 2340
+ * and 2750 to 2840. */
 static const double per_particle = 1250.0;
-static const double per_cell[2][3] = {{300.0, 1950.0, 2400.0},
-                                      {1250.0, 2300.0, 3450.0}};
+static const double per_cell[2][3] = {{275.0, 1650.0, 2100.0},
+                                      {1200.0, 2400.0, 2850.0}};
 
 /* So that sixteen numbers a particle are still numbered by an int. */
 static const double most_particles = 134217727.0;
@@ -48,10 +48,9 @@ static double of_particles(const struct settings *s)
 static double of_cells(const struct settings *s)
 {
     const int corners = s->mesh.polymesh != NULL || s->mesh.has_shear;
-    const int diffuses = s->has.averaging && s->averaging.method != NULL &&
-                         strcmp(s->averaging.method->name, "diffusion") == 0;
+    const int kind = !s->has.fluid ? 0 : s->has.particles ? 2 : 1;
 
-    return case_mesh_cells(s) * per_cell[corners][s->has.fluid + diffuses];
+    return case_mesh_cells(s) * per_cell[corners][kind];
 }
 
 /* At most a thousand along each side, of two numbers each. */
