@@ -63,4 +63,8 @@ scenes water_jet 0.1
 scenes hopper 0.05
 scenes spout 0.05
 scenes slurry 0.01
+scenes near_wall 0.1
+scenes tilted 0.05
+scenes thick 0.02
+scenes blown 0.05
 END

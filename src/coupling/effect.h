@@ -168,6 +168,7 @@ struct effect_scales {
     double weight, drag; /* [N] */
     double force;        /* [N] the largest one of the two, and of the push of
                             mean_gradient */
+    double net;          /* [N] what buoyancy leaves of it */
     const struct attraction *pair; /* of the effect, if it is named */
     const double *numbers;         /* its parameters, if it is named */
 };

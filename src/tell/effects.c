@@ -120,6 +120,20 @@ static double effects_time_of(const struct effect *e,
     return 1e-9 * ns * in->end / in->dt / case_scales_cost(in, flow);
 }
 
+/* A grain that buoyancy nearly carries is moved by what is left of its weight.
+ */
+static void tell_of_net(const struct effect *e, const struct effect_scales *k,
+                        struct effect_estimate *estimate)
+{
+    if (e == &gravity_effect || e == &pressure_gradient_effect ||
+        e == &whole_drag_effect || estimate->of == NULL ||
+        strcmp(estimate->of, "the force on a grain") != 0 ||
+        !(k->net < 0.9 * k->force))
+        return;
+    estimate->loss *= k->force / k->net;
+    estimate->of = "what buoyancy leaves of the weight";
+}
+
 int check_effect_rows(const struct settings *s, struct effect_scales *k,
                       const struct case_scales *in,
                       struct effect_row row[CHECK_EFFECTS])
@@ -144,6 +158,7 @@ int check_effect_rows(const struct settings *s, struct effect_scales *k,
         k->numbers = named ? numbers : NULL;
         k->pair = named ? effects_pair_of(e, numbers, all, n) : NULL;
         if (e->estimate != NULL) r->estimate = e->estimate(k);
+        tell_of_net(e, k, &r->estimate);
     }
     free(all);
     return rows;

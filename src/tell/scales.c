@@ -169,10 +169,16 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
                       k->changes;
 }
 
-/* A bed that lies there as the run begins; a lattice does, too. */
+/* A bed that lies there as the run begins; a lattice on a level floor does,
+ * too.
+ */
 static int is_laid(const struct settings *s, const struct effect_scales *k)
 {
-    return s->particles.has_bed && k->rho_s > k->rho_f;
+    const double *const g = s->effects.gravity;
+    const int level = fabs(g[vector_axis(g)]) > 0.99 * k->gravity;
+
+    return s->particles.has_bed && k->rho_s > k->rho_f &&
+           (level || s->particles.bed.settle > 0.0);
 }
 
 /* The slip of spheres that fall or rise, that a stream takes along or passes
@@ -180,7 +186,10 @@ static int is_laid(const struct settings *s, const struct effect_scales *k)
 static double free_slip(const struct settings *s, const struct effect_scales *k,
                         const struct case_scales *in, const struct placed *p)
 {
-    double slip = fmax(in->inlet, p->speed);
+    /* A few that are placed where a jet comes in are in it. */
+    const double stream =
+        s->particles.has_bed ? in->inlet : fmax(in->inlet, in->jet);
+    double slip = fmax(stream, p->speed);
 
     if (k->gravity > 0.0) {
         const double fall = falls_with(s, k, k->eps_s);
@@ -190,7 +199,7 @@ static double free_slip(const struct settings *s, const struct effect_scales *k,
         slip = is_laid(s, k) ? stirs * fmin(fall, in->impact)
                              : fmin(fall, 0.5 * k->gravity * in->end);
         slip = fmax(slip, p->speed);
-        if (k->partners) slip = fmax(slip, in->inlet);
+        if (k->partners) slip = fmax(slip, stream);
     }
     return slip;
 }
@@ -258,13 +267,20 @@ static void crowd_scales(struct effect_scales *k, double way)
                      fabs(k->rho_s - k->rho_f) / (k->rho_s + 0.5 * k->rho_f);
 }
 
+/* With others, at the relative speed that was measured in beds [1/s]. */
+static double meets(const struct effect_scales *k)
+{
+    return 6.0 * k->eps_s * stirred * k->slip / k->d;
+}
+
 /* Grains that a stream moves along their bed, as its drag is above their
  * weight, are stopped by others and start again: their slip changes by itself
- * within tau. They spin as in a bed, but all the same way: they roll, once they
- * have been taken along, and as fast as the stream is in the mean. */
+ * within tau. They spin as in a bed, but all the same way: they roll, as fast
+ * as the stream is in the mean, and once they have been taken along for a
+ * while: in sand and in air this was 0.4 tau. */
 static void swept_scales(struct effect_scales *k, const struct case_scales *in)
 {
-    const double x = k->end / k->tau;
+    const double x = k->end / (0.4 * k->tau);
 
     k->acceleration = k->changes;
     /* The pressure of the others carries its part, too. */
@@ -272,6 +288,7 @@ static void swept_scales(struct effect_scales *k, const struct case_scales *in)
     if (k->drag < carried * fabs(1.0 - k->rho_f / k->rho_s)) return;
     k->time = k->tau;
     k->turns = 1;
+    k->meetings = meets(k);
     k->spin = spun * k->slip / k->d;
     k->rolls = in->square * (1.0 + expm1(-x) / x);
     k->acceleration += k->slip / k->tau;
@@ -367,8 +384,7 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     k->drag = drag_at(s, k, k->passed);
     k->tau =
         k->slip > 0.0 ? k->rho_s * scales_volume(k) * k->slip / k->drag : 0.0;
-    if (k->partners) /* at the relative speed that was measured in beds */
-        k->meetings = 6.0 * k->eps_s * stirred * k->slip / k->d;
+    if (k->partners) k->meetings = meets(k);
     settle_time(s, k);
     k->held = is_held(s, in);
     if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);
@@ -396,6 +412,8 @@ struct effect_scales check_scales(const struct settings *s,
     else if (k.partners) /* without a fluid they meet, and come to rest */
         k.eps_s = CHECK_PACKED;
     k.force = fmax(k.weight, k.drag);
+    k.net = fmax(k.drag, k.weight * fabs(1.0 - k.rho_f / k.rho_s));
     k.force = fmax(k.force, k.mean_gradient * scales_volume(&k));
+    if (k.net == 0.0 || k.mean_gradient > 0.0) k.net = k.force;
     return k;
 }

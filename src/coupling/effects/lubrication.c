@@ -231,7 +231,7 @@ lubrication_estimate(const struct effect_scales *k)
     e.of = k->numbers != NULL ? "the speed of an impact"
                               : "the speed of the grains";
     snprintf(e.remark, sizeof e.remark,
-             "an impact at a Stokes number of %.3g loses %.2g %% of its speed",
+             "an impact at a Stokes number of %.3g loses %.3g %% of its speed",
              St, 100.0 * e.loss);
     if (k->numbers == NULL) e.loss *= seen * fmin(1.0, k->tau * k->meetings);
     return e;
