@@ -268,7 +268,7 @@ static void crowd_scales(struct effect_scales *k, double way)
 }
 
 /* With others, at the relative speed that was measured in beds [1/s]. */
-static double meets(const struct effect_scales *k)
+static double meetings_of(const struct effect_scales *k)
 {
     return 6.0 * k->eps_s * stirred * k->slip / k->d;
 }
@@ -288,7 +288,7 @@ static void swept_scales(struct effect_scales *k, const struct case_scales *in)
     if (k->drag < carried * fabs(1.0 - k->rho_f / k->rho_s)) return;
     k->time = k->tau;
     k->turns = 1;
-    k->meetings = meets(k);
+    k->meetings = meetings_of(k);
     k->spin = spun * k->slip / k->d;
     k->rolls = in->square * (1.0 + expm1(-x) / x);
     k->acceleration += k->slip / k->tau;
@@ -384,7 +384,7 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     k->drag = drag_at(s, k, k->passed);
     k->tau =
         k->slip > 0.0 ? k->rho_s * scales_volume(k) * k->slip / k->drag : 0.0;
-    if (k->partners) k->meetings = meets(k);
+    if (k->partners) k->meetings = meetings_of(k);
     settle_time(s, k);
     k->held = is_held(s, in);
     if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);
