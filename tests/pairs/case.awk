@@ -270,7 +270,7 @@ function put_particles() {
     if (on("parcel"))
         put("  parcel = { grains = 8; restitution = \"" v["parcel"] "\"; };")
     if (on("clumps"))
-        put("  clumps = ( { name = \"egg\"; half_axes = " vec(0.54 * d, 0.4 * d, 0.4 * d) "; balls = 3; } );")
+        put("  clumps = ( { name = \"egg\"; half_axes = " vec(0.54 * d, 0.4 * d, 0.4 * d) "; balls = 3; share = 2.0; } );")
     put_materials()
     put_sizes()
     put_particles_there()
@@ -294,11 +294,14 @@ function put_averaging() {
     put("};")
 }
 
-# The laws that are no choice of their own, one after the other.
+# The laws and shapes that are no choice of their own, one after the other.
 function put_exchange(    n) {
     n = split(values_of("exchange.drag", "syamlal-obrien gidaspow schiller-naumann beetstra"), word, " ")
     if (is("drag", "another")) v["drag"] = word[1 + n_cases % n]
-    put("exchange = { drag = \"" v["drag"] "\"; };")
+    put("exchange = { drag = \"" v["drag"] "\";")
+    n = split(values_of("exchange.shape"), word, " ")
+    if (on("clumps")) put("  shape = \"" word[1 + n_cases % n] "\";")
+    put("};")
 }
 
 function put_attraction(name, asks,    n, group) {

@@ -134,12 +134,9 @@ BEGIN {
     apart("clumps", "egg", "averaging.method", "dpvm cube", "it divides spheres by the cells")
     n_forces = split("virtual_mass basset saffman fluid_torque magnus whole_drag", force, " ")
     for (k = 1; k <= n_forces; k++)
-        apart("clumps", "egg", "effects." force[k], "{}", "that force is known for spheres alone")
-    apart("clumps", "egg", "effects.lubrication", "{roughness=1e-6;range=1e-4;}", "for spheres alone")
-    apart("clumps", "egg", "effects.stochastic_drag",
-          "{sigma_low=3.0;sigma_high=1.0;Re_high=100.0;time=1e-3;}", "for spheres alone")
-    apart("clumps", "none", "exchange.shape", "haider-levenspiel hoelzer-sommerfeld",
-          "exchange.shape needs particles.clumps")
+        apart("clumps", "egg", "effects." force[k], "on", "that force is known for spheres alone")
+    apart("clumps", "egg", "effects.lubrication", "on", "for spheres alone")
+    apart("clumps", "egg", "effects.stochastic_drag", "on", "for spheres alone")
     # Without contacts nothing comes to rest, and no pair is close.
     apart("particles.list", "none", "count", "settled",
           "no bed comes to rest without contacts|does not support")

@@ -73,7 +73,7 @@ function learn_others(    i, path, part, of) {
     for (i = 1; i <= n_keys; i++) {
         path = order_of[i]
         if (!(path in values) || path in asked || path in number || split(path, part, ".") != 2 ||
-            told ~ "[^a-z_.]" part[2] "[^a-z_]") continue
+            told ~ "[^a-z_.]" part[2] " = ") continue
         of = part[1] != "output" ? arrays[part[1]] : needs[path] == "particles" ? "cp" : \
             needs[path] == "fluid" ? "cf" : "cpf"
         choice(of, path, part[1] == "effects" ? effect(path) : values[path])
