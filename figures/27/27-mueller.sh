@@ -5,6 +5,8 @@
 #   sh figures/27/27-mueller.sh run NAME U SEED B CELLS END [-s ...]   into out/27-mueller
 #   sh figures/27/27-mueller.sh vary                one choice after the other, on mesh B'
 #   sh figures/27/27-mueller.sh forms               SX15's own equations, whole_drag, on mesh C
+#   sh figures/27/27-mueller.sh parcels             with contacts and under a stress
+#   sh figures/27/27-mueller.sh means [FOLDER]      drop, height, fluctuations and time of all
 #   sh figures/27/27-mueller.sh collect [FOLDER]                       one table of all
 #
 # B is the bandwidth [m], CELLS are 18,50,4 for mesh C. On one quiet core a second of
@@ -28,7 +30,7 @@ run() { # NAME U SEED B CELLS END ...
             done
         done
     done
-    winnow run cases/mueller-bed.cfg --quiet -j 1 -o "$out/$name" \
+    winnow run "cases/${case:-mueller-bed}.cfg" --quiet -j 1 -o "$out/$name" \
         -s fluid.bottom.inlet="$U" -s particles.bed.seed="$seed" \
         -s averaging.bandwidth="$b" -s mesh.cells="[$cells]" -s output.end="$end" \
         -s output.every=0.05 -s output.history=0.001 \
@@ -80,6 +82,33 @@ forms() {
     run shared-4d 0.9 1 4.8e-3 18,50,4 "${1:-18.0}"
 }
 
+# Parcels of 8 and of 27, with cells and averages as wide as they ask for; three seeds.
+parcels() {
+    out=out/27-parcels of=particles.parcel.grains
+    mkdir -p $out
+    for seed in 1 2 3; do
+        run contacts-8+$seed 0.9 $seed 4.8e-3 12,32,3 4.0 -s $of=8 -s particles.step=4e-5
+        run contacts-27+$seed 0.9 $seed 7.2e-3 12,32,3 4.0 -s $of=27 -s particles.step=5e-5
+        case=mueller-stress
+        run stress-8+$seed 0.9 $seed 4.8e-3 9,25,2 4.0
+        run stress-27+$seed 0.9 $seed 7.2e-3 6,16,1 4.0 -s $of=27
+        [ $seed != 1 ] || run stress-1+1 0.9 1 4.8e-3 9,25,2 3.0 -s $of=1
+        case=
+    done
+}
+
+means() { # FOLDER: of the history, from 1 s on
+    echo "# drop [Pa], mean height [mm], square of the fluctuations [m^2/s^2], processor [s] a second"
+    for dir in "$1"/*/; do
+        time=$(summary "$dir" processor) end=$(summary "$dir" simulated_seconds)
+        columns "$dir/history.csv" time pressure_drop mean_height granular_temperature |
+            awk -v name="$(basename "$dir")" -v each="$time/$end" '
+                $1 >= 1 { n++; p += $2; y += $3; T += $4 }
+                END { split(each, t, "/")
+                      printf "%-14s %6.1f %6.2f %7.4f %6.1f\n", name, p / n, 1000 * y / n, T / n, t[1] / t[2] }'
+    done
+}
+
 # run: name, U [m/s], seed, b [m], cells, what else; end [s]
 # from: name, since [s], field, height [mm], x [m], mean since then
 collect() { # FOLDER
@@ -106,5 +135,7 @@ case $todo in
 run) run "$@" ;;
 vary) vary ;;
 forms) forms "$@" ;;
+parcels) parcels ;;
+means) means "${1:-$out}" ;;
 collect) collect "${1:-$out}" ;;
 esac
