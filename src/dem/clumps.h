@@ -26,12 +26,10 @@ struct clump_ball {
     double share; /* [-] of the mass and the volume */
 };
 
-/* All clumps of one name, which may differ in size; or some of a mixture, all
- * shapes of which have one name. */
+/* All clumps of a name, which may differ in size; or some, of a mixture. */
 struct clump_shape {
     const char *name;               /* borrowed */
-    double share;                   /* [-] of the clumps of its name, of any
-                                       sum */
+    double share;                   /* [-] of its name, of any sum */
     const struct clump_shape *next; /* of the same name; NULL: none */
     int n;                          /* [-] balls */
     struct clump_ball *ball;
@@ -171,11 +169,17 @@ static inline void clumps_kick(struct clump *c, const double F[3],
     }
 }
 
-static inline void clumps_drift(struct clump *c, const struct box_domain *box,
-                                double dt)
+static inline void clumps_move(struct clump *c, const struct box_domain *box,
+                               double dt)
 {
     for (int k = 0; k < 3; k++)
         c->x[k] = box_domain_inside(box, k, c->x[k] + dt * c->v[k]);
+}
+
+static inline void clumps_drift(struct clump *c, const struct box_domain *box,
+                                double dt)
+{
+    clumps_move(c, box, dt);
     rotation_advance(c->q, c->L, c->per_I, dt);
 }
 
@@ -186,21 +190,29 @@ struct clump_pose {
     double per_I[6]; /* [1/(kg m^2)] xx, xy, xz, yy, yz, zz, in the box */
 };
 
+static inline void clumps_pose_of(const double q[4], const double L[3],
+                                  const double own[3], struct clump_pose *at)
+{
+    static const int row[6] = {0, 0, 0, 1, 1, 2},
+                     column[6] = {0, 1, 2, 1, 2, 2};
+    double *const per_I = at->per_I;
+
+    rotation_matrix(q, at->Q);
+    for (int i = 0; i < 6; i++) { /* one loop, so that it is taken apart */
+        const double *const a = at->Q[row[i]], *const b = at->Q[column[i]];
+        per_I[i] =
+            a[0] * own[0] * b[0] + a[1] * own[1] * b[1] + a[2] * own[2] * b[2];
+    }
+    at->w[0] = per_I[0] * L[0] + per_I[1] * L[1] + per_I[2] * L[2];
+    at->w[1] = per_I[1] * L[0] + per_I[3] * L[1] + per_I[4] * L[2];
+    at->w[2] = per_I[2] * L[0] + per_I[4] * L[1] + per_I[5] * L[2];
+}
+
 static inline struct clump_pose clumps_pose(const struct clump *c)
 {
     struct clump_pose at;
-    double *const per_I = at.per_I;
-    int n = 0;
 
-    rotation_matrix(c->q, at.Q);
-    for (int j = 0; j < 3; j++)
-        for (int k = j; k < 3; k++, n++)
-            per_I[n] = at.Q[j][0] * c->per_I[0] * at.Q[k][0] +
-                       at.Q[j][1] * c->per_I[1] * at.Q[k][1] +
-                       at.Q[j][2] * c->per_I[2] * at.Q[k][2];
-    at.w[0] = per_I[0] * c->L[0] + per_I[1] * c->L[1] + per_I[2] * c->L[2];
-    at.w[1] = per_I[1] * c->L[0] + per_I[3] * c->L[1] + per_I[4] * c->L[2];
-    at.w[2] = per_I[2] * c->L[0] + per_I[4] * c->L[1] + per_I[5] * c->L[2];
+    clumps_pose_of(c->q, c->L, c->per_I, &at);
     return at;
 }
 

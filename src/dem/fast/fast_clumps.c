@@ -47,40 +47,122 @@ void fast_clumps_locate(struct neighbours *nb)
         b->ball[i].of = ps->clumps->of[ps->id[i]];
 }
 
-/* The rows of the balls of one clump; raises the largest |v_x|, |v_y|, |v_z|.
- */
-static void fast_clumps_write_one(struct neighbours *nb, int number,
-                                  double top[3])
-{
-    const struct clumps *const l = nb->ps->clumps;
-    const struct clump *const c = &l->item[number];
-    const struct clump_pose at = clumps_pose(c);
-    struct rows *const b = nb->rows;
+/* So many clumps side by side, with numbers in columns: loops over them become
+ * vectors, with the bits of clumps_drift and clumps_pose. */
+enum { TOGETHER = 8 };
 
-    b->clump[number].per_m = 1.0 / c->m;
-    memcpy(b->clump[number].per_I, at.per_I, sizeof at.per_I);
-    for (int k = 0; k < l->shape[c->shape].n; k++) {
-        const int i = l->index[c->first + k];
-        struct row_motion *const m = &b->motion[i];
-        double *const r = b->ball[i].arm;
-        clumps_ball(l, c, &at, k, r, m->v);
-        for (int e = 0; e < 3; e++) {
-            b->place[i].x[e] = box_domain_inside(&b->box, e, c->x[e] + r[e]);
-            m->s[e] = b->place[i].R * at.w[e];
-            top[e] = fmax(top[e], fabs(m->v[e]));
+struct clumps_together {
+    double q[4][TOGETHER], L[3][TOGETHER], own[3][TOGETHER];
+    double Q[9][TOGETHER], w[3][TOGETHER], per_I[6][TOGETHER];
+};
+
+static void together_gather(struct clumps_together *t, const struct clump *c,
+                            int n)
+{
+    for (int i = 0; i < TOGETHER; i++) {
+        const struct clump *const one = &c[i < n ? i : 0];
+        for (int k = 0; k < 4; k++)
+            t->q[k][i] = one->q[k];
+        for (int k = 0; k < 3; k++) {
+            t->L[k][i] = one->L[k];
+            t->own[k][i] = one->per_I[k];
         }
     }
 }
 
-static void fast_clumps_put(struct neighbours *nb)
+static void together_turn(struct clumps_together *t, double dt)
+{
+    for (int i = 0; i < TOGETHER; i++) {
+        const double L[3] = {t->L[0][i], t->L[1][i], t->L[2][i]};
+        const double own[3] = {t->own[0][i], t->own[1][i], t->own[2][i]};
+        double q[4] = {t->q[0][i], t->q[1][i], t->q[2][i], t->q[3][i]};
+        rotation_advance(q, L, own, dt);
+        for (int k = 0; k < 4; k++)
+            t->q[k][i] = q[k];
+    }
+}
+
+static void together_pose(struct clumps_together *t)
+{
+    for (int i = 0; i < TOGETHER; i++) {
+        const double q[4] = {t->q[0][i], t->q[1][i], t->q[2][i], t->q[3][i]};
+        const double L[3] = {t->L[0][i], t->L[1][i], t->L[2][i]};
+        const double own[3] = {t->own[0][i], t->own[1][i], t->own[2][i]};
+        struct clump_pose at;
+        clumps_pose_of(q, L, own, &at);
+        for (int k = 0; k < 9; k++)
+            t->Q[k][i] = at.Q[k / 3][k % 3];
+        for (int k = 0; k < 3; k++)
+            t->w[k][i] = at.w[k];
+        for (int k = 0; k < 6; k++)
+            t->per_I[k][i] = at.per_I[k];
+    }
+}
+
+/* The rows of the balls of a clump, number i of those together; raises the
+ * largest |v_x|, |v_y|, |v_z|. */
+static void fast_clumps_write_one(struct neighbours *nb,
+                                  const struct clumps_together *t, int i,
+                                  int number, double top[3])
+{
+    const struct clumps *const l = nb->ps->clumps;
+    const struct clump *const c = &l->item[number];
+    struct rows *const b = nb->rows;
+    struct clump_pose at;
+
+    for (int k = 0; k < 9; k++)
+        at.Q[k / 3][k % 3] = t->Q[k][i];
+    for (int k = 0; k < 3; k++)
+        at.w[k] = t->w[k][i];
+    b->clump[number].per_m = 1.0 / c->m;
+    for (int k = 0; k < 6; k++)
+        b->clump[number].per_I[k] = t->per_I[k][i];
+    for (int k = 0; k < l->shape[c->shape].n; k++) {
+        const int row = l->index[c->first + k];
+        struct row_motion *const m = &b->motion[row];
+        struct row_place *const place = &b->place[row];
+        double r[3], v[3];
+        clumps_ball(l, c, &at, k, r, v);
+        for (int e = 0; e < 3; e++) {
+            const double speed = fabs(v[e]);
+            b->ball[row].arm[e] = r[e];
+            place->x[e] = box_domain_inside(&b->box, e, c->x[e] + r[e]);
+            m->v[e] = v[e];
+            m->s[e] = place->R * at.w[e];
+            if (speed > top[e]) top[e] = speed;
+        }
+    }
+}
+
+/* Clumps first to last - 1 move freely for `drift` [s]; their balls follow. */
+static void fast_clumps_move(struct neighbours *nb, int first, int last,
+                             double drift, double top[3])
+{
+    struct clump *const c = nb->ps->clumps->item;
+    struct clumps_together t;
+
+    together_gather(&t, &c[first], last - first);
+    if (drift > 0.0) together_turn(&t, drift);
+    together_pose(&t);
+    for (int i = 0; i < last - first; i++) {
+        for (int k = 0; k < 4; k++)
+            c[first + i].q[k] = t.q[k][i];
+        if (drift > 0.0) clumps_move(&c[first + i], &nb->rows->box, drift);
+        fast_clumps_write_one(nb, &t, i, first + i, top);
+    }
+}
+
+void fast_clumps_drift(struct neighbours *nb, double drift)
 {
     const struct chunk_range mine = fast_clumps_slices();
 
     for (int s = mine.first; s < mine.last; s++) {
         const struct chunk_range in = fast_clumps_in(nb->ps->clumps, s);
         memset(nb->clump_speed[s], 0, sizeof nb->clump_speed[s]);
-        for (int c = in.first; c < in.last; c++)
-            fast_clumps_write_one(nb, c, nb->clump_speed[s]);
+        for (int c = in.first; c < in.last; c += TOGETHER)
+            fast_clumps_move(nb, c,
+                             c + TOGETHER < in.last ? c + TOGETHER : in.last,
+                             drift, nb->clump_speed[s]);
     }
     neighbours_barrier(nb);
 }
@@ -89,7 +171,7 @@ void fast_clumps_write(struct neighbours *nb)
 {
     if (nb->ps->clumps == NULL) return;
     neighbours_barrier(nb);
-    fast_clumps_put(nb);
+    fast_clumps_drift(nb, 0.0);
 }
 
 /* The load of a clump, and that of all that is not a contact. */
@@ -129,18 +211,5 @@ void fast_clumps_kick(struct neighbours *nb, double kick, int budget)
             clumps_kick(&l->item[c], F, T, kick);
         }
     }
-    if (budget) fast_clumps_put(nb);
-}
-
-void fast_clumps_drift(struct neighbours *nb, double drift)
-{
-    const struct chunk_range mine = fast_clumps_slices();
-    const struct clumps *const l = nb->ps->clumps;
-
-    for (int s = mine.first; s < mine.last && drift > 0.0; s++) {
-        const struct chunk_range in = fast_clumps_in(l, s);
-        for (int c = in.first; c < in.last; c++)
-            clumps_drift(&l->item[c], &nb->rows->box, drift);
-    }
-    fast_clumps_put(nb);
+    if (budget) fast_clumps_drift(nb, 0.0);
 }
