@@ -234,12 +234,16 @@ static struct state_file *file_of(hid_t file, const char *path, int loading)
     return f;
 }
 
-/* What HDF5 makes a file in is ours: a copy would be as large again. */
+/* What HDF5 makes a file in is ours: a copy would be as large again. Room that
+ * is not written to takes no memory, and a block with so much of it grows where
+ * it is: small ones leave a hole at each step. */
+enum { ROOM = 1 << 26 };
+
 static void *memory_grown(void *memory, size_t size, H5FD_file_image_op_t why,
                           void *of)
 {
     (void)why, (void)of;
-    return realloc(memory, size);
+    return realloc(memory, size + ROOM);
 }
 
 static herr_t memory_left(void *memory, H5FD_file_image_op_t why, void *of)
