@@ -267,30 +267,29 @@ static void crowd_scales(struct effect_scales *k, double way)
                      fabs(k->rho_s - k->rho_f) / (k->rho_s + 0.5 * k->rho_f);
 }
 
-/* With others, at the relative speed that was measured in beds [1/s]. */
-static double meetings_of(const struct effect_scales *k)
+/* They spin as in a bed, but all the same way: they roll, as fast as the stream
+ * is in the mean (square), and once they have been taken along for a while: in
+ * sand and in air this was 0.4 tau. */
+static void roll(struct effect_scales *k, double square)
 {
-    return 6.0 * k->eps_s * stirred * k->slip / k->d;
+    const double x = k->end / (0.4 * k->tau);
+
+    k->turns = 1;
+    k->spin = spun * k->slip / k->d;
+    k->rolls = square * (1.0 + expm1(-x) / x);
 }
 
 /* Grains that a stream moves along their bed, as its drag is above their
  * weight, are stopped by others and start again: their slip changes by itself
- * within tau. They spin as in a bed, but all the same way: they roll, as fast
- * as the stream is in the mean, and once they have been taken along for a
- * while: in sand and in air this was 0.4 tau. */
+ * within tau, and they roll. */
 static void swept_scales(struct effect_scales *k, const struct case_scales *in)
 {
-    const double x = k->end / (0.4 * k->tau);
-
     k->acceleration = k->changes;
     /* The pressure of the others carries its part, too. */
     const double carried = 0.99 * (1.0 - k->passed) * k->weight;
     if (k->drag < carried * fabs(1.0 - k->rho_f / k->rho_s)) return;
+    roll(k, in->square);
     k->time = k->tau;
-    k->turns = 1;
-    k->meetings = meetings_of(k);
-    k->spin = spun * k->slip / k->d;
-    k->rolls = in->square * (1.0 + expm1(-x) / x);
     k->acceleration += k->slip / k->tau;
 }
 
@@ -302,6 +301,7 @@ static void pack(const struct settings *s, struct effect_scales *k,
     const double *const g = s->effects.gravity;
     double lo[3], hi[3], way = 0.0;
     int periodic[3], ends = 0;
+    const int sinks = s->particles.has_bed && k->rho_s > k->rho_f;
 
     case_mesh_ends(s, lo, hi);
     case_mesh_periodic(s, periodic);
@@ -311,9 +311,10 @@ static void pack(const struct settings *s, struct effect_scales *k,
             ends = 1;
         }
     k->rests = k->partners && ends &&
-               (is_laid(s, k) || way < falls_with(s, k, k->eps_s) * in->end ||
+               (sinks || way < falls_with(s, k, k->eps_s) * in->end ||
                 (in->way > 0.0 && in->way < in->inlet * in->end));
     if (k->rests) k->eps_s = CHECK_PACKED;
+    if (sinks && !is_laid(s, k)) roll(k, 1.0); /* down a slope */
     if (k->rests && in->inlet > 0.0) swept_scales(k, in);
     if (!is_laid(s, k)) crowd_scales(k, ends ? way : HUGE_VAL);
 }
@@ -384,7 +385,8 @@ static void scales_in_fluid(const struct settings *s, struct effect_scales *k,
     k->drag = drag_at(s, k, k->passed);
     k->tau =
         k->slip > 0.0 ? k->rho_s * scales_volume(k) * k->slip / k->drag : 0.0;
-    if (k->partners) k->meetings = meetings_of(k);
+    if (k->partners) /* at the relative speed that was measured in beds */
+        k->meetings = 6.0 * k->eps_s * stirred * k->slip / k->d;
     settle_time(s, k);
     k->held = is_held(s, in);
     if (k->gravity > 0.0 && in->up <= 0.0) pack(s, k, in);

@@ -375,8 +375,8 @@ static void fluid_torque_before_substep(void *memory, struct simulation *sim)
 static const double rolled = 0.2;
 
 /* The part of a spin that is lost in a relaxation time matters by the lift that
- * comes from it; and grains that roll are slowed by what is lost from one
- * contact to the next. */
+ * comes from it; and grains that roll are slowed by what is lost from one to
+ * the next, over a diameter. */
 static struct effect_estimate
 fluid_torque_estimate(const struct effect_scales *k)
 {
@@ -387,9 +387,7 @@ fluid_torque_estimate(const struct effect_scales *k)
 
     e.share *= lost;
     const double slowed =
-        k->turns && k->meetings > 0.0
-            ? -rolled * expm1(-rate * fmin(k->tau, 1.0 / k->meetings))
-            : 0.0;
+        k->turns ? -rolled * expm1(-rate * fmin(k->tau, k->d / k->slip)) : 0.0;
     e.loss *= lost;
     if (slowed > e.loss) {
         e.loss = slowed;
