@@ -30,6 +30,7 @@ capillary {tension=0.01;range=5e-5;}
 stochastic_drag {sigma_low=0.1;sigma_high=0.1;time=0.01;}
 lubrication {roughness=1e-6;range=1e-4;}
 whole_drag {}
+particle_stress {pressure=0.1;} particles.list=none particles.bed.settle=0.0
 EOF
 }
 
@@ -61,7 +62,7 @@ for round in $(seq "$rounds"); do
     effects | while read -r name group more; do
         set --
         [ "$name" = none ] || set -- -s "effects.$name=$group"
-        [ -z "$more" ] || set -- "$@" -s "$more"
+        for key in $more; do set -- "$@" -s "$key"; done
         for cells in '[8,32,1]' '[16,64,1]'; do
             echo "$round $(run "$name" "$cells" "$@")"
         done
