@@ -136,7 +136,7 @@ static void print_bed(const struct settings *s, const struct case_scales *k)
     text_line("largest stable solid fraction", densest, "-",
               densest < 0.75 && CHECK_PACKED < densest &&
                       s->particles.bed_sizes != NULL
-                  ? "eps_s; NOT STABLE where many sizes are denser"
+                  ? "eps_s; NOT STABLE where grains of many sizes pack denser"
               : added.C > 0.0 ? "eps_s, with the added mass"
                               : "eps_s, without an added mass");
 }

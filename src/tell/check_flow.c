@@ -177,6 +177,8 @@ void check_flow(const struct settings *s, const struct case_scales *k)
     text_line("step", dt, "s", "");
     if (r.inlet > 0.0)
         text_line("inlet", r.inlet, "m/s", "superficial, largest");
+    if (k->jet > 0.0)
+        text_line("jet", k->jet, "m/s", "the fastest of the inlet, in a cell");
     if (r.wall > 0.0) text_line("moving walls", r.wall, "m/s", "the fastest");
     if (r.mean > 0.0) text_line("mean flow", r.mean, "m/s", "superficial");
     print_viscous(s, r.viscous * dt);
@@ -292,7 +294,7 @@ void check_averaging(const struct settings *s, const struct case_scales *k)
     const int steps = averaging_check(o.method, m, &o); /* of Crank-Nicolson */
     const double bytes = weights_bytes(o.method, m, k->d_most, &o);
 
-    puts("Averaging");
+    puts(o.bandwidth > 0.0 ? "Averaging" : "Averaging over single cells");
     if (o.bandwidth > 0.0)
         print_bandwidth(m, o.bandwidth, k->S_c, o.method->uniform_widths);
     if (b > 0.0) {
