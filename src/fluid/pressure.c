@@ -175,44 +175,44 @@ void pressure_assemble(struct fluid *fl)
                            pressure->boundary_conductance);
 }
 
+/* The flux without the pressure, from H . S of the cells beside the face. */
+FACE_SUM_KERNEL flux_of(const struct fluid *fl, int f, int o, int n, double H_o,
+                        double H_n)
+{
+    const struct pressure_system *const pressure = fl->pressure;
+    const double w = fl->mesh->w[f];
+    const double from_o = (1.0 - w) * pressure->per_force[o];
+    const double from_n = w * pressure->per_force[n];
+
+    return pressure->explicit_flux[f] +
+           pressure->m_face[f] * (from_o * H_o + from_n * H_n);
+}
+
 FACE_KERNEL pressure_inner_flux(int f, int o, int n, const void *with)
 {
     const struct fluid *const fl = with;
-    const struct pressure_system *const pressure = fl->pressure;
-    const double w = fl->mesh->w[f], *const H = fl->momentum->H;
-    const double from_o = (1.0 - w) * pressure->per_force[o];
-    const double from_n = w * pressure->per_force[n];
-    const double *const S = &fl->mesh->S[3 * f];
+    const double *const H = fl->momentum->H, *const S = &fl->mesh->S[3 * f];
 
-    fl->phi[f] = pressure->explicit_flux[f] +
-                 pressure->m_face[f] * (from_o * vector_dot(&H[3 * o], S) +
-                                        from_n * vector_dot(&H[3 * n], S));
+    fl->phi[f] = flux_of(fl, f, o, n, vector_dot(&H[3 * o], S),
+                         vector_dot(&H[3 * n], S));
 }
 
 /* The same where each face is normal to an axis, so that the other components
  * of H add nothing. */
 static void aligned_fluxes(int first, int last, const struct fluid *fl)
 {
-    const struct pressure_system *const pressure = fl->pressure;
-    const double *restrict per_force = pressure->per_force;
+    const double *const area = fl->faces->area;
     struct face_piece p = {0};
 
     while (faces_next(fl->faces, first, last, &p)) {
-        const double *restrict w = fl->mesh->w + p.face;
-        const double *restrict area = fl->faces->area + p.face;
-        const double *restrict m = pressure->m_face + p.face;
-        const double *restrict known = pressure->explicit_flux + p.face;
-        const double *restrict H = fl->momentum->H + p.axis;
-        double *restrict phi = fl->phi + p.face;
+        const double *const H = fl->momentum->H + p.axis;
+        const int f = p.face, o = p.cell, n = p.other, m = p.n;
 
-        for (int j = 0; j < p.n; j++) {
-            const int o = p.cell + j, n = p.other + j;
-            const double from_o = (1.0 - w[j]) * per_force[o];
-            const double from_n = w[j] * per_force[n];
-
-            phi[j] = known[j] + m[j] * (from_o * (H[3 * o] * area[j]) +
-                                        from_n * (H[3 * n] * area[j]));
-        }
+#pragma omp simd
+        for (int j = 0; j < m; j++)
+            fl->phi[f + j] =
+                flux_of(fl, f + j, o + j, n + j, H[3 * (o + j)] * area[f + j],
+                        H[3 * (n + j)] * area[f + j]);
     }
 }
 
