@@ -57,7 +57,7 @@ label=
 shares fed-bed 0.3
 shares mueller-bed 0.1
 shares fluidization-ramp 0.05 fluid.bottom.inlet=1.5 particles.bed.settle=0.1
-shares fluidization-two-sizes 0.05 particles.bed.settle=0.1
+shares fluidization-two-sizes 0.05 particles.bed.settle=0.6 particles.grains.stiffness=100 particles.step=1.4e-5
 shares tapered-bed 0.1
 shares van-wachem-bed 0.02
 shares seepage 0.02 particles.bed.settle=0.02
