@@ -97,7 +97,8 @@ static double next_size(const struct bed_options *bed, gsl_rng *random, int i)
 struct bed_range bed_range(const struct bed_options *bed)
 {
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
-    struct bed_range r = {bed->diameter, bed->diameter, bed->diameter, 0.0};
+    struct bed_range r = {bed->diameter, bed->diameter, bed->diameter, 0.0,
+                          0.0};
 
     gsl_rng_set(random, (unsigned long)bed->seed);
     for (int i = 0; i < bed->count; i++) {
@@ -108,6 +109,7 @@ struct bed_range bed_range(const struct bed_options *bed)
         r.min = i == 0 ? d : fmin(r.min, d);
         r.max = i == 0 ? d : fmax(r.max, d);
         r.ball = i == 0 ? ball : fmin(r.ball, ball);
+        r.balls += clump == NULL ? 1 : clump->n;
         r.volume +=
             M_PI / 6.0 *
             gsl_pow_3(clump == NULL ? d : d / clumps_shape_around(clump));

@@ -95,9 +95,10 @@ void bed_state(struct particles *ps, struct bed_histories *h,
                struct state *s);
 
 /* The smallest and the largest diameter [m] that the seed of the bed draws, the
- * smallest of a ball, and the volume of all spheres [m^3]. */
+ * smallest of a ball, the volume of all spheres [m^3], and how many balls. */
 struct bed_range {
     double min, max, ball, volume;
+    double balls; /* [-] all of them */
 };
 struct bed_range bed_range(const struct bed_options *bed);
 

@@ -49,6 +49,7 @@ struct effect_row {
     const struct effect *effect;
     const struct effect *instead; /* stands for it; or NULL */
     int named;                    /* [-] 1: it is on */
+    int refused;                  /* [-] 1: the case's clumps cannot have it */
     double time;                  /* [-] of the run without it */
     struct effect_estimate estimate;
 };

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "case/settings.h"
+#include "case/particles/case_clumps.h"
 #include "case/particles/case_materials.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
@@ -68,6 +69,9 @@ void check_verdict(const struct effect_row *r, char text[CHECK_VERDICT])
     else if (e->loss < noticed)
         snprintf(text, CHECK_VERDICT, "negligible: %.2g %% is missed%s%s",
                  100.0 * e->loss, colon, e->remark);
+    else if (r->refused)
+        snprintf(text, CHECK_VERDICT,
+                 "unknown: known for spheres alone, and refused with clumps");
     else if (e->unknown)
         snprintf(text, CHECK_VERDICT, "unknown: %s", e->remark);
     else
@@ -159,6 +163,7 @@ int check_effect_rows(const struct settings *s, struct effect_scales *k,
         k->pair = named ? effects_pair_of(e, numbers, all, n) : NULL;
         if (e->estimate != NULL) r->estimate = e->estimate(k);
         tell_of_net(e, k, &r->estimate);
+        r->refused = case_clumps_refuse(s, e->keys[0]->path);
     }
     free(all);
     return rows;
@@ -192,7 +197,7 @@ static int print_effects(const struct settings *s, struct effect_scales *k,
         print_row(r->effect->name, &r->estimate, 100.0 * r->time, r->named,
                   verdict);
         tries |= strncmp(verdict, "unknown", 7) == 0 &&
-                 r->effect->attraction == NULL;
+                 r->effect->attraction == NULL && !r->refused;
     }
     return tries;
 }

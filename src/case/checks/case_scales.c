@@ -38,8 +38,7 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
     if (s->particles.has_bed) {
         struct bed_options b = build_particles_bed(s);
         const struct bed_range range = bed_range(&b);
-        k->particles = number_clamped(
-            case_clumps_balls(s, s->particles.bed_clump, b.count), 0, INT_MAX);
+        k->particles = number_clamped(range.balls, 0, INT_MAX);
         k->d = range.ball;
         k->d_most = range.max;
         k->volume = range.volume;

@@ -201,9 +201,10 @@ static int give_diameter(const struct settings *s, const char *key,
         nearest_offer(&n, s->particles.shapes[i].name);
     const char *const best = nearest_best(&n);
     if (shape == NULL)
-        return settings_wrong(s, key, "no clump in %s is called %s%s%s", list,
+        return settings_wrong(s, key, "no clump in %s is called %s%s%s%s", list,
                               name, best != NULL ? "; did you mean " : "",
-                              best != NULL ? best : "");
+                              best != NULL ? best : "",
+                              best != NULL ? "?" : "");
     if (*d == 0.0 && sizes == NULL) *d = clumps_shape_diameter(shape);
     if (around) *d *= clumps_shape_around(shape);
     return 0;
@@ -270,7 +271,10 @@ int case_clumps_make(struct settings *s)
         if (p->place.item[i].clump == NULL && p->place.item[i].diameter == 0.0)
             return settings_wrong(s, KEY_OF(s, particles.place),
                                   "sphere %d needs a diameter", i);
-    if (p->clumps.n == 0) return 0;
+    if (p->clumps.n == 0)
+        return settings_has(s, list)
+                   ? settings_wrong(s, list, "expected one clump or more")
+                   : 0;
     p->shapes = alloc_zeroed((size_t)p->clumps.n, sizeof *p->shapes);
     for (int i = 0; i < p->clumps.n; i++)
         p->shapes[i].name = p->clumps.item[i].name;
@@ -348,15 +352,25 @@ int case_clumps_place(const struct settings *s, struct particles *ps,
 
 /* --- what cannot be ------------------------------------------------------- */
 
+static const char *const of_spheres[] = {
+    "effects.virtual_mass",    "effects.basset",
+    "effects.saffman",         "effects.fluid_torque",
+    "effects.magnus",          "effects.whole_drag",
+    "effects.stochastic_drag", "effects.lubrication",
+    "effects.particle_stress", NULL};
+
+int case_clumps_refuse(const struct settings *s, const char *key)
+{
+    int k = 0;
+
+    while (of_spheres[k] != NULL && strcmp(of_spheres[k], key) != 0)
+        k++;
+    return s->particles.clumps.n > 0 && of_spheres[k] != NULL;
+}
+
 /* The key of what clumps cannot be together with, and why; NULL: nothing. */
 static const char *clumps_cannot(const struct settings *s, const char **why)
 {
-    static const char *const of_spheres[9] = {
-        "effects.virtual_mass",    "effects.basset",
-        "effects.saffman",         "effects.fluid_torque",
-        "effects.magnus",          "effects.whole_drag",
-        "effects.stochastic_drag", "effects.lubrication",
-        "effects.particle_stress"};
     const struct particles_setup *const p = &s->particles;
 
     *why = "they are moved by velocity-verlet alone";
@@ -387,7 +401,7 @@ static const char *clumps_cannot(const struct settings *s, const char **why)
                              strcmp(s->averaging.method->name, "cube") == 0))
         return KEY_OF(s, averaging.method);
     *why = "that force is known for spheres alone";
-    for (int k = 0; k < 9; k++)
+    for (int k = 0; of_spheres[k] != NULL; k++)
         if (settings_has(s, of_spheres[k])) return of_spheres[k];
     *why = "bodies that the flow is resolved around have bodies.clumps";
     return s->has.bodies ? "bodies" : NULL;

@@ -20,6 +20,9 @@ struct body_ball *case_clumps_file(const struct settings *s, const char *file,
  * message. */
 int case_clumps_check(const struct settings *s);
 
+/* 1 if the case has clumps and the effect of that key is for spheres alone. */
+int case_clumps_refuse(const struct settings *s, const char *key);
+
 /* The shape of that name, which is there; NULL of NULL. */
 const struct clump_shape *case_clumps_shape(const struct settings *s,
                                             const char *name);

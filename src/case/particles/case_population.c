@@ -236,10 +236,11 @@ static int case_population_check_no_contacts(const struct settings *s, int i,
     if (!insertion_at_once(o) || !insertion_overlap(o, box, o->overlap, who))
         return 0;
     return settings_wrong(
-        s, sources,
-        "source %d: spheres %d and %d of its file overlap; move them apart, or "
-        "set particles.overlaps to \"allow\"",
-        i, who[0], who[1]);
+        s, sources, "source %d: spheres %d and %d of its file overlap%s", i,
+        who[0], who[1],
+        o->overlap < 0.5 ? "; move them apart, or set particles.overlaps to "
+                           "\"allow\""
+                         : " by more than half of a diameter; move them apart");
 }
 
 static int case_population_check_list(const struct settings *s, int i,
