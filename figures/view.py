@@ -127,6 +127,8 @@ def shade(display, source, association, name, view, times):
     low, high = math.inf, -math.inf
     for time in times[::1 + len(times) // 12] + times[-1:]:
         source.UpdatePipeline(time)
+        if source.GetDataInformation().GetNumberOfPoints() == 0:
+            continue  # before the first grain
         data = source.PointData if association == "POINTS" else source.CellData
         if name not in data.keys():
             wrong("there is no field %s; there are: %s"
@@ -208,6 +210,15 @@ def new_view(size, box, up, along, turn):
     return view
 
 
+def are_clumps(source):
+    """Bodies whose balls are particles; a state may have none."""
+    for time in source.TimestepValues:
+        source.UpdatePipeline(time)
+        if "angular_momentum" in source.PointData.keys():
+            return True
+    return False
+
+
 def bodies(found, view):
     """Outlines, and a sphere for each body that has none."""
     colour = [0.85, 0.45, 0.2]
@@ -222,6 +233,8 @@ def bodies(found, view):
             outlined |= {int(of.GetTuple1(i)) for i in range(of.GetNumberOfTuples())}
     for kind in ("bodies", "body_clumps"):
         if kind not in found:
+            continue
+        if are_clumps(found[kind]):
             continue
         alone = "".join("*(id!=%d)" % i for i in outlined) if kind == "bodies" else ""
         source = pv.Calculator(Input=found[kind], AttributeType="Point Data",
