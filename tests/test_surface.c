@@ -175,7 +175,7 @@ FACT_FOR_EACH(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin, 2)
         particles_free(ps);
     }
     ck_assert_double_eq_tol(
-        surface_start_distance(&s, (double[]){0.5, 0.07, 0.0}, 0.1), 0.07,
+        surface_distance(&s, 0.0, (double[]){0.5, 0.07, 0.0}, 0.1), 0.07,
         1e-14);
     triangles_free((struct triangles *)(uintptr_t)s.triangles);
 }

@@ -17,6 +17,7 @@
 #include "dem/population/population.h"
 #include "case/particles/case_clumps.h"
 #include "case/particles/case_materials.h"
+#include "case/particles/case_surfaces.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
 #include "base/text.h"
@@ -447,6 +448,8 @@ void case_population_add(const struct settings *s, struct simulation *sim)
     for (int i = 0; i < n; i++) {
         l->sources[i].options = s->particles.insert.item[i].of;
         l->sources[i].options.region = sim->region;
+        if (sim->n_surfaces > 0 && l->sources[i].options.list == NULL)
+            l->sources[i].options.region.has_room = case_surfaces_are_apart;
     }
     for (int i = 0; i < m; i++)
         l->sinks[i] = sink_of(s, &s->particles.sinks.item[i]);

@@ -428,6 +428,16 @@ static int case_surfaces_has_room(const void *state, const double x[3],
     return case_walls_has_room(sim->walls, x, R);
 }
 
+int case_surfaces_are_apart(const void *state, const double x[3], double R)
+{
+    const struct simulation *const sim = state;
+
+    for (int k = 0; k < sim->n_surfaces; k++)
+        if (surface_distance(&sim->surfaces[k], sim->t, x, R) < R) return 0;
+    return sim->region.has_room == NULL ||
+           sim->region.has_room(sim->region.state, x, R);
+}
+
 static int start_wrong(const void *state, const struct particles *ps)
 {
     const struct simulation *const sim = state;

@@ -31,6 +31,10 @@ void case_surfaces_complete(const struct settings *s, struct simulation *sim,
                             struct dem_options *o);
 void case_surfaces_free(struct simulation *sim);
 
+/* 1 if a sphere of radius R [m] at x overlaps no surface of the simulation
+ * `state` where they are now, and is where its region has room. */
+int case_surfaces_are_apart(const void *state, const double x[3], double R);
+
 /* Whether particles can start where they were placed. 0, or 2 after a message.
  */
 int case_surfaces_place(const struct settings *s, struct particles *ps,

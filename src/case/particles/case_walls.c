@@ -194,5 +194,5 @@ int case_walls_has_room(const struct case_walls *w, const double x[3], double R)
         if (!w->periodic[k] && (x[k] < w->lo[k] + R || x[k] > w->hi[k] - R))
             return 0;
     if (mesh_cell_and_offset(w->mesh, x, offset) < 0) return 0;
-    return w->walls == NULL || surface_start_distance(w->walls, x, R) >= R;
+    return w->walls == NULL || surface_distance(w->walls, 0.0, x, R) >= R;
 }

@@ -245,9 +245,9 @@ const struct surface_shape surface_sphere = {
 static const double most = 0.1; /* [-] of the radius */
 
 /* Distance of x from the surface, or R if it is farther [m]. */
-static double surface_start_distance_to(const struct surface *s,
-                                        const struct pose *p, const double x[3],
-                                        double R, struct triangle_list *near)
+static double surface_distance_from(const struct surface *s,
+                                    const struct pose *p, const double x[3],
+                                    double R, struct triangle_list *near)
 {
     double r = R, y[3];
 
@@ -265,7 +265,7 @@ static int starts_wrong(const struct particles *ps, int i,
 {
     const struct pose p = motion_pose(&s->motion, 0.0);
     const double x[3] = {ps->x[i], ps->y[i], ps->z[i]}, R = 0.5 * ps->d[i];
-    const double r = surface_start_distance_to(s, &p, x, R, near);
+    const double r = surface_distance_from(s, &p, x, R, near);
 
     if (r >= (1.0 - most) * R) return 0;
     if (r < 0.0)
@@ -281,12 +281,12 @@ static int starts_wrong(const struct particles *ps, int i,
     return 1;
 }
 
-double surface_start_distance(const struct surface *s, const double x[3],
-                              double R)
+double surface_distance(const struct surface *s, double t, const double x[3],
+                        double R)
 {
-    const struct pose p = motion_pose(&s->motion, 0.0);
+    const struct pose p = motion_pose(&s->motion, t);
     struct triangle_list near = {0, 0, NULL};
-    const double r = surface_start_distance_to(s, &p, x, R, &near);
+    const double r = surface_distance_from(s, &p, x, R, &near);
 
     free(near.number);
     return r;

@@ -124,9 +124,9 @@ int surface_wrong(const struct surface *s);
 int surface_start_wrong(const struct particles *ps, const struct surface *list,
                         int n, const char *where);
 
-/* Distance of x from the surface, as it is at time 0, or R if it is farther
- * [m]. */
-double surface_start_distance(const struct surface *s, const double x[3],
-                              double R);
+/* Distance of x from the surface, where it is at time t [s], or R if it is
+ * farther [m]; below 0 in the solid of a shape. */
+double surface_distance(const struct surface *s, double t, const double x[3],
+                        double R);
 
 #endif
