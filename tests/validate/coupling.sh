@@ -88,6 +88,7 @@ ramp() {
             -s "fluid.bottom.inlet=([0.0,0.5],[10.0,1.5])" -s output.end=10
     }
     for name in stiff 15x75 seed2 25x100 pcm-25x100; do
+        # shellcheck disable=SC2046,SC2086 # a word or none
         sh figures/30/30-ramp.sh series $out ramp-$name $([ $name != pcm-25x100 ] || echo 5) \
             >$figures/30/30-ramp-$name.txt
     done
