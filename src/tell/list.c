@@ -159,8 +159,9 @@ static int list_columns(void)
     for (int i = 0; effects[i] != NULL; i++)
         for (int k = 0; effects[i]->columns && effects[i]->columns->names[k];
              k++)
-            printf("%s; needs effects.%s\n", effects[i]->columns->names[k],
-                   effects[i]->name);
+            printf("%s; needs effects.%s\n    of: %s\n",
+                   effects[i]->columns->names[k], effects[i]->name,
+                   effects[i]->keys[0]->what);
     return 0;
 }
 

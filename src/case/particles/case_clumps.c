@@ -131,6 +131,10 @@ static int clumps_check_one(const struct settings *s,
 {
     const double *const h = one->half;
 
+    if (one->name[0] == '\0')
+        return settings_wrong(s, list, "expected a name for each");
+    if (one->has_half && one->scale != 1.0)
+        return settings_wrong(s, list, "%s: scale is for a file", one->name);
     if ((one->file != NULL) == one->has_half)
         return settings_wrong(s, list, "%s: give either file or half_axes",
                               one->name);
@@ -267,12 +271,17 @@ int case_clumps_make(struct settings *s)
     struct particles_setup *const p = &s->particles;
     int code = 0, total = 0;
 
-    for (int i = 0; i < p->place.n; i++)
-        if (p->place.item[i].clump == NULL && p->place.item[i].diameter == 0.0)
+    for (int i = 0; i < p->place.n; i++) {
+        const struct place_setup *const one = &p->place.item[i];
+        if (one->clump == NULL && one->diameter == 0.0)
             return settings_wrong(s, KEY_OF(s, particles.place),
                                   "sphere %d needs a diameter", i);
+        if (one->clump == NULL && vector_length(one->rotation) > 0.0)
+            return settings_wrong(s, KEY_OF(s, particles.place),
+                                  "sphere %d: rotation is for a clump", i);
+    }
     if (p->clumps.n == 0)
-        return settings_has(s, list)
+        return s->has.particles && settings_has(s, list)
                    ? settings_wrong(s, list, "expected one clump or more")
                    : 0;
     p->shapes = alloc_zeroed((size_t)p->clumps.n, sizeof *p->shapes);

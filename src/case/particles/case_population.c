@@ -98,8 +98,7 @@ static int check_size_name(const struct settings *s, const char *key,
                           best != NULL ? best : "");
 }
 
-/* The distribution of that name, which is there, for particles of a material.
- */
+/* The distribution of that name, which is there, of a material's particles. */
 static struct sizes *create_sizes(const struct settings *s, const char *name,
                                   int material)
 {
@@ -113,8 +112,7 @@ static struct sizes *create_sizes(const struct settings *s, const char *name,
 
 /* --- sources -------------------------------------------------------------- */
 
-/* The largest share of a region that random positions can fill in a short time.
- */
+/* The largest share of a region that random positions can fill quickly. */
 static const double densest = 0.3;
 
 /* A region that is not given is the whole box. */
@@ -237,11 +235,10 @@ static int case_population_check_no_contacts(const struct settings *s, int i,
     if (!insertion_at_once(o) || !insertion_overlap(o, box, o->overlap, who))
         return 0;
     return settings_wrong(
-        s, sources, "source %d: spheres %d and %d of its file overlap%s", i,
-        who[0], who[1],
-        o->overlap < 0.5 ? "; move them apart, or set particles.overlaps to "
-                           "\"allow\""
-                         : " by more than half of a diameter; move them apart");
+        s, sources,
+        "source %d: spheres %d and %d of its file overlap by more than %g d; "
+        "particles.overlaps = \"allow\" takes up to 0.5 d",
+        i, who[0], who[1], o->overlap);
 }
 
 static int case_population_check_list(const struct settings *s, int i,
@@ -446,17 +443,16 @@ void case_population_add(const struct settings *s, struct simulation *sim)
         population_create(&box, n, m);
     sim->insert_remove = &replacement_functions;
     for (int i = 0; i < n; i++) {
-        l->sources[i].options = s->particles.insert.item[i].of;
-        l->sources[i].options.region = sim->region;
-        if (sim->n_surfaces > 0 && l->sources[i].options.list == NULL)
-            l->sources[i].options.region.has_room = case_surfaces_are_apart;
+        struct insertion_options *const o = &l->sources[i].options;
+        *o = s->particles.insert.item[i].of;
+        o->region = sim->region;
+        if (o->list == NULL) o->region.has_room = case_surfaces_are_apart;
     }
     for (int i = 0; i < m; i++)
         l->sinks[i] = sink_of(s, &s->particles.sinks.item[i]);
 }
 
-/* The numbers of prescribed particles that come now are only sure if all find
- * room. */
+/* Prescribed particles that come now have their numbers if all find room. */
 int case_population_start(const struct settings *s, struct simulation *sim)
 {
     const int before = sim->particles != NULL ? sim->particles->n : 0;

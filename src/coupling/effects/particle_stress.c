@@ -387,8 +387,8 @@ static const char *particle_stress_failure(const void *memory)
 
     return self->failed
                ? "effects.particle_stress was not found in 60 iterations of "
-                 "Newton's method; try a smaller step, or a larger "
-                 "effects.particle_stress.pressure:"
+                 "Newton's method; try a smaller step, or a packing and a "
+                 "pressure of effects.particle_stress that carry the bed:"
                : NULL;
 }
 

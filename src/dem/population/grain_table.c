@@ -185,7 +185,10 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
         }
         list[i].d = factor * row[column[3]];
         if (good && number_is_length(list[i].d)) continue;
-        snprintf(wrong, CSV_WRONG, "row %d is not a sphere", i + 1);
+        snprintf(wrong, CSV_WRONG,
+                 "row %d is not a sphere: expected a place within 1e12 m and "
+                 "a diameter of 1e-12 to 1e12 m",
+                 i + 1);
         free(list);
         return NULL;
     }
