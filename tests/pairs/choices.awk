@@ -187,7 +187,7 @@ BEGIN {
     apart("bodies", "fixed free moving cylinder surface solid clump box", "mesh", "graded",
           "bodies ask for equal cells")
     apart("bodies", "fixed free moving", "mesh", "thin", "has a diameter of")
-    apart("bodies", "surface solid clump box", "mesh", "thin", "has a part of")
+    apart("bodies", "surface solid clump", "mesh", "thin", "has a part of")
     # Among particles they are surfaces; one that moves changes eps where it is.
     if (letter != "f")
         apart("bodies", "free moving surface solid", "fluid.continuity", "void-rate",

@@ -284,9 +284,13 @@ static void particle_stress_sides(const struct particle_stress *self,
         if (wall[w]) side[w] = side[w ^ 1];
 }
 
+/* Between two cells without particles no force would find one: there is no
+ * stress in them, and each tau acts twice, with opposite signs. */
 static void particle_stress_accelerate(struct particle_stress *self,
-                                       const struct mesh *m, const double *tau)
+                                       const struct mesh *m, double *tau)
 {
+    for (int c = 0; c < m->n_cells; c++)
+        if (self->eps[c] <= 0.0) tau[c] = 0.0;
 #pragma omp parallel for schedule(static)
     for (int c = 0; c < m->n_cells; c++)
         particle_stress_sides(self, m, tau, c, &self->face[6 * c],
