@@ -127,7 +127,7 @@ depends() {
     scripts=$(echo "$files" | grep '\.sh$' | grep -v -E '/(run|last)\.sh$')
     # shellcheck disable=SC2086,SC2046 # one word a file
     [ -z "$scripts" ] || files=$(printf '%s\n' $files $(named $scripts) | sort -u)
-    echo "$files"
+    echo "$files" | grep -vxF "$1" # which a script may name
     if [ -n "$scripts" ] || echo "$commands" | grep -qE '(^|[ /|])winnow '; then
         # shellcheck disable=SC2086
         text=$commands$(cat $scripts /dev/null)

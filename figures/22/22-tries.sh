@@ -12,7 +12,7 @@ tried() { # NAME SECONDS CASE...
     name=$1 seconds=$2
     shift 2
     winnow check "$@" --try "$seconds" -j 1 | awk -v name="$name" '
-        NR < 4 || $1 == "to" || /other rounding/ { next }
+        NR < 4 || $1 == "to" || /other rounding|the drop,|the jet brings/ { next }
         { gsub(/\(other seed\)/, "(seed)"); printf "%-20s %-18s %8s %8s %8s %8s %6s %s\n",
               name, $1, $2, $3, $4, $5, $6, /within/ ? "~" : "" }' | sed 's/ *$//'
 }
