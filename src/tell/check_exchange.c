@@ -35,13 +35,25 @@ static double case_drag_relaxation_time(const struct settings *s,
 
 /* The diameter [m] of a sphere of the mean volume of the bed: all sizes of a
  * mixture have the same backflow. */
-static double case_drag_mean_diameter(const struct settings *s)
+static double case_drag_mean_diameter(const struct settings *s,
+                                      const struct case_scales *k)
 {
+    if (s->particles.bed.count == 0) return check_scales(s, k).d;
     struct bed_options b = build_particles_bed(s);
     const double volume = bed_range(&b).volume;
 
     build_particles_free_bed(&b);
     return cbrt(6.0 / M_PI * volume / b.count) / case_parcels_across(s, 0);
+}
+
+/* Whether the case has a bed, or grains that will lie as densely, and so many
+ * that they fill a cell. */
+static int is_packed(const struct settings *s, const struct case_scales *k)
+{
+    return s->particles.bed.count > 0 ||
+           (s->exchange.two_way && check_scales(s, k).eps_s >= CHECK_PACKED &&
+            k->particles * M_PI / 6.0 * gsl_pow_3(k->d) >
+                CHECK_PACKED * gsl_pow_3(k->S_c));
 }
 
 /* Warns where the law has no data: of the fluid fraction eps_f, or of the Re at
@@ -75,23 +87,24 @@ static void print_fluidization(const struct settings *s,
 
     const double u = fluidization_velocity(
         eps_mf, s->fluid.rho, s->particles.grains.density, s->fluid.mu,
-        case_drag_mean_diameter(s), vector_length(s->effects.gravity));
+        case_drag_mean_diameter(s, k), vector_length(s->effects.gravity));
     if (u <= 0.0) return;
-    snprintf(remark, sizeof remark,
-             "minimum fluidization, Ergun at eps_s = %g; the inlet has %.3g "
-             "times that",
-             CHECK_PACKED, k->inlet / u);
+    int n = snprintf(remark, sizeof remark,
+                     "minimum fluidization, Ergun at eps_s = %g", CHECK_PACKED);
+    if (k->inlet > 0.0)
+        snprintf(remark + n, sizeof remark - (size_t)n,
+                 "; the inlet has %.3g times that", k->inlet / u);
     text_line("u_mf", u, "m/s", remark);
 }
 
 /* What the effects of the case add to the mass of a sphere of mean size. */
 static struct added_mass case_drag_added_mass(const struct settings *s,
-                                              double dt)
+                                              const struct case_scales *in)
 {
     struct effect_scales k = {.rho_f = s->fluid.rho,
                               .mu = s->fluid.mu,
-                              .dt = dt,
-                              .d = case_drag_mean_diameter(s)};
+                              .dt = in->dt,
+                              .d = case_drag_mean_diameter(s, in)};
     struct added_mass sum = {0};
 
     for (int i = 0; effects[i] != NULL; i++) {
@@ -108,13 +121,13 @@ static struct added_mass case_drag_added_mass(const struct settings *s,
 /* The criteria for a bed: (20.6), (20.12), (20.13). */
 static void print_bed(const struct settings *s, const struct case_scales *k)
 {
-    const struct added_mass added = case_drag_added_mass(s, k->dt);
+    const struct added_mass added = case_drag_added_mass(s, k);
     const int implicit = s->exchange.treatment == TREATMENT_SEMI_IMPLICIT;
     const double rho_s = s->particles.grains.density;
     const double rho_f = s->fluid.rho;
     const double longest = stability_longest_step(
         1.0 - CHECK_PACKED,
-        case_drag_relaxation_time(s, k, case_drag_mean_diameter(s),
+        case_drag_relaxation_time(s, k, case_drag_mean_diameter(s, k),
                                   CHECK_PACKED));
     const double densest =
         stability_max_solid_fraction(&added, rho_s / rho_f, implicit);
@@ -154,9 +167,9 @@ void check_drag(const struct settings *s, const struct case_scales *k)
     text_line("sub-steps",
               asked > 0 ? asked : coupling_needed_substeps(k->dt / bed), "-",
               asked > 0 ? "as the case asks" : "drag updates in a step, about");
-    const int is_bed = s->particles.bed.count > 0;
-    print_range(s, k, is_bed ? 1.0 - CHECK_PACKED : 1.0);
-    if (!is_bed) return;
+    const int packed = is_packed(s, k);
+    print_range(s, k, packed ? 1.0 - CHECK_PACKED : 1.0);
+    if (!packed) return;
     print_fluidization(s, k);
     print_bed(s, k);
 }
