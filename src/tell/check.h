@@ -83,6 +83,9 @@ void list_model(const struct model *m);
  * keys. 0, or 2 after a message if there is no such kind. */
 int list_models(const char *kind);
 
+/* Prints the cases that come with the program. The exit code. */
+int list_cases(void);
+
 /* The keys of one part of a case ("fluid"), or of all for NULL. Returns the
  * exit code, 2 after a message if there is no such part. */
 int list_keys(const char *part);

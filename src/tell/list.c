@@ -1,15 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* list.c -- `winnow list`: what there is to choose from; and `winnow new`: a
- * shipped case to begin with. */
+/* list.c -- `winnow list`: what there is to choose from. */
 #include "tell/check.h"
 
-#include <ctype.h>
-#include <errno.h>
-#include <glob.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "case/case_file.h"
 #include "case/checks/checks.h"
@@ -199,208 +193,6 @@ int list_models(const char *name)
     return 0;
 }
 
-/* The case to begin with if no other one is named. */
-#define FIRST "small-bed"
-static const char look_at[] = "What to look at: ";
-
-enum { PATH_TEXT = 4096, CASE_TEXT = 1 << 16, LINE_TEXT = 200 };
-
-/* The cases that are installed with the program, or lie beside its build, or
- * here. Non-zero if there are none. */
-static int shipped_find(glob_t *found)
-{
-    static const char *const folders[] = {"/../share/winnow/cases", "/../cases",
-                                          "./cases"};
-    char program[PATH_TEXT] = "", path[2 * PATH_TEXT];
-
-    if (readlink("/proc/self/exe", program, sizeof program - 1) < 0)
-        program[0] = '\0';
-    if (strrchr(program, '/') != NULL) *strrchr(program, '/') = '\0';
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        const int here = folders[i][0] == '.';
-
-        snprintf(path, sizeof path, "%s%s/*.cfg", here ? "" : program,
-                 folders[i]);
-        if (glob(path, 0, NULL, found) == 0) return 0;
-    }
-    return 1;
-}
-
-static int none(void)
-{
-    fprintf(stderr, "winnow: no cases in ../share/winnow/cases or ../cases "
-                    "beside the program, nor in ./cases\n");
-    return 4;
-}
-
-/* "small-bed" of "there/small-bed.cfg". */
-static void shipped_name_of(const char *path, char name[LINE_TEXT])
-{
-    const char *const slash = strrchr(path, '/');
-
-    snprintf(name, LINE_TEXT, "%s", slash != NULL ? slash + 1 : path);
-    if (strrchr(name, '.') != NULL) *strrchr(name, '.') = '\0';
-}
-
-/* The text of a file, a string; -1 after a message. */
-static int shipped_read_text(const char *path, char text[CASE_TEXT])
-{
-    FILE *const f = fopen(path, "r");
-    size_t n = 0;
-
-    if (f != NULL) n = fread(text, 1, CASE_TEXT - 1, f);
-    text[n] = '\0';
-    if (f == NULL || ferror(f) || !feof(f)) {
-        fprintf(stderr, "winnow: %s: cannot read: %s\n", path,
-                errno != 0 ? strerror(errno) : "too long");
-        n = 0;
-    }
-    if (f != NULL) fclose(f);
-    return n > 0 ? 0 : -1;
-}
-
-/* What the comment at the head says to look at, to the end of a clause. */
-static void purpose(const char *text, char line[LINE_TEXT])
-{
-    const char *c = strstr(text, look_at);
-    size_t n = 0;
-
-    if (c != NULL) c += strlen(look_at);
-    for (; c != NULL && *c != '\0' && n + 1 < LINE_TEXT; c++) {
-        if (strchr(".;", *c) != NULL && isspace((unsigned char)c[1]) &&
-            !isdigit((unsigned char)c[2])) /* "Fig. 3" */
-            break;
-        if (*c == '\n' && strncmp(c, "\n# ", 3) != 0) break;
-        line[n++] = iscntrl((unsigned char)*c) ? ' ' : *c;
-        if (*c == '\n') c += 2;
-    }
-    line[n] = '\0';
-}
-
-static void shipped_print_case(const char *path, const struct settings *s,
-                               const char *text)
-{
-    const struct case_scales k = case_scales_of(s);
-    char name[LINE_TEXT], line[LINE_TEXT];
-
-    shipped_name_of(path, name);
-    purpose(text, line);
-    printf("%-22s %6d cells %6d particles  %s%s%s\n", name, k.cells,
-           k.particles, s->title, line[0] != '\0' ? ". Look at: " : "", line);
-}
-
-static int shipped_list(void)
-{
-    char text[CASE_TEXT];
-    glob_t found;
-    int code = 0;
-
-    if (shipped_find(&found) != 0) return none();
-    for (size_t i = 0; i < found.gl_pathc && code == 0; i++) {
-        const char *const path = found.gl_pathv[i];
-        struct settings *const s = case_file_read(path, 0, NULL, &code);
-
-        if (s != NULL && shipped_read_text(path, text) == 0)
-            shipped_print_case(path, s, text);
-        settings_free(s);
-    }
-    globfree(&found);
-    return code;
-}
-
-/* The path of the shipped case of that name. The exit code. */
-static int find_named(const char *name, char path[PATH_TEXT])
-{
-    char other[LINE_TEXT];
-    struct nearest n;
-    glob_t found;
-
-    if (shipped_find(&found) != 0) return none();
-    nearest_init(&n, name);
-    path[0] = '\0';
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        shipped_name_of(found.gl_pathv[i], other);
-        nearest_offer(&n, other);
-        if (strcmp(name, other) == 0)
-            snprintf(path, PATH_TEXT, "%s", found.gl_pathv[i]);
-    }
-    globfree(&found);
-    if (path[0] != '\0') return 0;
-    fprintf(stderr, "winnow: no case %s; ", name);
-    if (nearest_best(&n) != NULL)
-        fprintf(stderr, "did you mean %s?\n", nearest_best(&n));
-    else
-        fprintf(stderr, "winnow list cases names them all\n");
-    return 2;
-}
-
-/* 1 if the case names, in quotes and not in a comment, a file beside it; its
- * name is then `other`. */
-static int names_a_file(const char *path, const char *text,
-                        char other[LINE_TEXT])
-{
-    const char *const slash = strrchr(path, '/');
-    char beside[PATH_TEXT + LINE_TEXT];
-
-    for (const char *c = text; *c != '\0'; c++) {
-        if (*c == '#') c += strcspn(c, "\n") - 1;
-        if (*c != '"') continue;
-        const int n = (int)strcspn(++c, "\"\n");
-
-        snprintf(other, LINE_TEXT, "%.*s", n, c);
-        snprintf(beside, sizeof beside, "%.*s/%s", (int)(slash - path), path,
-                 other);
-        if (n > 0 && access(beside, F_OK) == 0) return 1;
-        c += n;
-    }
-    return 0;
-}
-
-/* Writes a file that must not be there. The exit code. */
-static int write_new(const char *path, const char *text)
-{
-    FILE *const f = fopen(path, "wx");
-    int wrong = f == NULL;
-
-    if (f != NULL) wrong = fputs(text, f) < 0;
-    if (f != NULL && fclose(f) != 0) wrong = 1;
-    if (!wrong) return 0;
-    fprintf(stderr, "winnow: %s: cannot make it: %s\n", path, strerror(errno));
-    return 4;
-}
-
-static int shipped_act(const struct command_line *l)
-{
-    const char *const name = l->words[0];
-    const char *const from = l->n_words > 1 ? l->words[1] : FIRST;
-    const char *const end = strrchr(name, '.');
-    char text[CASE_TEXT], path[PATH_TEXT], other[LINE_TEXT], to[PATH_TEXT];
-    int code = find_named(from, path);
-
-    if (code != 0) return code;
-    if (shipped_read_text(path, text) != 0) return 4;
-    if (names_a_file(path, text, other)) {
-        fprintf(stderr, "winnow: %s needs %s beside it: copy both from %.*s\n",
-                from, other, (int)(strrchr(path, '/') - path), path);
-        return 2;
-    }
-    snprintf(to, sizeof to, "%s%s", name,
-             end != NULL && strcmp(end, ".cfg") == 0 ? "" : ".cfg");
-    if ((code = write_new(to, text)) != 0) return code;
-    printf("%s: as %s\n  winnow check %s\n  winnow run %s\n", to, from, to, to);
-    return 0;
-}
-
-const struct command list_new_command = {
-    "new",
-    "NAME [FROM]",
-    "NAME.cfg, a case to begin with: a small bed, or a copy of FROM, one of "
-    "`winnow list cases`",
-    "",
-    1,
-    2,
-    shipped_act};
-
 static int list_wrong_word(const char *word)
 {
     fprintf(stderr,
@@ -416,7 +208,7 @@ static int list_act(const struct command_line *l)
         return list_keys(l->words[1]);
     if (l->n_words > 1) return list_wrong_word(l->words[1]);
     if (l->n_words > 0 && strcmp(l->words[0], "cases") == 0)
-        return shipped_list();
+        return list_cases();
     if (l->n_words > 0) return list_models(l->words[0]);
     list_kinds();
     return 0;
