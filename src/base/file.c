@@ -3,11 +3,13 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
+#include "base/text.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -240,10 +242,26 @@ void input_release(struct input *in)
 {
     free(in->path);
     free(in->text);
+    free(in->asked);
+}
+
+int input_refuse(const struct input *in, int line, const char *format, ...)
+{
+    char *const named =
+        joined(in->asked != NULL ? in->asked : "", in->path, "");
+    char message[512];
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(message, sizeof message, format, values);
+    va_end(values);
+    text_wrong(named, line, "%s", message);
+    free(named);
+    return 1;
 }
 
 /* One that was not there is looked for again: a run writes its bed. */
-const struct input *input_kept(struct inputs **all, const char *path)
+struct input *input_kept(struct inputs **all, const char *path)
 {
     struct inputs *k = *all;
 

@@ -59,8 +59,14 @@ struct input {
     char *path, *text;
     size_t length;
     const char *why;
+    char *asked; /* the place of the name in a case, or NULL */
 };
 struct input input_of(const char *path);
+
+/* Prints what is wrong in it, by its path and line (0: none), after the place
+ * that names it; returns 1. */
+int input_refuse(const struct input *in, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 void input_release(struct input *in);
 
 /* Files that were read, each once, the last one first. */
@@ -68,7 +74,7 @@ struct inputs {
     struct input in;
     struct inputs *before;
 };
-const struct input *input_kept(struct inputs **all, const char *path);
+struct input *input_kept(struct inputs **all, const char *path);
 void input_forget(struct inputs **all);
 
 /* All of a file that is packed by gzip, as input_text: its bytes are counted

@@ -119,6 +119,9 @@ int case_mesh_patches(const struct settings *s, const config_t *tree,
     size_t n_tables = 0;
 
     if (at == NULL || config_setting_type(at) != CONFIG_TYPE_STRING) return 0;
+    if (config_setting_get_string(at)[0] == '\0')
+        return source_wrong(at, "mesh.polymesh: expected the folder of an "
+                                "OpenFOAM mesh in quotes, found the text \"\"");
     settings_beside(s, config_setting_get_string(at), dir, sizeof dir);
     if (input_wrong(dir) == NULL)
         return source_wrong(at,

@@ -105,10 +105,11 @@ static int digits_check(const char *file, const char *text)
     const char *const found = scan_digits(text, &line);
 
     if (found == NULL) return 0;
+    const int n = (int)strspn(found, "0123456789"), shown = n < 40 ? n : 40;
     fprintf(stderr,
-            "winnow: %s:%d: %.*s is too large for a whole number, at most "
+            "winnow: %s:%d: %.*s%s is too large for a whole number, at most "
             "%d; a real one has a point or an exponent\n",
-            file, line, (int)strspn(found, "0123456789"), found, INT_MAX);
+            file, line, shown, found, n > shown ? "..." : "", INT_MAX);
     return 2;
 }
 

@@ -44,7 +44,10 @@ const struct input *settings_input(const struct settings *s, const char *file)
     char path[SETTINGS_PATH];
 
     settings_beside(s, file, path, sizeof path);
-    return input_kept(&s->text->files, path);
+    struct input *const in = input_kept(&s->text->files, path);
+    free(in->asked);
+    in->asked = source_place_of(config_root_setting(&s->text->tree), "", file);
+    return in;
 }
 
 struct settings *settings_create(const char *file, int n_overrides,

@@ -132,6 +132,29 @@ void source_place(const config_setting_t *at, char text[SOURCE_TEXT])
                 (unsigned)config_setting_source_line(at));
 }
 
+char *source_place_of(const config_setting_t *in, const char *path,
+                      const char *text)
+{
+    char of[SOURCE_TEXT], place[SOURCE_TEXT], *found = NULL;
+
+    for (int i = 0; i < config_setting_length(in) && found == NULL; i++) {
+        const config_setting_t *const s =
+            config_setting_get_elem(in, (unsigned)i);
+        const char *const name = config_setting_name(s);
+        snprintf(of, sizeof of, "%.*s%s%s", SOURCE_TEXT / 2, path,
+                 path[0] != '\0' && name != NULL ? "." : "",
+                 name != NULL ? name : "");
+        if (config_setting_is_aggregate(s)) {
+            found = source_place_of(s, of, text);
+        } else if (config_setting_get_string(s) == text) {
+            source_place(s, place);
+            found = alloc_zeroed(strlen(place) + strlen(of) + 5, 1);
+            sprintf(found, "%s: %s: ", place, of);
+        }
+    }
+    return found;
+}
+
 int source_wrong(const config_setting_t *at, const char *format, ...)
 {
     char where[SOURCE_TEXT], message[4 * SOURCE_TEXT];

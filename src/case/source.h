@@ -28,6 +28,11 @@ double source_number(const config_setting_t *setting);
 /* The place of a setting: its override, or its file and line. */
 void source_place(const config_setting_t *setting, char text[SOURCE_TEXT]);
 
+/* "PLACE: KEY: " of the setting whose text this very one is, within a group
+ * of that path; allocated, NULL if there is none. */
+char *source_place_of(const config_setting_t *in, const char *path,
+                      const char *text);
+
 /* Prints "winnow: PLACE: message" on stderr. Returns 2. */
 int source_wrong(const config_setting_t *at, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -62,7 +62,7 @@ struct body_ball *case_clumps_file(const struct settings *s, const char *file,
 
 /* Such a ball adds stiffness, and takes time, but is no part of the surface. 0,
  * or 2 after a message. */
-static int refuse_inner_balls(const char *path, int n,
+static int refuse_inner_balls(const struct input *in, int n,
                               const struct body_ball *ball)
 {
     double r[3];
@@ -71,8 +71,8 @@ static int refuse_inner_balls(const char *path, int n,
         const struct body_ball *const a = &ball[i / n], *const b = &ball[i % n];
         vector_between(a->at, b->at, r);
         if (a == b || vector_length(r) + a->R > b->R * (1.0 + 1e-6)) continue;
-        text_wrong(path, 0, "row %d is inside the ball of row %d", i / n + 1,
-                   i % n + 1);
+        input_refuse(in, 0, "row %d is inside the ball of row %d", i / n + 1,
+                     i % n + 1);
         return 2;
     }
     return 0;
@@ -163,7 +163,7 @@ static int make_one(const struct settings *s, const struct clump_setup *one,
                               "clumps together",
                               one->name, n, CLUMP_BALLS);
     else if (one->file != NULL)
-        code = refuse_inner_balls(one->file, n, ball);
+        code = refuse_inner_balls(settings_input(s, one->file), n, ball);
     if (code == 0) code = make_shape(s, one, n, ball, to);
     free(ball);
     return code;

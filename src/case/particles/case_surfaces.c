@@ -87,7 +87,7 @@ static int read_course(const struct settings *s, struct motion_course *c,
     if (c->file == NULL) return 0;
     const struct input *const in = settings_input(s, c->file);
     m->table = c->table = motion_table_create(in, c->repeat, wrong);
-    return c->table == NULL ? text_wrong(in->path, 0, "%s", wrong) : 0;
+    return c->table == NULL ? input_refuse(in, 0, "%s", wrong) : 0;
 }
 
 /* How many particles there are at the start [-]. */

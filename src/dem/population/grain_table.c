@@ -248,7 +248,7 @@ struct insertion_sphere *grain_table_parse(const struct input *in, long *n)
     struct insertion_sphere *const list =
         text != NULL ? grain_table_rows(&text, n, wrong) : NULL;
     free(text);
-    if (list == NULL) text_wrong(in->path, 0, "%s", wrong);
+    if (list == NULL) input_refuse(in, 0, "%s", wrong);
     return list;
 }
 

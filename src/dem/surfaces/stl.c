@@ -19,14 +19,14 @@ enum { HEAD = 80, RECORD = 50, WORD = 64, MOST = 50000000 };
 
 /* The whole file in memory, ended by a zero byte, and where we are in it. */
 struct source {
-    const char *path;
+    const struct input *file;
     const char *text;
     size_t length;
     const char *at;
     int line;
 };
 
-#define stl_wrong(in, ...) text_wrong((in)->path, (in)->line, __VA_ARGS__)
+#define stl_wrong(in, ...) input_refuse((in)->file, (in)->line, __VA_ARGS__)
 
 /* One more triangle, unless it has no area. */
 static void stl_add(struct stl *s, int *room, double corner[3][3])
@@ -216,7 +216,7 @@ static int read_either(struct source *in, struct stl *s)
 
 int stl_parse(const struct input *file, struct stl *s)
 {
-    struct source in = {.path = file->path,
+    struct source in = {.file = file,
                         .text = file->text,
                         .at = file->text,
                         .length = file->length};

@@ -264,7 +264,7 @@ static int file_profile_create(const struct boundary_request *q,
     char why[CSV_WRONG];
 
     if (csv_read(&file, q->file, why) != 0) {
-        snprintf(wrong, BOUNDARY_TEXT, "%.200s", why);
+        snprintf(wrong, BOUNDARY_TEXT, "%.100s: %.150s", q->file->path, why);
         return 1;
     }
     const int t = csv_column(&file, "t");
