@@ -61,7 +61,7 @@ static void release(struct setting *s)
 static struct solve_report solve(struct setting *s, double tolerance,
                                  double absolute, int limit)
 {
-    struct bicgstab_work *const w = bicgstab_work_create(s->b.n);
+    struct bicgstab_work *const w = bicgstab_work_create(s->b.n, 0);
     const struct solve_report r = bicgstab_solve(s->M, s->diag, s->rhs, s->x,
                                                  tolerance, absolute, limit, w);
 
@@ -168,7 +168,7 @@ FACT(without_a_right_hand_side_the_solution_is_zero)
 {
     struct setting s = convection(3, 3, 3, 1.0);
 
-    struct bicgstab_work *const w = bicgstab_work_create(27);
+    struct bicgstab_work *const w = bicgstab_work_create(27, 0);
 
     bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 1, w);
     ck_assert_double_gt(fabs(bicgstab_residual(w)[80]), 0.0);
@@ -209,7 +209,7 @@ FACT(a_breakdown_is_reported)
 {
     const int own = 0, nei = 1;
     struct ldu *const A = ldu_create(2, 1, &own, &nei, NULL);
-    struct bicgstab_work *const w = bicgstab_work_create(2);
+    struct bicgstab_work *const w = bicgstab_work_create(2, 0);
     const double b[6] = {1, 1, 1, 1, 1, 1}, diag[6] = {1, 1, 1, 1, 1, 1};
     double x[6] = {0};
 
@@ -293,21 +293,21 @@ FACT(threads_do_not_change_a_bit)
     free(first);
 }
 
-/* What cg_work_lent writes between two solutions. */
+/* What the pressure writes between two solutions. */
 FACT(what_is_lent_leaves_the_residual_and_the_next_solution)
 {
     struct setting s = convection(9, 8, 7, 0.5);
     const int n = s.b.n;
-    struct bicgstab_work *const w = bicgstab_work_create(n);
+    struct bicgstab_work *const w = bicgstab_work_create(n, 4 * n);
     double *const first = alloc_doubles(3 * n), *const r = alloc_doubles(3 * n);
-    double *space[3];
+    double *space[4];
 
     bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 50, w);
     memcpy(first, s.x, 3 * (size_t)n * sizeof *first);
     memcpy(r, bicgstab_residual(w), 3 * (size_t)n * sizeof *r);
     bicgstab_lend(w, space);
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < n; i++)
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 4 * n; i++)
             space[k][i] = 1e9;
     for (int i = 0; i < 3 * n; i++)
         ck_assert_double_eq(bicgstab_residual(w)[i], r[i]);

@@ -119,6 +119,7 @@ static void correct_further(struct fluid *fl)
         if (again) {
             keep_worst_report(&fl->report.momentum, velocity_predict(fl));
             velocity_predicted_sum(fl);
+            pressure_assemble(fl); /* the solver has used its arrays */
         }
         before = fl->report.piso_residual;
         piso_correct(fl); /* velocity_residual has set H to its present value */

@@ -96,9 +96,6 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->pressure->boundary_conductance, 1, CELL, ALWAYS},
         {&fl->pressure->source, 1, CELL, ALWAYS},
         {&fl->pressure->divergence, 1, CELL, ALWAYS},
-        {&fl->pressure->m_face, 1, FACE, ALWAYS},
-        {&fl->pressure->conductance, 1, FACE, ALWAYS},
-        {&fl->pressure->explicit_flux, 1, FACE, ALWAYS},
         {&fl->jump->owner_part, 1, INNER_FACE, COUPLED},
         {&fl->jump->neighbour_part, 1, INNER_FACE, COUPLED},
         {&fl->jump->pressure_offset, 1, INNER_FACE, COUPLED},
@@ -177,11 +174,27 @@ static struct faces *systems_faces_of(const struct mesh *m)
     return f;
 }
 
+/* The pressure needs its faces and the vectors of its solver from one
+ * prediction of the velocity to the next: then those of BiCGStab are free. */
+static void create_solvers(struct fluid *fl)
+{
+    struct pressure_system *const pressure = fl->pressure;
+    const int n = fl->mesh->n_cells;
+    double *space[4];
+
+    fl->momentum->bicgstab = bicgstab_work_create(n, fl->mesh->n_faces);
+    bicgstab_lend(fl->momentum->bicgstab, space);
+    pressure->m_face = space[0];
+    pressure->conductance = space[1];
+    pressure->explicit_flux = space[3];
+    pressure->cg = cg_work_lent(
+        n, (double *const[]){space[2], space[2] + n, space[2] + 2L * n});
+}
+
 void systems_create(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const int n = m->n_cells;
-    double *space[3];
 
     fl->momentum = alloc_zeroed(1, sizeof *fl->momentum);
     fl->pressure = alloc_zeroed(1, sizeof *fl->pressure);
@@ -202,9 +215,7 @@ void systems_create(struct fluid *fl)
     fl->momentum->matrix->diagonals = fl->momentum->diag3 != NULL ? 3 : 1;
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = systems_has(fl, BOUNDARY_OUTLET) ? -1 : 0;
-    fl->momentum->bicgstab = bicgstab_work_create(n);
-    bicgstab_lend(fl->momentum->bicgstab, space);
-    fl->pressure->cg = cg_work_lent(n, space);
+    create_solvers(fl);
 }
 
 void systems_free(struct fluid *fl)

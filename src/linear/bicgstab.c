@@ -10,13 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The vectors of the method [Saad03, algorithm 7.7]: residual r (also s, its
- * half-way value), shadow residual, direction p, v = A ph and t = A sh with ph
- * and sh the preconditioned p and s. Each loop also computes the scalar
- * products of the vectors that it has just written. */
+/* The vectors of the method [Saad03, algorithm 7.7]: residual r, shadow
+ * residual, v = A ph and t = A sh, with ph and sh the preconditioned direction
+ * p and half-way residual s. p and s are not stored: they are the diagonal
+ * times ph and sh. sh takes the place of r until the next residual is known.
+ * Each loop also computes the scalar products of the vectors that it has just
+ * written. */
 struct bicgstab_work {
     int n;
-    double *r, *shadow, *p, *ph, *v, *sh, *t;
+    double *r, *shadow, *ph, *v, *t;
     const double *diag; /* borrowed, with this many numbers a row */
     int diagonals;
 };
@@ -43,22 +45,21 @@ struct products {
     struct component_sums a[PARALLEL_RANGES_COUNT], b[PARALLEL_RANGES_COUNT];
 };
 
-struct bicgstab_work *bicgstab_work_create(int n)
+struct bicgstab_work *bicgstab_work_create(int n, int lent)
 {
     struct bicgstab_work *const w = alloc_zeroed(1, sizeof *w);
-    double **const all[] = {&w->r, &w->shadow, &w->p, &w->ph,
-                            &w->v, &w->sh,     &w->t};
+    double **const all[] = {&w->r, &w->shadow, &w->ph, &w->v, &w->t};
 
     w->n = n;
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        *all[i] = alloc_doubles(3 * n);
+        *all[i] = alloc_doubles(3 * n > lent ? 3 * n : lent);
     return w;
 }
 
 void bicgstab_work_free(struct bicgstab_work *w)
 {
     if (w == NULL) return;
-    double *const all[] = {w->r, w->shadow, w->p, w->ph, w->v, w->sh, w->t};
+    double *const all[] = {w->r, w->shadow, w->ph, w->v, w->t};
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
@@ -84,13 +85,14 @@ static struct component_sums total(const struct component_sums *partial)
     return sum;
 }
 
-/* Adds x.y of rows first .. last - 1 of n to the sums of their range. */
+/* Adds x.y of rows first .. last - 1 of n, whose numbers begin at x and y, to
+ * the sums of their range. */
 static void add_products(int first, int last, int n, const double *x,
                          const double *y, struct component_sums *partial)
 {
     double dot[3];
 
-    reduce_range_many(first, last, 3, x, y, dot);
+    reduce_range_many(0, last - first, 3, x, y, dot);
     for (int k = 0; k < 3; k++)
         partial[parallel_ranges_of(n, first)].at[k] += dot[k];
 }
@@ -100,7 +102,18 @@ static int bicgstab_block_end(int first, int last)
     return first + BLOCK < last ? first + BLOCK : last;
 }
 
-/* One over the diagonal of `width` numbers from the i-th on. */
+/* The diagonal of `width` numbers from the i-th on. */
+static inline void bicgstab_diagonal(int width, long i,
+                                     const struct bicgstab_work *w,
+                                     double *restrict diag)
+{
+    if (w->diagonals == 1)
+        vec3_spread(width / 3, w->diag + i / 3, diag);
+    else
+        memcpy(diag, w->diag + i, (size_t)width * sizeof *diag);
+}
+
+/* One over it. */
 static inline void bicgstab_invert(int width, long i,
                                    const struct bicgstab_work *w,
                                    double *restrict inverse)
@@ -116,28 +129,23 @@ static inline void bicgstab_invert(int width, long i,
     vec3_spread(width / 3, one, inverse);
 }
 
-/* p = r + beta (p - omega v), ph = p / diag; `old` is the previous p, and the
- * shadow residual in the first iteration. */
+/* ph = (r + beta (p - omega v)) / diag. */
 static void bicgstab_update_direction_rows(int width, long i,
                                            const struct bicgstab_work *w,
-                                           const double *old,
                                            const double *beta,
                                            const double *omega)
 {
     const double *restrict r = w->r + i, *restrict v = w->v + i;
-    double *restrict p = w->p + i, *restrict ph = w->ph + i, inverse[LANES];
+    double *restrict ph = w->ph + i, inverse[LANES];
 
-    old += i;
     bicgstab_invert(width, i, w, inverse);
-    for (int q = 0; q < width; q++) {
-        p[q] = r[q] + beta[q] * (old[q] - omega[q] * v[q]);
-        ph[q] = p[q] * inverse[q];
-    }
+    for (int q = 0; q < width; q++)
+        ph[q] =
+            (r[q] - beta[q] * omega[q] * v[q]) * inverse[q] + beta[q] * ph[q];
 }
 
 static void bicgstab_update_direction(int first, int last,
                                       const struct bicgstab_work *w,
-                                      const double *old,
                                       const struct component_sums *beta,
                                       const struct component_sums *omega)
 {
@@ -145,22 +153,22 @@ static void bicgstab_update_direction(int first, int last,
     long i = 3L * first;
 
     for (; i + LANES <= 3L * last; i += LANES)
-        bicgstab_update_direction_rows(LANES, i, w, old, b.at, o.at);
+        bicgstab_update_direction_rows(LANES, i, w, b.at, o.at);
     for (; i < 3L * last; i += 3)
-        bicgstab_update_direction_rows(3, i, w, old, b.at, o.at);
+        bicgstab_update_direction_rows(3, i, w, b.at, o.at);
 }
 
-/* s = r - alpha v in the place of r, sh = s / diag. */
+/* s = r - alpha v, and sh = s / diag in the place of r. */
 static inline void half_rows(int width, long i, const struct bicgstab_work *w,
-                             const double *alpha)
+                             const double *alpha, double *restrict s)
 {
     const double *restrict v = w->v + i;
-    double *restrict r = w->r + i, *restrict sh = w->sh + i, inverse[LANES];
+    double *restrict r = w->r + i, inverse[LANES];
 
     bicgstab_invert(width, i, w, inverse);
     for (int q = 0; q < width; q++) {
-        r[q] -= alpha[q] * v[q];
-        sh[q] = r[q] * inverse[q];
+        s[q] = r[q] - alpha[q] * v[q];
+        r[q] = s[q] * inverse[q];
     }
 }
 
@@ -169,15 +177,17 @@ static void half(int first, int last, const struct bicgstab_work *w,
                  const struct component_sums *alpha, struct products *found)
 {
     const struct lanes a = bicgstab_spread(alpha);
+    double s[3 * BLOCK];
 
     for (int end; first < last; first = end) {
-        long i = 3L * first;
+        const long at = 3L * first;
+        long i = at;
         end = bicgstab_block_end(first, last);
         for (; i + LANES <= 3L * end; i += LANES)
-            half_rows(LANES, i, w, a.at);
+            half_rows(LANES, i, w, a.at, s + (i - at));
         for (; i < 3L * end; i += 3)
-            half_rows(3, i, w, a.at);
-        add_products(first, end, w->n, w->r, w->r, found->a);
+            half_rows(3, i, w, a.at, s + (i - at));
+        add_products(first, end, w->n, s, s, found->a);
     }
 }
 
@@ -186,13 +196,13 @@ static inline void move_rows(int width, long i, const struct bicgstab_work *w,
                              const double *alpha, const double *omega,
                              double *restrict x)
 {
-    const double *restrict ph = w->ph + i, *restrict sh = w->sh + i;
-    const double *restrict t = w->t + i;
-    double *restrict r = w->r + i;
+    const double *restrict ph = w->ph + i, *restrict t = w->t + i;
+    double *restrict r = w->r + i, diag[LANES];
 
+    bicgstab_diagonal(width, i, w, diag);
     for (int q = 0; q < width; q++) {
-        x[i + q] += alpha[q] * ph[q] + omega[q] * sh[q];
-        r[q] -= omega[q] * t[q];
+        x[i + q] += alpha[q] * ph[q] + omega[q] * r[q];
+        r[q] = diag[q] * r[q] - omega[q] * t[q];
     }
 }
 
@@ -211,8 +221,10 @@ static void bicgstab_move(int first, int last, const struct bicgstab_work *w,
             move_rows(LANES, i, w, a.at, o.at, x);
         for (; i < 3L * end; i += 3)
             move_rows(3, i, w, a.at, o.at, x);
-        add_products(first, end, w->n, w->r, w->r, found->a);
-        add_products(first, end, w->n, w->shadow, w->r, found->b);
+        add_products(first, end, w->n, w->r + 3L * first, w->r + 3L * first,
+                     found->a);
+        add_products(first, end, w->n, w->shadow + 3L * first,
+                     w->r + 3L * first, found->b);
     }
 }
 
@@ -246,7 +258,8 @@ static void bicgstab_begin_rows(int first, int last, const struct ldu *A,
             start_rows(LANES, i, b, w);
         for (; i < 3L * end; i += 3)
             start_rows(3, i, b, w);
-        add_products(first, end, w->n, w->r, w->r, found->a);
+        add_products(first, end, w->n, w->r + 3L * first, w->r + 3L * first,
+                     found->a);
     }
 }
 
@@ -258,7 +271,8 @@ static void first_product(int first, int last, const struct ldu *A,
     for (int end; first < last; first = end) {
         end = bicgstab_block_end(first, last);
         ldu_rows(first, end, A, diag, w->ph, w->v);
-        add_products(first, end, w->n, w->shadow, w->v, found->a);
+        add_products(first, end, w->n, w->shadow + 3L * first,
+                     w->v + 3L * first, found->a);
     }
 }
 
@@ -267,11 +281,15 @@ static void second_product(int first, int last, const struct ldu *A,
                            const double *diag, const struct bicgstab_work *w,
                            struct products *found)
 {
+    double s[3 * BLOCK];
+
     for (int end; first < last; first = end) {
         end = bicgstab_block_end(first, last);
-        ldu_rows(first, end, A, diag, w->sh, w->t);
-        add_products(first, end, w->n, w->t, w->r, found->a);
-        add_products(first, end, w->n, w->t, w->t, found->b);
+        ldu_rows(first, end, A, diag, w->r, w->t);
+        ldu_diagonal_rows(first, end, A, diag, w->r, s);
+        add_products(first, end, w->n, w->t + 3L * first, s, found->a);
+        add_products(first, end, w->n, w->t + 3L * first, w->t + 3L * first,
+                     found->b);
     }
 }
 
@@ -280,7 +298,6 @@ struct state {
     struct component_sums rr, rho;      /* r.r, shadow.r */
     struct component_sums alpha, omega; /* the last steps */
     struct component_sums shadow_r;     /* after them */
-    const double *old;                  /* the direction p before */
     double start; /* |r| of the worst component at begin */
 };
 
@@ -304,7 +321,6 @@ static void bicgstab_begin(const struct ldu *A, const double *diag,
     PARALLEL_RANGES(w->n, 12, bicgstab_begin_rows, A, diag, b3, x3, w, &found);
     s->rr = s->rho = total(found.a);
     s->start = bicgstab_worst(&s->rr);
-    s->old = w->shadow;
 }
 
 /* top / bottom for the components that have not converged; the result is 0 for
@@ -372,9 +388,7 @@ static int choose_direction(double target, struct bicgstab_work *w,
         beta.at[k] = b;
     }
     s->rho = rho;
-    PARALLEL_RANGES(w->n, 3, bicgstab_update_direction, w, s->old, &beta,
-                    &s->omega);
-    s->old = w->p;
+    PARALLEL_RANGES(w->n, 3, bicgstab_update_direction, w, &beta, &s->omega);
     return 1;
 }
 
@@ -413,11 +427,12 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
     return report;
 }
 
-void bicgstab_lend(const struct bicgstab_work *w, double *space[3])
+void bicgstab_lend(const struct bicgstab_work *w, double *space[4])
 {
-    space[0] = w->v;
-    space[1] = w->sh;
-    space[2] = w->t;
+    space[0] = w->shadow;
+    space[1] = w->ph;
+    space[2] = w->v;
+    space[3] = w->t;
 }
 
 const double *bicgstab_residual(const struct bicgstab_work *w)

@@ -246,13 +246,12 @@ void ldu_row_sums(int first, int last, const struct ldu *A, double *sum)
     }
 }
 
-/* y = diag x. */
-static void ldu_diagonal_rows(int first, int last, const struct ldu *A,
-                              const double *diag, const double *x, double *y)
+void ldu_diagonal_rows(int first, int last, const struct ldu *A,
+                       const double *diag, const double *x, double *y)
 {
     double diag3[3 * VEC3_BLOCK];
 
-    for (int n; first < last; first += n) {
+    for (int n; first < last; first += n, y += 3L * n) {
         const double *d = diag + (long)A->diagonals * first;
 
         n = last - first < VEC3_BLOCK ? last - first : VEC3_BLOCK;
@@ -261,7 +260,7 @@ static void ldu_diagonal_rows(int first, int last, const struct ldu *A,
             d = diag3;
         }
         for (int i = 0; i < 3 * n; i++)
-            y[3L * first + i] = d[i] * x[3L * first + i];
+            y[i] = d[i] * x[3L * first + i];
     }
 }
 
@@ -278,7 +277,7 @@ void ldu_rows(int first, int last, const struct ldu *A, const double *diag,
     if (diag == NULL)
         memset(y + 3L * first, 0, 3 * (size_t)(last - first) * sizeof *y);
     else
-        ldu_diagonal_rows(first, last, A, diag, x, y);
+        ldu_diagonal_rows(first, last, A, diag, x, y + 3L * first);
     while (faces_next_of_cells(A->pieces, first, last, &p) && is_inner(A, &p))
         vec3_add(p.n, 1.0, entries(A, &p), x + 3L * p.other, y + 3L * p.cell);
 }

@@ -98,4 +98,8 @@ void ldu_row_sums(int first, int last, const struct ldu *A, double *sum);
 void ldu_rows(int first, int last, const struct ldu *A, const double *diag,
               const double *x, double *y);
 
+/* The part of the diagonal alone, with y of the first row at y[0]. */
+void ldu_diagonal_rows(int first, int last, const struct ldu *A,
+                       const double *diag, const double *x, double *y);
+
 #endif

@@ -137,7 +137,8 @@ struct solve_report cg_many_solve(const struct csr *A, const double *weight,
 
 struct bicgstab_work;
 
-struct bicgstab_work *bicgstab_work_create(int n);
+/* lent: the numbers in a vector that it lends, at least. */
+struct bicgstab_work *bicgstab_work_create(int n, int lent);
 void bicgstab_work_free(struct bicgstab_work *w);
 
 /* Solves A x = b from the guess in x. Stops when, for each component, |b - A
@@ -152,8 +153,8 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
                                    double absolute /* unit of b */,
                                    int max_iterations, struct bicgstab_work *w);
 
-/* Three vectors of 3 n numbers that are free between the solutions. */
-void bicgstab_lend(const struct bicgstab_work *w, double *space[3]);
+/* Four vectors of at least 3 n numbers that are free between the solutions. */
+void bicgstab_lend(const struct bicgstab_work *w, double *space[4]);
 
 /* The residual b - A x of the last solution, 3 n numbers, by the recurrence of
  * the iteration. */
