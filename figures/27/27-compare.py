@@ -10,6 +10,7 @@ shape, what is chance; and whether what was measured can be true.
     27-compare.py sides TABLE              which way round the bed goes, every 2 s
     27-compare.py vary TABLE               what one choice after the other moves
     27-compare.py forms END TABLE...       offsets on mesh C up to END, with errors
+    27-compare.py mean NAME FIELD HEIGHT TABLE   over seeds, 1 to 4 s: x [mm], mean, its error
 
 Means are from FROM [s], 1 if not given. In the columns: the root mean square of the
 difference at the measured places; offset, its mean; shape, what is left of it; even, the
@@ -229,6 +230,24 @@ def measures(r, end=4.0):
     return found + [mirror(lines[3])]
 
 
+def seeds_of(table):
+    """Runs to 4 s by their names without the seed."""
+    groups = {}
+    for r in runs(table):
+        if r.end >= 3.9:
+            groups.setdefault(re.sub(r"^(seed)-\d+$|\+\d+$", r"\1", r.name), []).append(r)
+    return groups
+
+
+def mean_of_seeds(name, field, height, table):
+    lines = [r.mean(field, float(height), 1.0, min(4.0, r.end)) for r in seeds_of(table)[name]]
+    for column in zip(*lines):
+        values, n = [y for _, y in column], len(column)
+        mean = sum(values) / n
+        error = math.sqrt(sum((y - mean)**2 for y in values) / (n - 1) / n) if n > 1 else math.nan
+        print(f"{1000 * column[0][0]:5.2f} {mean:.4f} {error:.4f}")
+
+
 def student(n):
     """The two-sided 95 % point of Student's distribution of n degrees of freedom, by its
     series about the normal one (within 0.02 from three on, Abramowitz & Stegun 26.7.5)."""
@@ -242,10 +261,7 @@ def vary(table):
     variance within the choices is pooled. A number has a star if it differs from that of
     the bed as it is by more than chance does in 95 of 100 comparisons; beside it stands
     by how much the two may differ by chance."""
-    groups = {}
-    for r in runs(table):
-        if r.end >= 3.9:
-            groups.setdefault(re.sub(r"^(seed)-\d+$|\+\d+$", r"\1", r.name), []).append(measures(r))
+    groups = {name: [measures(r) for r in found] for name, found in seeds_of(table).items()}
     means = {name: [sum(c) / len(found) for c in zip(*found)] for name, found in groups.items()}
     free = sum(len(found) - 1 for found in groups.values())
     spread = [math.sqrt(sum((found[k] - means[name][k]) ** 2
@@ -293,4 +309,4 @@ def forms(end, *tables):
 
 if __name__ == "__main__":
     {"distance": distance, "flux": flux, "seeds": seeds, "sides": sides, "profile": profile,
-     "vary": vary, "forms": forms}[sys.argv[1]](*sys.argv[2:])
+     "vary": vary, "forms": forms, "mean": mean_of_seeds}[sys.argv[1]](*sys.argv[2:])

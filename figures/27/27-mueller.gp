@@ -1,7 +1,7 @@
-# Mueller's bed at 0.9 m/s with two bandwidths, and sediFoam, over what was measured.
+# Mueller's bed at 0.9 m/s over what was measured: with two bandwidths, and sediFoam; and in
+# the shared form and in that with the whole drag, means of seeds with their errors.
 load "figures/style.gp"
 set terminal svg size 720,600 dynamic font "sans,13" background "#ffffff"
-set output "figures/27/27-mueller.svg"
 fields = "eps_f eps_f us_y us_y"
 heights = "16.4 31.2 15 25"
 names = "'void fraction, 16.4 mm' 'void fraction, 31.2 mm' \
@@ -15,6 +15,10 @@ wide(k) = sprintf("< awk '$1 == \"at\" && $2 == \"C\" && $3 == \"diffusion\" && 
 seen(who, k) = sprintf("< awk '$1 == \"%s\" && $2 == \"%s\" && $3 == %s && \
     ($1 == \"measured\" || ($4 > 0.0035 && $4 < 0.0405)) { print 1000 * $4, $5 }' \
     figures/data/mueller-2009.txt", who, word(fields, k), word(heights, k))
+seeds(name, k) = sprintf("< python3 figures/27/27-compare.py mean %s %s %s figures/27/27-vary.txt", \
+    name, word(fields, k), word(heights, k))
+do for [figure in "mueller forms"] {
+set output "figures/27/27-" . figure . ".svg"
 set multiplot
 set xrange [0:44]
 set xtics 0,10,40
@@ -30,6 +34,13 @@ do for [k = 1:4] {
     if (k == 3) {
         set key top right samplen 2.5 spacing 1 maxrows 5 font "sans,12"
     } else { unset key }
+    if (figure eq "forms") {
+        plot seen("measured", k) with points pointtype 6 pointsize 0.6 \
+                 linecolor "#333333" title "measured", \
+             seeds("seed", k) with yerrorlines linetype 1 pointsize 0.5 title "shared form", \
+             seeds("whole", k) with yerrorlines linetype 2 dashtype 1 pointsize 0.5 title "as printed"
+        continue
+    }
     plot seen("measured", k) with points pointtype 6 pointsize 0.6 \
              linecolor "#333333" title "measured", \
          seen("sediFoam", k) with lines linecolor "#999999" dashtype 2 \
@@ -40,3 +51,4 @@ do for [k = 1:4] {
          of("C-0.9-2", k) with lines linetype 3 linewidth 1.5 title "seed 2"
 }
 unset multiplot
+}
