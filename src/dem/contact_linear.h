@@ -59,6 +59,18 @@ contact_linear_respond(const struct contact_constants *k, double delta,
     };
 }
 
+/* The same of root_m = sqrt(m*). */
+CONTACT_INLINE struct contact_response
+contact_linear_quick(const struct contact_constants *k, double delta,
+                     double R_star, double root_m)
+{
+    struct contact_response a = contact_linear_respond(k, delta, R_star, 1.0);
+
+    a.eta_n *= root_m;
+    a.eta_t *= root_m;
+    return a;
+}
+
 /* [kg/s] eta of [LS 4.4]. */
 double contact_linear_damping(double k, double e, double m_i, double m_j);
 

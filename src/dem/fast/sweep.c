@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/root.h"
 #include "dem/clumps.h"
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
@@ -60,15 +61,10 @@ static inline void sweep_wall_rows(struct sweep_buffers *c, int p,
     c->separation[p].x[k] = upper ? gap - R : gap + R;
 }
 
-/* Lanes that are left over have two spheres with a gap as wide as the sum of
- * their radii. In a box that is periodic in x their centres are a quarter of it
- * apart, so that the nearest image is the sphere itself. */
-static inline void sweep_spare_rows(struct sweep_buffers *c, int p,
-                                    const struct box_domain *box)
+/* Lanes that are left over repeat the first; their loads are not used. */
+static inline void sweep_spare_rows(struct sweep_buffers *c, int p)
 {
-    const double apart = box->periodic[0] ? 0.25 * box->length[0] : 2.0;
-
-    c->separation[p] = (struct row_place){{apart, 0.0, 0.0}, 0.5 * apart};
+    c->separation[p] = c->separation[0];
     c->between[p] = c->between[0];
 }
 
@@ -92,7 +88,7 @@ SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
     for (int p = pairs; p < count; p++)
         sweep_wall_rows(c, p, b, i[p], j[p]);
     for (int p = count; p < SWEEP_LANES; p++)
-        sweep_spare_rows(c, p, &b->box);
+        sweep_spare_rows(c, p);
 }
 
 SWEEP_STAGE void sweep_prescribed(struct sweep_buffers *restrict c,
@@ -179,6 +175,49 @@ SWEEP_STAGE void sweep_material_pairs(struct sweep_buffers *restrict c,
         c->material_pair[p] += material[i[p]] * n;
 }
 
+/* 1 if all lanes are alike, as in a bed of equal spheres: then one division or
+ * root is enough for all. */
+SWEEP_INLINE int sweep_alike(const double *lane)
+{
+    int differ = 0;
+
+#pragma omp simd reduction(| : differ)
+    for (int p = 0; p < SWEEP_LANES; p++)
+        differ |= lane[p] != lane[0];
+    return !differ;
+}
+
+SWEEP_INLINE void sweep_fill(double *restrict to, double x)
+{
+#pragma omp simd
+    for (int p = 0; p < SWEEP_LANES; p++)
+        to[p] = x;
+}
+
+/* 1 over each of the lanes; and 1 over its root. */
+SWEEP_INLINE void sweep_invert(double *restrict to, const double *restrict from)
+{
+    if (sweep_alike(from)) {
+        sweep_fill(to, 1.0 / from[0]);
+        return;
+    }
+#pragma omp simd
+    for (int p = 0; p < SWEEP_LANES; p++)
+        to[p] = 1.0 / from[p];
+}
+
+SWEEP_INLINE void sweep_invert_root(double *restrict to,
+                                    const double *restrict from)
+{
+    if (sweep_alike(from)) {
+        sweep_fill(to, 1.0 / sqrt(from[0]));
+        return;
+    }
+#pragma omp simd
+    for (int p = 0; p < SWEEP_LANES; p++)
+        to[p] = root_inverse(from[p]);
+}
+
 /* n, delta and the lever arms. The forces of a pair act in the plane of
  * contact, at the distance r R_i/(R_i + R_j) from x_i: with these arms, not
  * with R_i [LS 4.16], the angular momentum of the pair is conserved. */
@@ -186,7 +225,9 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
                                const struct box_domain *box, int periodic)
 {
     const double *const L = box->length, *const a = box->inverse;
+    double per_reach[SWEEP_LANES]; /* [1/m] */
 
+    sweep_invert(per_reach, c->reach);
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         double dx = c->x[0][p], dy = c->x[1][p], dz = c->x[2][p];
@@ -195,14 +236,14 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
             dy -= L[1] * rint(dy * a[1]);
             dz -= L[2] * rint(dz * a[2]);
         }
-        const double r = sqrt(dx * dx + dy * dy + dz * dz);
-        const double per_r = 1.0 / r, sum = c->reach[p];
+        const double r2 = dx * dx + dy * dy + dz * dz;
+        const double per_r = root_inverse(r2), r = r2 * per_r;
 
         c->n[0][p] = dx * per_r;
         c->n[1][p] = dy * per_r;
         c->n[2][p] = dz * per_r;
-        c->delta[p] = sum - r;
-        c->arm[p] = r / sum;
+        c->delta[p] = c->reach[p] - r;
+        c->arm[p] = r * per_reach[p];
     }
 }
 
@@ -229,40 +270,32 @@ SWEEP_STAGE void sweep_clumps(struct sweep_buffers *restrict c,
     }
 }
 
-/* 1 over each of the lanes. Where all are alike, as in a bed of equal spheres,
- * one division is enough. */
-SWEEP_INLINE void sweep_invert(double *restrict to, const double *restrict from)
+/* One contact by the law; the two that are compiled in have forms for this
+ * loop. */
+SWEEP_INLINE struct contact_response
+sweep_respond(const struct contact_law *law, const struct contact_constants *k,
+              double delta, double R_star, double root_m)
 {
-    const double first = 1.0 / from[0];
-    int differ = 0;
-
-#pragma omp simd reduction(| : differ)
-    for (int p = 0; p < SWEEP_LANES; p++)
-        differ |= from[p] != from[0];
-    if (differ) {
-#pragma omp simd
-        for (int p = 0; p < SWEEP_LANES; p++)
-            to[p] = 1.0 / from[p];
-        return;
-    }
-#pragma omp simd
-    for (int p = 0; p < SWEEP_LANES; p++)
-        to[p] = first;
+    if (law == &contact_hertz)
+        return contact_hertz_quick(k, delta, R_star, root_m);
+    if (law == &contact_linear)
+        return contact_linear_quick(k, delta, R_star, root_m);
+    return law->respond(k, delta, R_star, root_m * root_m);
 }
 
 SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                             const struct contact_constants *k,
-                            contact_respond respond, int many, int budget)
+                            const struct contact_law *law, int many, int budget)
 {
-    double R_star[SWEEP_LANES], m_star[SWEEP_LANES]; /* [m], [kg] */
+    double R_star[SWEEP_LANES], root_m[SWEEP_LANES]; /* [m], [kg^1/2] */
 
     sweep_invert(R_star, c->per_R);
-    sweep_invert(m_star, c->per_m);
+    sweep_invert_root(root_m, c->per_m);
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const struct contact_response a =
-            respond(many ? &k[c->material_pair[p]] : k, c->delta[p], R_star[p],
-                    m_star[p]);
+            sweep_respond(law, many ? &k[c->material_pair[p]] : k, c->delta[p],
+                          R_star[p], root_m[p]);
 
         c->elastic[p] = a.elastic;
         if (budget) c->stored[p] = a.stored;
@@ -377,7 +410,7 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
                                const struct rows *b,
                                const struct contact_constants *k, double dt,
                                int first, int count, double *const xi[3],
-                               contact_respond respond)
+                               const struct contact_law *law)
 {
     const int loop = b->sweep_options;
     const int many = loop & SWEEP_MULTI_MATERIAL, budget = loop & SWEEP_BUDGET;
@@ -392,11 +425,11 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
     if (b->ball != NULL) sweep_clumps(c, s, b, first, count);
     if (many) sweep_material_pairs(c, s, b, first, count);
     if (!many)
-        sweep_law(c, k, respond, 0, 0);
+        sweep_law(c, k, law, 0, 0);
     else if (!budget)
-        sweep_law(c, k, respond, 1, 0);
+        sweep_law(c, k, law, 1, 0);
     else
-        sweep_law(c, k, respond, 1, 1);
+        sweep_law(c, k, law, 1, 1);
     sweep_springs(c, xi[0], xi[1], xi[2], dt);
     if (budget)
         sweep_budget(s, c, (const double *const *)xi, k, first, count, dt,
@@ -412,7 +445,7 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
  * them belong to other contacts. */
 SWEEP_INLINE void sweep_with(struct chunk *s, const struct rows *b,
                              const struct contact_constants *k, double dt,
-                             int first, int last, contact_respond respond)
+                             int first, int last, const struct contact_law *law)
 {
     double spare[3][SWEEP_LANES] = {{0.0}};
     struct sweep_buffers c;
@@ -427,7 +460,7 @@ SWEEP_INLINE void sweep_with(struct chunk *s, const struct rows *b,
             xi[a] = short_of ? spare[a] : s->contacts.xi[a] + first;
             if (short_of) sweep_copy(xi[a], s->contacts.xi[a] + first, count);
         }
-        sweep_stages(&c, s, b, k, dt, first, count, xi, respond);
+        sweep_stages(&c, s, b, k, dt, first, count, xi, law);
         for (int a = 0; short_of && a < 3; a++)
             sweep_copy(s->contacts.xi[a] + first, xi[a], count);
     }
@@ -441,9 +474,9 @@ void sweep_contacts(struct chunk *s, const struct rows *b,
                     int last)
 {
     if (b->law == &contact_hertz)
-        sweep_with(s, b, k, dt, first, last, contact_hertz_respond);
+        sweep_with(s, b, k, dt, first, last, &contact_hertz);
     else if (b->law == &contact_linear)
-        sweep_with(s, b, k, dt, first, last, contact_linear_respond);
+        sweep_with(s, b, k, dt, first, last, &contact_linear);
     else
-        sweep_with(s, b, k, dt, first, last, b->law->respond);
+        sweep_with(s, b, k, dt, first, last, b->law);
 }
