@@ -79,6 +79,7 @@ forms() {
     mkdir -p $out
     whole='effects={gravity=[0.0,-9.81,0.0];whole_drag={};}'
     run whole-2d 0.9 1 2.4e-3 18,50,4 "${1:-18.0}" -s "$whole"
+    run whole-2d+2 0.9 2 2.4e-3 18,50,4 "${1:-18.0}" -s "$whole"
     run whole-4d 0.9 1 4.8e-3 18,50,4 "${1:-18.0}" -s "$whole"
     run shared-4d 0.9 1 4.8e-3 18,50,4 "${1:-18.0}"
 }

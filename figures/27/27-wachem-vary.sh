@@ -25,6 +25,7 @@ friction-0.5 -s particles.grains.friction=0.5
 no-slip-front -s fluid.front_back=no-slip
 slip-sides -s fluid.sides=slip
 restitution-0.8 -s particles.grains.restitution=0.8
+whole -s effects={gravity=[0.0,-9.81,0.0];whole_drag={};}
 young-1.2e6 -s particles.grains.young=1.2e6 -s particles.step=1e-5
 END
 }
