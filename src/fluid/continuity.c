@@ -88,7 +88,8 @@ static void continuity_residual_rows(int first, int last,
     double *restrict defect =
         fl->pressure->divergence; /* work space that is not in use here */
     double *restrict through = fl->pressure->resistance;
-    struct largest l = {0.0, 0.0, 0.0};
+    const int range = parallel_ranges_of(m->n_cells, first);
+    struct largest l = partial[range];
 
     for (int c = first; c < last; c++) {
         defect[c] = source[c];
@@ -103,7 +104,7 @@ static void continuity_residual_rows(int first, int last,
         l.cfl = continuity_larger(l.cfl, through[c] * fl->options.dt /
                                              (fl->eps[c] * V[c]));
     }
-    partial[parallel_ranges_of(m->n_cells, first)] = l;
+    partial[range] = l;
 }
 
 double continuity_residual(struct fluid *fl)
@@ -111,7 +112,7 @@ double continuity_residual(struct fluid *fl)
     struct largest partial[PARALLEL_RANGES_COUNT] = {{0.0, 0.0, 0.0}},
                    all = {0.0, 0.0, 0.0};
 
-    PARALLEL_RANGES(fl->mesh->n_cells, 8, continuity_residual_rows, fl,
+    PARALLEL_BLOCKS(fl->mesh->n_cells, 8, continuity_residual_rows, fl,
                     partial);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
         all.defect = continuity_larger(all.defect, partial[s].defect);

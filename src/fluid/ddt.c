@@ -100,6 +100,22 @@ static void rescale_residual(struct fluid *fl)
         fl->momentum->residual[i] *= ratio;
 }
 
+/* phi_old = phi. Where nothing reads the fluxes of the inner faces before they
+ * are new, only those of the boundary stay in phi. */
+static void keep_flux(struct fluid *fl)
+{
+    double *const phi = fl->phi, *const free = fl->levels->phi_old;
+    const int swaps = piso_alone(fl) && !ddt_uses_new_time(&fl->options);
+    const int first = swaps ? fl->mesh->n_internal : 0;
+
+    if (swaps) {
+        fl->phi = free;
+        fl->levels->phi_old = phi;
+    }
+    memcpy(free + first, phi + first,
+           (size_t)(fl->mesh->n_faces - first) * sizeof *phi);
+}
+
 void ddt_begin(struct fluid *fl)
 {
     const int n = fl->mesh->n_cells, faces = fl->mesh->n_faces;
@@ -111,7 +127,7 @@ void ddt_begin(struct fluid *fl)
     rescale_residual(fl);
     choose_masses(fl);
     PARALLEL_RANGES(n, 8, set_old_time_source, fl);
-    memcpy(levels->phi_old, fl->phi, (size_t)faces * sizeof *fl->phi);
+    keep_flux(fl);
     levels->convecting_flux = levels->phi_old;
     if (levels->convecting_flux_own == NULL) return;
     if (fl->phi_older == NULL) {

@@ -137,14 +137,15 @@ double momentum_balance_residual(const struct fluid *fl, const double before[3],
     if (fl->options.coupled) momentum_balance_add_particles(fl, &s);
     if (fl->immersed != NULL) add_immersed(fl->immersed, &s);
     fluid_momentum(fl, after);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3 && !isnan(worst); k++) {
         const double known = fl->impulse_weight * s.impulse[k] +
                              fl->levels->reweighted[k] + fl->relabelled[k] -
                              relabelled[k];
-        worst = fmax(worst, fabs(after[k] - before[k] - known));
+        const double off = fabs(after[k] - before[k] - known);
+        if (!(off <= worst)) worst = off; /* NaN is the worst */
         s.gross += fabs(before[k]) + fabs(after[k]);
     }
-    return worst > 0.0 ? worst / scale_of(fl, worst, s.gross) : 0.0;
+    return worst == 0.0 ? 0.0 : worst / scale_of(fl, worst, s.gross);
 }
 
 /* --- wall stress ---------------------------------------------------------- */

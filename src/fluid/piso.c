@@ -20,30 +20,6 @@ static void count_relabelled(struct fluid *fl)
         fl->relabelled[k] += scale * sum[k];
 }
 
-/* The sum of zeros; it is not a number where a pressure or velocity is none. */
-static double zeros(int first, int last, const struct fluid *fl)
-{
-    const double *restrict p = fl->p, *restrict u = fl->u;
-    double sum = 0.0;
-
-#pragma omp simd reduction(+ : sum)
-    for (int c = first; c < last; c++)
-        sum += 0.0 * p[c];
-#pragma omp simd reduction(+ : sum)
-    for (int i = 3 * first; i < 3 * last; i++)
-        sum += 0.0 * u[i];
-    return sum;
-}
-
-/* Whether every pressure and velocity is a finite number. */
-static int all_finite(const struct fluid *fl)
-{
-    double sum;
-
-    PARALLEL_SUM(sum, fl->mesh->n_cells, 4, zeros, fl);
-    return sum == 0.0;
-}
-
 /* Keeps the report of the solution with the most iterations, or that failed. */
 static void keep_worst_report(struct solve_report *worst,
                               struct solve_report now)
@@ -155,8 +131,11 @@ int fluid_step(struct fluid *fl)
     ddt_end(fl);
     report->momentum_residual =
         momentum_balance_residual(fl, before, relabelled);
-    const int failed = !(all_finite(fl) && report->pressure.converged &&
-                         report->momentum.converged);
+    /* The sum is no number where a velocity is none, nor has the pressure
+     * converged then. */
+    const int failed =
+        !(isfinite(report->momentum_residual) && report->pressure.converged &&
+          report->momentum.converged);
     return fl->options.shared == NULL
                ? failed
                : fl->options.shared->finished(fl->options.shared->parts, fl,

@@ -275,6 +275,21 @@ static double scale_rows(int first, int last, const struct fluid *fl)
                         pressure->divergence);
 }
 
+/* Both, for a block of cells at a time. */
+static double scale_and_rhs_rows(int first, int last, const struct fluid *fl)
+{
+    double squares = 0.0;
+
+    for (int end; first < last; first = end) {
+        end = last - first < PARALLEL_RANGES_BLOCK
+                  ? last
+                  : first + PARALLEL_RANGES_BLOCK;
+        squares += scale_rows(first, end, fl);
+        rhs_rows(first, end, fl);
+    }
+    return squares;
+}
+
 /* Sets the right-hand side of the pressure equation; and in the first corrector
  * of a step the scale of its residual, which is the 2-norm of the sums of |phi|
  * of the cells. If this is zero, because a force is added only later, it is set
@@ -287,10 +302,10 @@ static void pressure_rhs(struct fluid *fl)
     if (fl->report.correctors == 0 || pressure->scale == 0.0) {
         double squares;
 
-        PARALLEL_SUM(squares, m->n_cells, 8, scale_rows, fl);
+        PARALLEL_SUM(squares, m->n_cells, 8, scale_and_rhs_rows, fl);
         pressure->scale = sqrt(squares);
-    }
-    PARALLEL_BLOCKS(m->n_cells, 8, rhs_rows, fl);
+    } else
+        PARALLEL_BLOCKS(m->n_cells, 8, rhs_rows, fl);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         if (b->kind == BOUNDARY_OUTLET)
             pressure->divergence[m->owner[f]] +=

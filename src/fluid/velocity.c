@@ -197,9 +197,10 @@ static void velocity_residual_rows(int first, int last, struct fluid *fl,
                                    struct extremes *extremes)
 {
     struct momentum_system *const momentum = fl->momentum;
-    struct extremes r = {0.0, 0.0, 0.0};
     const int partial = parallel_ranges_of(fl->mesh->n_cells, first);
+    struct extremes r = extremes[partial];
 
+    if (!momentum->oblique_slip) neighbour_rows(first, last, fl);
     for (int end; first < last; first = end) {
         const long at = 3L * first;
         const double *restrict u = fl->u + at;
@@ -221,14 +222,15 @@ static void velocity_residual_rows(int first, int last, struct fluid *fl,
     extremes[partial] = r;
 }
 
+/* Sets H as well, in the same pass where the walls add nothing to it. */
 double velocity_residual(struct fluid *fl)
 {
     const int n = fl->mesh->n_cells;
     struct extremes extremes[PARALLEL_RANGES_COUNT] = {{0.0, 0.0, 0.0}},
                     all = {0.0, 0.0, 0.0};
 
-    velocity_neighbour_sum(fl);
-    PARALLEL_RANGES(n, 12, velocity_residual_rows, fl, extremes);
+    if (fl->momentum->oblique_slip) velocity_neighbour_sum(fl);
+    PARALLEL_BLOCKS(n, 12, velocity_residual_rows, fl, extremes);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
         all.worst = fmax(all.worst, extremes[s].worst);
         all.largest = fmax(all.largest, extremes[s].largest);

@@ -243,7 +243,7 @@ static inline void start_rows(int width, long i, const double *b,
     }
 }
 
-/* r = b - A x; sets the first shadow residual and direction, and r.r. */
+/* r = b - A x; sets the first shadow residual and direction, r.r and b.b. */
 static void bicgstab_begin_rows(int first, int last, const struct ldu *A,
                                 const double *diag, const double *b,
                                 const double *x, const struct bicgstab_work *w,
@@ -260,6 +260,8 @@ static void bicgstab_begin_rows(int first, int last, const struct ldu *A,
             start_rows(3, i, b, w);
         add_products(first, end, w->n, w->r + 3L * first, w->r + 3L * first,
                      found->a);
+        add_products(first, end, w->n, b + 3L * first, b + 3L * first,
+                     found->b);
     }
 }
 
@@ -310,9 +312,10 @@ static double bicgstab_worst(const struct component_sums *rr)
     return sqrt(most);
 }
 
-static void bicgstab_begin(const struct ldu *A, const double *diag,
-                           const double *b3, const double *x3,
-                           struct bicgstab_work *w, struct state *s)
+/* Returns the scale, |b|. */
+static double bicgstab_begin(const struct ldu *A, const double *diag,
+                             const double *b3, const double *x3,
+                             struct bicgstab_work *w, struct state *s)
 {
     struct products found = {0};
 
@@ -321,6 +324,10 @@ static void bicgstab_begin(const struct ldu *A, const double *diag,
     PARALLEL_RANGES(w->n, 12, bicgstab_begin_rows, A, diag, b3, x3, w, &found);
     s->rr = s->rho = total(found.a);
     s->start = bicgstab_worst(&s->rr);
+
+    const struct component_sums bb = total(found.b);
+
+    return sqrt(bb.at[0] + bb.at[1] + bb.at[2]);
 }
 
 /* top / bottom for the components that have not converged; the result is 0 for
@@ -398,17 +405,16 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
                                    int max_iterations, struct bicgstab_work *w)
 {
     struct solve_report report = {0, 0.0, 0.0, 1};
-    const double scale = sqrt(reduce_dot(3 * w->n, b3, b3));
+    struct state s;
+    const double scale = bicgstab_begin(A, diag, b3, x3, w, &s);
     const double target = /* what is smaller counts as zero (cg.c) */
         fmax(fmax(tolerance * scale, absolute), sqrt(DBL_MIN));
-    struct state s;
 
     if (scale == 0.0) {
         memset(x3, 0, 3 * (size_t)w->n * sizeof *x3);
         memset(w->r, 0, 3 * (size_t)w->n * sizeof *w->r);
         return report;
     }
-    bicgstab_begin(A, diag, b3, x3, w, &s);
     report.before = s.start / scale;
     while (bicgstab_worst(&s.rr) > target &&
            report.iterations < max_iterations) {
