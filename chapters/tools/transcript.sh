@@ -8,7 +8,7 @@
 # up to the next command or the next "## part"; lines "## part" that a command
 # prints itself belong to its output. check compares instead, numbers to 1e-6 of
 # their size, because two processors may differ in the last digits. A file stays as
-# it was if a command that printed something prints nothing now.
+# it was if a command fails, or if one that printed something prints nothing now.
 #
 # A file that begins with "# slow" is compared only if it is the only one. Its
 # first line keeps the revision it was made at, with a "+" if what it depends on was
@@ -38,8 +38,10 @@ failed=0
 
 # The first reading notes which parts have a command of their own. Of those that
 # have none, the ones below a command that prints parts are its old output.
+# A command of winnow may show how it fails; any other that does is noted.
 replay() {
-    awk '
+    rm -f "$work/failed"
+    awk -v failed="$work/failed" '
     NR == FNR {
         if (/^## /) part = FNR
         else if (/^\$ / && part) own[part] = 1
@@ -48,6 +50,7 @@ replay() {
     /^\$ / {
         print; fflush()
         command = substr($0, 3) " 2>&1"
+        if (command !~ /^(build\/)?winnow /) command = command "\n[ $? = 0 ] || echo " FNR " >>" failed
         parts = 0
         while ((command | getline line) > 0) {
             if (line ~ /^## /) parts = 1
@@ -231,6 +234,11 @@ for file in "$@"; do
     before=$seconds
     replay "$file" >"$new"
     count_seconds
+    if [ -s "$work/failed" ]; then
+        sed -n "$(sed 's/$/p/' "$work/failed")" "$file" | sed "s|^\\$|$file stays as it is, because this fails:|" >&2
+        failed=1
+        continue
+    fi
     lost=$(silent "$file" "$new")
     if [ $mode != check ] && [ -n "$lost" ]; then
         echo "$file stays as it was, because this prints nothing any more: $lost" >&2

@@ -379,7 +379,8 @@ const struct key clumps_keys[] = {
      "balls fill",
      "", "", OF(clump_setup, half), KEY_GIVEN(clump_setup, has_half)},
     {"particles.clumps.balls", KEY_INT, "-", ">= 2, <= 99", "7",
-     "number of balls in an ellipsoid", "", "", OF(clump_setup, balls)},
+     "number of balls in an ellipsoid", "", "", OF(clump_setup, balls),
+     KEY_GIVEN(clump_setup, has_balls)},
     {"particles.clumps.share", KEY_REAL, "-", "> 0", "",
      "clumps of one name are a mixture: its part of their number, over the sum "
      "of these",

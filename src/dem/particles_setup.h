@@ -36,7 +36,7 @@ struct clump_setup {
     double scale;   /* [-] of the file */
     double share;   /* [-] of a mixture; 0: none is given */
     double half[3]; /* [m] of an ellipsoid of revolution */
-    int has_half, balls;
+    int has_half, has_balls, balls;
 };
 
 struct place_setup {

@@ -99,6 +99,21 @@ static void tell_of_some(const struct plan *p, int n, const struct run *runs)
     outcomes_free(&o);
 }
 
+/* What is there: runs of this study, or what another one has told. */
+static void tell_before(const struct plan *p, int n, int before)
+{
+    char *const table = file_join(p->dir, "study.csv");
+
+    if (before > 0 && !p->quiet)
+        fprintf(stderr, "%d of %d runs were done before\n", before, n);
+    if (before == 0 && access(table, F_OK) == 0)
+        fprintf(stderr,
+                "%s: the tables and pictures of another study are replaced; "
+                "-o names another folder\n",
+                p->dir);
+    free(table);
+}
+
 static int perform(const struct plan *p, int n, struct run *runs)
 {
     const int file = lock_folder(p);
@@ -108,9 +123,7 @@ static int perform(const struct plan *p, int n, struct run *runs)
         if (file >= 0) close(file);
         return code;
     }
-    const int before = runs_find_ended(n, runs);
-    if (before > 0 && !p->quiet)
-        fprintf(stderr, "%d of %d runs were done before\n", before, n);
+    tell_before(p, n, runs_find_ended(n, runs));
     code = runs_perform(p, n, runs);
     if (code == 0)
         code = tell(p, n, runs);

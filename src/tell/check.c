@@ -293,7 +293,10 @@ static int print_time(const struct settings *s, const struct case_scales *k)
         return 0;
     }
     const long n = first_steps(s, &seconds, &code, why);
-    if (why[0] != '\0' && !settles) printf("  the run ENDS: %s\n", why);
+    if (why[0] != '\0' && !settles) {
+        printf("  the run ENDS: %s\n", why);
+        return 3; /* as the run does */
+    }
     if (n < 1 || why[0] != '\0') return code;
     snprintf(remark, sizeof remark, "of one core, %sfrom its first %ld steps%s",
              settles || comes ? "at least; " : "about, ", n,

@@ -19,7 +19,7 @@ struct effect;
 #define CHECK_PACKED 0.6
 
 /* Prints on stdout what follows from the case: resolution, time scales, chosen
- * steps, cost. Returns the exit code, 0 or 2. */
+ * steps, cost. Returns the exit code; 3 where the first steps break down. */
 int check_case(const struct settings *s);
 
 /* Its sections: the Courant number of the flow as it enters; the bandwidth

@@ -232,9 +232,13 @@ static int validate_check_list(const struct settings *s)
     const struct dem_options o = build_particles_dem(s, 1.0);
     const char *const unknown = o.method->unsupported(&o);
     if (unknown == NULL) return 0;
-    return settings_wrong(s, KEY_OF(s, particles.list),
-                          "%s does not support %s; %s does", o.method->name,
-                          unknown, dem_methods[0]->name);
+    return settings_wrong(
+        s, KEY_OF(s, particles.list), "%s does not support %s%s; %s does",
+        o.method->name, unknown,
+        o.n_surfaces > s->particles.surfaces.n
+            ? ", which the walls of a mesh are that is no plain box"
+            : "",
+        dem_methods[0]->name);
 }
 
 /* What the stress in the place of contacts cannot be beside. */

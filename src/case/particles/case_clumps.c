@@ -133,6 +133,11 @@ static int clumps_check_one(const struct settings *s,
 
     if (one->name[0] == '\0')
         return settings_wrong(s, list, "expected a name for each");
+    if (one->file != NULL && one->has_balls)
+        return settings_wrong(s, list,
+                              "%s: balls is for half_axes; its file has a row "
+                              "for each ball",
+                              one->name);
     if (one->has_half && one->scale != 1.0)
         return settings_wrong(s, list, "%s: scale is for a file", one->name);
     if ((one->file != NULL) == one->has_half)

@@ -477,8 +477,8 @@ static const struct key particle_stress_keys[] = {
 
 /* Its cost is that of pairs of runs with it and without, of Mueller's and
  * Goldschmidt's beds and a column that settles, the least of five each: 3 to 39
- * cells for a hundred particles, with 2 to 5 iterations of Newton's method. With
- * 11, on cells half as wide, a cell takes twice as long. */
+ * cells for a hundred particles, with 2 to 5 iterations of Newton's method.
+ * With 11, on cells half as wide, a cell takes twice as long. */
 const struct effect particle_stress_effect = {
     .name = "particle_stress",
     .what = "a stress of the solids in the place of contacts",
