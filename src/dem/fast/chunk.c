@@ -14,7 +14,7 @@
  * power of two, which divides evenly among the threads of most machines. As
  * many slots as the contact loop has lanes (sweep.h) are kept free after the
  * last contact, and a block ends at a multiple of them. */
-enum { CHUNK_LEAST = 1000, CHUNK_MOST = 64, CHUNK_BLOCK = 512 };
+enum { CHUNK_LEAST = 1000, CHUNK_MOST = 64 };
 
 int chunk_count(int n)
 {
@@ -138,6 +138,7 @@ void chunk_finish_lists(struct chunk *s, int n)
                       ? alloc_zeroed((size_t)s->load_capacity, sizeof *s->part)
                       : NULL;
     }
+    chunk_begin_loads(s, NULL);
     c->n_pairs = c->n_walls = 0;
     if (most <= c->capacity) return;
     c->capacity = roomy(most);
@@ -371,43 +372,6 @@ void chunk_restore_history(struct chunk *s, const struct contact_history *k,
     for (int a = 0; a < 3; a++) {
         c->xi[a][q] = k->xi[a];
         if (roll != NULL) c->roll_angle[a][q] = roll[a];
-    }
-}
-
-int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n)
-{
-    const int size = s->end - s->begin;
-
-    if (size == 0) return 0;
-    const int reached = t->window - (s->begin - t->begin + n) % n;
-    return reached < 0 ? 0 : reached < size ? reached : size;
-}
-
-/* Adds the first n rows. */
-static void add_rows(struct row_load *to, const struct row_load *from, int n)
-{
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < 3; k++) {
-            to[i].F[k] += from[i].F[k];
-            to[i].turn[k] += from[i].turn[k];
-        }
-}
-
-void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
-                     int end)
-{
-    struct chunk *const own = &chunks[s];
-
-    for (int back = 1; back < count; back++) {
-        const struct chunk *const t = &chunks[(s - back + count) % count];
-        const int offset = (own->begin - t->begin + n) % n;
-        const int last = own->begin + chunk_shared_loads(own, t, n);
-        const int many = (end < last ? end : last) - begin;
-        const int first = begin - own->begin;
-        add_rows(own->load + first, t->load + first + offset, many);
-        if (own->has_budget)
-            add_rows(own->part[first], t->part[first + offset],
-                     many * ENERGY_PARTS);
     }
 }
 

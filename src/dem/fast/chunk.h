@@ -94,6 +94,9 @@ struct chunk {
     int window;     /* its loads reach begin ... begin + window - 1, modulo
                        the number of particles */
     struct row_load *load;
+    struct row_load *sum; /* in a step: where they are summed, `load` or a
+                             ring */
+    int round;            /* [-] bits of a number in it; -1: all */
     struct row_load (*part)[ENERGY_PARTS]; /* of these loads (energy.h); NULL
                                                without a budget */
     int load_capacity;
@@ -159,6 +162,29 @@ void chunk_save_history(struct chunk *s);
 void chunk_restore_history(struct chunk *s, const struct contact_history *k,
                            const double *roll);
 
+/* --- loads (chunk_loads.c) ------------------------------------------------ */
+
+/* Loads that no one needs after the step are summed in a ring of at most
+ * CHUNK_RING, which stays in the cache: the number of a load is taken modulo
+ * its size, a power of two and a multiple of CHUNK_BLOCK. The loads that a
+ * block reaches for the first time are set to zero there, in the place of those
+ * of particles that have moved. */
+enum { CHUNK_BLOCK = 512, CHUNK_RING = 4096 };
+
+/* Load number q, that of particle begin + q. */
+static inline struct row_load *chunk_load(const struct chunk *s, int q)
+{
+    return &s->sum[q & s->round];
+}
+
+/* Before the first block: in `ring`, unless that is NULL or too short. After
+ * the last one: those on other chunks go where these will find them. */
+void chunk_begin_loads(struct chunk *s, struct row_load *ring);
+void chunk_end_loads(struct chunk *s);
+
+/* Sets loads number first ... last - 1 to zero. */
+void chunk_zero_loads(struct chunk *s, int first, int last);
+
 /* Number of particles at the beginning of chunk s that receive loads from chunk
  * t; n particles in all. */
 int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n);
@@ -167,6 +193,8 @@ int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n);
  * of chunk s. */
 void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
                      int end);
+
+/* ------------------------------------------------------------------------- */
 
 /* Fills in the measures. */
 void chunk_measure(struct chunk *s, const struct rows *b);

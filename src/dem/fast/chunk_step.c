@@ -2,6 +2,7 @@
 #include "dem/fast/neighbours.h"
 
 #include <math.h>
+#include <omp.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -25,7 +26,7 @@ static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
                                int begin, int end,
                                const struct step_parameters *by)
 {
-    struct row_load *const load = own->load + (begin - own->begin);
+    struct row_load *const load = chunk_load(own, begin - own->begin);
     struct rows *const b = nb->rows;
 
     if (by->budget && end > begin)
@@ -82,11 +83,7 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
     const struct chunk_block *const to = &own->blocks[k];
     const struct chunk_block *const from = k > 0 ? to - 1 : &begin;
 
-    memset(own->load + from->n_loads, 0,
-           (size_t)(to->n_loads - from->n_loads) * sizeof *own->load);
-    if (by->budget)
-        memset(own->part + from->n_loads, 0,
-               (size_t)(to->n_loads - from->n_loads) * sizeof *own->part);
+    chunk_zero_loads(own, from->n_loads, to->n_loads);
     sweep_contacts(own, nb->rows, by->constants, by->dt, from->pairs,
                    to->pairs);
     sweep_contacts(own, nb->rows, by->constants, by->dt, from->walls,
@@ -214,14 +211,24 @@ static void load_others(struct neighbours *nb, int s,
     chunk_step_add_attractions(nb->rows, own, by);
 }
 
+/* NULL: the loads are needed after the blocks. */
+static struct row_load *ring_of_thread(const struct neighbours *nb,
+                                       const struct step_parameters *by)
+{
+    if (!by->passing || by->budget || nb->ps->clumps != NULL) return NULL;
+    return nb->ring + (size_t)omp_get_thread_num() * CHUNK_RING;
+}
+
 /* Computes loads, then motion, block by block. Blocks wait if other chunks may
  * still add loads to them or still need their positions. */
 static void load_and_move_chunk(struct neighbours *nb, int s,
                                 const struct step_parameters *by, int waiting)
 {
     struct chunk *const own = &nb->chunks[s];
-    const int late = own->begin + n_shared(nb, s, by);
+    const int shared = n_shared(nb, s, by), late = own->begin + shared;
 
+    if (!waiting)
+        chunk_begin_loads(own, shared == 0 ? ring_of_thread(nb, by) : NULL);
     for (int k = 0, begin = own->begin; k < own->n_blocks; k++) {
         const int end = own->blocks[k].end;
         if (!waiting) load_block(nb, own, k, by);
@@ -232,7 +239,9 @@ static void load_and_move_chunk(struct neighbours *nb, int s,
         }
         begin = end;
     }
-    if (!waiting) load_others(nb, s, by);
+    if (waiting) return;
+    chunk_end_loads(own);
+    load_others(nb, s, by);
 }
 
 /* Publishes the largest speeds of the chunk after all threads have read the

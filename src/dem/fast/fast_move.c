@@ -237,6 +237,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
         if (r->used > r->margin) fast_move_choose(dem, r, closer);
         if (r->margin < 0.0) return k;
         struct step_parameters now = k + 1 < steps ? whole : last;
+        now.passing = k + 1 < steps && !dem->motion_on;
         now.t = fast_move_time(dem, k + 1);
         chunk_step_load_and_move(nb, &now);
         if (fast_move_interrupted(dem, k)) return k + 1;

@@ -32,6 +32,8 @@ struct neighbours *neighbours_create(struct particles *ps,
     nb->chunks = alloc_zeroed((size_t)nb->n_chunks, sizeof *nb->chunks);
     neighbours_watch(nb, HUGE_VAL);
     nb->barrier = barrier_create();
+    nb->ring =
+        alloc_zeroed((size_t)nb->n_chunks * CHUNK_RING, sizeof *nb->ring);
     nb->rank = alloc_ints(ps->capacity);
     nb->stale = 1;
     return nb;
@@ -55,6 +57,7 @@ void neighbours_free(struct neighbours *nb)
     prescribed_particles_free(nb->prescribed);
     barrier_free(nb->barrier);
     free(nb->rank);
+    free(nb->ring);
     free(nb->clump_speed);
     free(nb);
 }

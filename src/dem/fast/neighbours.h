@@ -86,7 +86,8 @@ struct neighbours {
     double (*clump_speed)[3]; /* [m/s] largest |v_x|, |v_y|, |v_z| of balls of a
                                  slice (fast_clumps.c); NULL */
     struct barrier *barrier;
-    int *rank;       /* [-] new index of each particle after a sort */
+    struct row_load *ring; /* CHUNK_RING of them for each thread */
+    int *rank;             /* [-] new index of each particle after a sort */
     double skin;     /* [m] set by the caller before neighbours_begin_run */
     double smallest; /* [m] diameter; 0: not known yet */
     double range;    /* [m] gap up to which the neighbour list must be complete,
@@ -207,6 +208,8 @@ struct step_parameters {
     double dt; /* [s] step of the tangential displacements; 0: loads alone */
     double kick, drift; /* [s] step of the velocities, and of the positions */
     double from; /* [-] of the kick, from where on the budget counts it */
+    int passing; /* [-] 1: another step follows, and no one asks for the loads
+                  */
 };
 
 /* Computes loads and motion. Every thread of the team calls it; it ends with a

@@ -147,11 +147,11 @@ SWEEP_STAGE void sweep_scatter(const struct sweep_buffers *restrict c,
 
     for (int p = 0; p < pairs; p++) {
         const int at = j[p] - s->begin;
-        sweep_add(&s->load[i[p] - s->begin], own, &c->load[p]);
-        sweep_add(&s->load[at < 0 ? at + n : at], other, &c->load[p]);
+        sweep_add(chunk_load(s, i[p] - s->begin), own, &c->load[p]);
+        sweep_add(chunk_load(s, at < 0 ? at + n : at), other, &c->load[p]);
     }
     for (int p = pairs; p < count; p++)
-        sweep_add(&s->load[i[p] - s->begin], own, &c->load[p]);
+        sweep_add(chunk_load(s, i[p] - s->begin), own, &c->load[p]);
 }
 
 /* The materials of contacts first ... first + count - 1. A wall has its own. */

@@ -200,8 +200,8 @@ void sweep_rolling(const struct sweep_buffers *c, struct chunk *s,
         }
         sweep_inverse_masses(b, own, pair ? j : -1, per_mass);
         sweep_roll_one(c, p, s, slot, mine, other, per_mass, M, mu_r, dt);
-        sweep_add_moment(M, mine->per_R, other->per_R, &s->load[i],
-                         pair ? &s->load[at] : &unused);
+        sweep_add_moment(M, mine->per_R, other->per_R, chunk_load(s, i),
+                         pair ? chunk_load(s, at) : &unused);
         if (b->sweep_options & SWEEP_BUDGET)
             sweep_add_moment(M, mine->per_R, other->per_R,
                              &s->part[i][ENERGY_DASHPOTS],
