@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <ctype.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,7 +53,10 @@ static const char *advice(const char *complaint)
     if (strstr(complaint, "mismatched element") != NULL)
         return "; write all numbers alike, as in [0.0, -9.81, 0.0]";
     if (strstr(complaint, "syntax error") != NULL)
-        return "; is a ; or a brace missing here or just before?";
+        return "; is a ; or a brace missing here or just before? A value is "
+               "a number alone, as 1.2e-3, or a text in quotes";
+    if (strstr(complaint, "duplicate") != NULL)
+        return "; a group has each name once";
     return "";
 }
 
@@ -181,11 +185,20 @@ static void source_append(char text[SOURCE_TEXT], const char *format, ...)
     va_end(values);
 }
 
+/* Of few digits; its point shows that it is written as a real number. */
+static int is_whole(const config_setting_t *s)
+{
+    const double x = config_setting_get_float(s);
+
+    return x == trunc(x) && fabs(x) < 1e6;
+}
+
 static void append_scalar(char text[SOURCE_TEXT], const config_setting_t *s)
 {
     switch (config_setting_type(s)) {
     case CONFIG_TYPE_FLOAT:
-        source_append(text, "%g", config_setting_get_float(s));
+        source_append(text, is_whole(s) ? "%.1f" : "%g",
+                      config_setting_get_float(s));
         break;
     case CONFIG_TYPE_STRING:
         source_append(text, "the text \"%.200s\"",
@@ -206,6 +219,19 @@ static void append_scalar(char text[SOURCE_TEXT], const config_setting_t *s)
     }
 }
 
+/* One, or two between parentheses, as a time and its value. */
+static void append_pair(char text[SOURCE_TEXT], const config_setting_t *s)
+{
+    const int pair =
+        !config_setting_is_group(s) && config_setting_length(s) == 2;
+
+    if (pair) source_append(text, "(");
+    append_scalar(text, pair ? config_setting_get_elem(s, 0) : s);
+    if (pair) source_append(text, ", ");
+    if (pair) append_scalar(text, config_setting_get_elem(s, 1));
+    if (pair) source_append(text, ")");
+}
+
 void source_value(const config_setting_t *s, char text[SOURCE_TEXT])
 {
     text[0] = '\0';
@@ -215,7 +241,7 @@ void source_value(const config_setting_t *s, char text[SOURCE_TEXT])
     }
     for (int i = 0; i < config_setting_length(s) && i < 4; i++) {
         source_append(text, i == 0 ? "[" : ", ");
-        append_scalar(text, config_setting_get_elem(s, (unsigned)i));
+        append_pair(text, config_setting_get_elem(s, (unsigned)i));
     }
     source_append(text, config_setting_length(s) > 4 ? ", ...]" : "]");
 }

@@ -110,7 +110,10 @@ static void print_resolution(const struct settings *s,
               s->particles.clumps.n > 0 ? "each ball of a clump is one" : "");
     text_line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
     text_line("N_p / N_c", (double)k->particles / k->cells, "-",
-              "particles a cell, in the mean");
+              k->cells > 1 && k->volume > 0.0 &&
+                      k->volume < CHECK_PACKED * gsl_pow_3(k->S_c)
+                  ? "ALL fit into one cell: are the lengths in m?"
+                  : "particles a cell, in the mean");
 }
 
 static void print_one(const struct case_scales *k, const struct case_limits *m)

@@ -91,9 +91,12 @@ static void print_fluidization(const struct settings *s,
     if (u <= 0.0) return;
     int n = snprintf(remark, sizeof remark,
                      "minimum fluidization, Ergun at eps_s = %g", CHECK_PACKED);
-    if (k->inlet > 0.0)
+    if (k->up > 0.0)
         snprintf(remark + n, sizeof remark - (size_t)n,
                  "; the inlet has %.3g times that", k->inlet / u);
+    else if (k->inlet > 0.0)
+        snprintf(remark + n, sizeof remark - (size_t)n,
+                 "; the inlet is NOT against gravity");
     text_line("u_mf", u, "m/s", remark);
 }
 
