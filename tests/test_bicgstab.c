@@ -300,17 +300,18 @@ FACT(what_is_lent_leaves_the_residual_and_the_next_solution)
     const int n = s.b.n;
     struct bicgstab_work *const w = bicgstab_work_create(n, 4 * n);
     double *const first = alloc_doubles(3 * n), *const r = alloc_doubles(3 * n);
-    double *space[4];
+    double *space[5];
 
     bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 50, w);
     memcpy(first, s.x, 3 * (size_t)n * sizeof *first);
     memcpy(r, bicgstab_residual(w), 3 * (size_t)n * sizeof *r);
     bicgstab_lend(w, space);
-    for (int k = 0; k < 4; k++)
+    for (int k = 1; k < 5; k++)
         for (int i = 0; i < 4 * n; i++)
             space[k][i] = 1e9;
     for (int i = 0; i < 3 * n; i++)
         ck_assert_double_eq(bicgstab_residual(w)[i], r[i]);
+    memset(space[0], 1, 4 * (size_t)n * sizeof **space);
     memset(s.x, 0, 3 * (size_t)n * sizeof *s.x);
     bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 50, w);
     for (int i = 0; i < 3 * n; i++)

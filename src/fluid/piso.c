@@ -50,14 +50,12 @@ static void predict_and_correct(struct fluid *fl)
     if (fl->options.coupled || fl->dt_older == 0.0)
         gradient_update(fl); /* with the present drag, or in the first step */
     keep_worst_report(&fl->report.momentum, velocity_predict(fl));
+    velocity_predicted_sum(fl);
     pressure_assemble(fl);
     continuity_source(fl);
     boundary_face_inlet_fluxes(fl, fl->phi);
     for (int i = 0; i < fl->options.correctors; i++) {
-        if (i == 0)
-            velocity_predicted_sum(fl);
-        else
-            velocity_neighbour_sum(fl);
+        if (i > 0) velocity_neighbour_sum(fl);
         piso_correct(fl);
     }
 }

@@ -90,9 +90,6 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->momentum->slip, 3, CELL, SLIP_WALLS},
         {&fl->momentum->slip_implicit, 3, CELL, SLIP_WALLS},
         {&fl->momentum->owner_weight, 1, INNER_FACE, WEIGHTS},
-        {&fl->pressure->per_force, 1, CELL, ALWAYS},
-        {&fl->pressure->resistance, 1, CELL, ALWAYS},
-        {&fl->pressure->per_flux, 1, CELL, ALWAYS},
         {&fl->pressure->boundary_conductance, 1, CELL, ALWAYS},
         {&fl->pressure->source, 1, CELL, ALWAYS},
         {&fl->pressure->divergence, 1, CELL, ALWAYS},
@@ -174,21 +171,25 @@ static struct faces *systems_faces_of(const struct mesh *m)
     return f;
 }
 
-/* The pressure needs its faces and the vectors of its solver from one
- * prediction of the velocity to the next: then those of BiCGStab are free. */
+/* The pressure needs what has no array in the table, and the vectors of its
+ * solver, from one prediction of the velocity to the next: then those of
+ * BiCGStab are free. */
 static void create_solvers(struct fluid *fl)
 {
     struct pressure_system *const pressure = fl->pressure;
     const int n = fl->mesh->n_cells;
-    double *space[4];
+    double *space[5];
 
     fl->momentum->bicgstab = bicgstab_work_create(n, fl->mesh->n_faces);
     bicgstab_lend(fl->momentum->bicgstab, space);
-    pressure->m_face = space[0];
-    pressure->conductance = space[1];
-    pressure->explicit_flux = space[3];
+    pressure->per_force = space[0];
+    pressure->resistance = space[0] + n;
+    pressure->per_flux = space[0] + 2L * n;
+    pressure->m_face = space[1];
+    pressure->conductance = space[2];
+    pressure->explicit_flux = space[4];
     pressure->cg = cg_work_lent(
-        n, (double *const[]){space[2], space[2] + n, space[2] + 2L * n});
+        n, (double *const[]){space[3], space[3] + n, space[3] + 2L * n});
 }
 
 void systems_create(struct fluid *fl)

@@ -107,7 +107,8 @@ struct pressure_system {
     struct cg_work *cg;
 };
 
-/* pressure.c: mobilities and the matrix; once a step. */
+/* pressure.c: mobilities and the matrix; after each prediction, whose solver
+ * works in the same arrays (systems.c). */
 void pressure_assemble(struct fluid *fl);
 /* The time derivative of cell c per superficial flux one step before the last,
  * in a two-step scheme [kg/(m^3 s)]. */

@@ -433,12 +433,13 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
     return report;
 }
 
-void bicgstab_lend(const struct bicgstab_work *w, double *space[4])
+void bicgstab_lend(const struct bicgstab_work *w, double *space[5])
 {
-    space[0] = w->shadow;
-    space[1] = w->ph;
-    space[2] = w->v;
-    space[3] = w->t;
+    space[0] = w->r;
+    space[1] = w->shadow;
+    space[2] = w->ph;
+    space[3] = w->v;
+    space[4] = w->t;
 }
 
 const double *bicgstab_residual(const struct bicgstab_work *w)

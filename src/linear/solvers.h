@@ -153,8 +153,9 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
                                    double absolute /* unit of b */,
                                    int max_iterations, struct bicgstab_work *w);
 
-/* Four vectors of at least 3 n numbers that are free between the solutions. */
-void bicgstab_lend(const struct bicgstab_work *w, double *space[4]);
+/* Five vectors of at least 3 n numbers that are free between the solutions; the
+ * first is the residual. */
+void bicgstab_lend(const struct bicgstab_work *w, double *space[5]);
 
 /* The residual b - A x of the last solution, 3 n numbers, by the recurrence of
  * the iteration. */

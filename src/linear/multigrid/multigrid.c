@@ -12,15 +12,13 @@
 #include "linear/multigrid/graph.h"
 #include "linear/reduce.h"
 
-/* --- one level: its matrix, its vectors, and the map from the unknowns and
- * links of the finer level to its own ----------------------------------------
- */
+/* --- one level, and the map from unknowns and links of the finer one --- */
 
 /* A sum over members: entry i is the sum of the members list[start[i]] ..
  * list[start[i + 1] - 1], each times its weight. */
 struct level_members {
     int *start, *list;
-    double *weight; /* [-] */
+    float *weight; /* [-] */
 };
 
 struct level {
@@ -56,7 +54,7 @@ static struct level_members members_of(int n_groups, int n, const int *group)
     for (int s = 0; s < n_groups; s++)
         next[s] = m.start[s];
     m.list = alloc_ints(m.start[n_groups]);
-    m.weight = alloc_doubles(m.start[n_groups]);
+    m.weight = alloc_zeroed((size_t)m.start[n_groups], sizeof *m.weight);
     for (int i = 0; i < n; i++)
         if (group[i] >= 0) m.list[next[group[i]]++] = i;
     free(next);
@@ -103,12 +101,13 @@ static void level_release(struct level *v)
 
 /* The factor of the coefficient between cell i and a wall on the coarser level,
  * where the distance from the wall is that of the aggregate I [-]. */
-static double wall_factor(const struct graph *fine, int i,
-                          const struct graph *coarse, int I)
+static float wall_factor(const struct graph *fine, int i,
+                         const struct graph *coarse, int I)
 {
     const double depth = graph_depth(fine, i);
 
-    return depth > 0.0 ? fmin(1.0, depth / graph_depth(coarse, I)) : 1.0;
+    return depth > 0.0 ? (float)fmin(1.0, depth / graph_depth(coarse, I))
+                       : 1.0F;
 }
 
 /* Sets the map from the finer level to v, the level of the graph `coarse`. */
@@ -121,8 +120,9 @@ static void level_connect(struct level *v, const struct graph *fine,
     *links = members_of(coarse->n_links, fine->n_links, bundle);
     for (int L = 0; L < coarse->n_links; L++)
         for (int s = links->start[L]; s < links->start[L + 1]; s++)
-            links->weight[s] = fmin(1.0, graph_length(fine, links->list[s]) /
-                                             graph_length(coarse, L));
+            links->weight[s] =
+                (float)fmin(1.0, graph_length(fine, links->list[s]) /
+                                     graph_length(coarse, L));
     *cells = members_of(coarse->n, fine->n, parent);
     for (int I = 0; I < coarse->n; I++)
         for (int s = cells->start[I]; s < cells->start[I + 1]; s++)
@@ -148,7 +148,7 @@ static void level_gather(int first, int last, const struct level_members *m,
         double sum = 0.0;
 
         for (int s = m->start[i]; s < m->start[i + 1]; s++)
-            sum += m->weight[s] * fine[m->list[s]];
+            sum += (double)m->weight[s] * fine[m->list[s]];
         coarse[i] = sum;
     }
 }
