@@ -122,10 +122,22 @@ static int read_option(const struct command *c, int argc, char **argv, int *i,
     return 0;
 }
 
+static int is_help(const char *word)
+{
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+}
+
+static int main_help(const struct command *c)
+{
+    printf("winnow %s %s\n  %s\n", c->name, c->arguments, c->what);
+    return 0;
+}
+
 static int main_act(const struct command *c, int argc, char **argv,
                     struct command_line *l)
 {
     for (int i = 2; i < argc; i++) {
+        if (is_help(argv[i])) return main_help(c);
         if (c->options == NULL || argv[i][0] != '-')
             l->words[l->n_words++] = argv[i];
         else if (read_option(c, argc, argv, &i, l) != 0)
@@ -183,8 +195,10 @@ int main(int argc, char **argv)
     const struct command *c = NULL;
     int code = 0;
 
-    if (strcmp(first, "--help") == 0 || strcmp(first, "-h") == 0)
+    if (is_help(first) || (strcmp(first, "help") == 0 && argc == 2))
         usage(stdout);
+    else if (strcmp(first, "help") == 0)
+        code = (c = main_command_named(argv[2])) == NULL ? 2 : main_help(c);
     else if (strcmp(first, "--version") == 0)
         puts("winnow " VERSION_TEXT);
     else if (argc < 2 || (c = main_command_named(first)) == NULL)

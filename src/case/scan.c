@@ -133,8 +133,14 @@ struct place {
 
 static int unreadable(const struct place *at, const char *file, const char *why)
 {
+    char longer[PATH];
+
+    snprintf(longer, sizeof longer, "%s.cfg", file);
     if (at->file == NULL)
-        fprintf(stderr, "winnow: %s: cannot read the case: %s\n", file, why);
+        fprintf(stderr, "winnow: %s: cannot read the case: %s%s%s%s\n", file,
+                why, input_wrong(longer) == NULL ? "; did you mean " : "",
+                input_wrong(longer) == NULL ? longer : "",
+                input_wrong(longer) == NULL ? "?" : "");
     else
         fprintf(stderr, "winnow: %s:%d: cannot read what is included, %s: %s\n",
                 at->file, at->line, file, why);

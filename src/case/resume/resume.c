@@ -364,8 +364,11 @@ static int resume_load(struct resume *r)
     state_file_free(r->found);
     r->found = NULL;
     if (!r->settings->quiet)
-        fprintf(stderr, "%s: resumed at t = %g s, after %ld steps\n",
-                folder_name(r->folder), r->sim->t, r->sim->steps);
+        fprintf(stderr, "%s: resumed at t = %g s, after %ld steps%s\n",
+                folder_name(r->folder), r->sim->t, r->sim->steps,
+                r->sim->steps < case_steps_until_end(r->settings)
+                    ? ""
+                    : "; that is its end, and a later output.end goes further");
     return recorder_begin(r->recorder) != 0 ? NOT_WRITTEN : 0;
 }
 
