@@ -32,6 +32,7 @@ void chunk_release(struct chunk *s)
     for (int l = 0; l < 2; l++) {
         free(lists[l]->start);
         free(lists[l]->partner);
+        free(lists[l]->owner);
     }
     for (int k = 0; k < 3; k++) {
         free(s->contacts.xi[k]);
@@ -89,6 +90,7 @@ static int *list_room_for(struct neighbour_list *v, int n)
         v->capacity = roomy(v->n + n);
         v->partner =
             alloc_grown(v->partner, v->n, v->capacity, sizeof *v->partner);
+        v->owner = alloc_grown(v->owner, 0, v->capacity, sizeof *v->owner);
     }
     return v->partner + v->n;
 }
@@ -117,6 +119,14 @@ static int chunk_larger(int a, int b)
     return a > b ? a : b;
 }
 
+static void list_name_owners(const struct chunk *s, struct neighbour_list *v)
+{
+    for (int i = s->begin; i < s->end; i++)
+        for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
+             q++)
+            v->owner[q] = i;
+}
+
 /* The loads extend to the farthest partner after the first particle of the
  * chunk. */
 void chunk_finish_lists(struct chunk *s, int n)
@@ -125,6 +135,8 @@ void chunk_finish_lists(struct chunk *s, int n)
     const int most = s->pairs.n + s->walls.n + SWEEP_LANES;
 
     chunk_begin_owner(s, s->end);
+    list_name_owners(s, &s->pairs);
+    list_name_owners(s, &s->walls);
     for (int q = 0; q < s->pairs.n; q++)
         s->window =
             chunk_larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
@@ -152,77 +164,6 @@ void chunk_finish_lists(struct chunk *s, int n)
             c->roll_angle[k] =
                 alloc_grown(c->roll_angle[k], 0, c->capacity, sizeof(double));
     }
-}
-
-static inline int near_pair(const struct rows *b, int i, int j)
-{
-    const struct row_place *const p = &b->place[i], *const q = &b->place[j];
-    const double reach = p->R + q->R + (b->chosen[i].R + b->chosen[j].R);
-
-    return rows_distance2(&b->box, p, q) < reach * reach;
-}
-
-static inline int near_wall(const struct rows *b, int i, int wall)
-{
-    return rows_wall_gap(&b->box, &b->place[i], wall) < b->chosen[i].R;
-}
-
-/* Moves the contacts to the end of as many slots as the lists have pairs;
- * returns the first of theirs. The new ones are written from slot 0 on: they
- * cannot reach an old one that is still to come, which is a pair of the list
- * that is still to come. */
-static int move_to_end(struct chunk *s)
-{
-    struct chunk_contacts *const c = &s->contacts;
-    const int n = c->n_pairs + c->n_walls;
-    const int first = s->pairs.n + s->walls.n - n;
-    const size_t size = (size_t)n * sizeof(double);
-
-    if (n == 0) return first;
-    memmove(c->list_index + first, c->list_index, (size_t)n * sizeof(int));
-    for (int k = 0; k < 3; k++) {
-        memmove(c->xi[k] + first, c->xi[k], size);
-        if (s->has_rolling)
-            memmove(c->roll_angle[k] + first, c->roll_angle[k], size);
-    }
-    return first;
-}
-
-static inline void take_history(double *const component[3], int to, int from,
-                                int had)
-{
-    for (int k = 0; k < 3; k++)
-        component[k][to] = had ? component[k][from] : 0.0;
-}
-
-/* From slot `first` on; returns the slot after the last. The `n_old` contacts
- * from slot `old` on are those before, in the same order: a pair that was one
- * of them keeps its history. Writes every pair, and advances the slot only for
- * near ones, which avoids a branch. */
-static inline int choose_contacts_of(struct chunk *s, const struct rows *b,
-                                     const struct neighbour_list *v,
-                                     int (*is_near)(const struct rows *, int,
-                                                    int),
-                                     int first, int old, int n_old)
-{
-    struct chunk_contacts *const c = &s->contacts;
-    const int end = old + n_old;
-    int slot = first;
-
-    for (int i = s->begin; i < s->end; i++)
-        for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
-             q++) {
-            const int j = v->partner[q], near = is_near(b, i, j);
-            const int had = (old < end) & (c->list_index[old] == q);
-            c->owner[slot] = i;
-            c->partner[slot] = j;
-            c->list_index[slot] = q;
-            take_history(c->xi, slot, old, had);
-            if (s->has_rolling) take_history(c->roll_angle, slot, old, had);
-            slot += near;
-            old += had;
-        }
-    return slot;
 }
 
 /* The contacts first ... last - 1 are in the order of their owners. Returns the
@@ -277,18 +218,9 @@ int chunk_blocks_fit(const struct chunk *s, int n)
     return fit;
 }
 
-void chunk_choose_contacts(struct chunk *s, const struct rows *b)
+void chunk_set_blocks(struct chunk *s, int n)
 {
-    struct chunk_contacts *const c = &s->contacts;
-    const int old = move_to_end(s);
-    const int pairs =
-        choose_contacts_of(s, b, &s->pairs, near_pair, 0, old, c->n_pairs);
-    const int all = choose_contacts_of(s, b, &s->walls, near_wall, pairs,
-                                       old + c->n_pairs, c->n_walls);
-
-    c->n_pairs = pairs;
-    c->n_walls = all - pairs;
-    split_into_blocks(s, b->n, s->blocks);
+    split_into_blocks(s, n, s->blocks);
 }
 
 void chunk_reserve_history(struct chunk *s, int n)

@@ -23,6 +23,7 @@
  * are partner[start[a]] ... partner[start[a + 1] - 1]. */
 struct neighbour_list {
     int *start, *partner;
+    int *owner; /* of each partner */
     int n, capacity;
 };
 
@@ -116,8 +117,7 @@ struct chunk {
     double max_speed_now[4]; /* [m/s] the same in the step at hand */
     struct rows_survey survey;
     double margin_left; /* [m] the least of its particles; -1: none */
-    int is_narrow; /* [-] 1: one has no room for a margin before the list ends
-                    */
+    struct rows_margins margins;
     struct chunk_measures measures;
     struct chunk_energy energy;
 };
@@ -145,6 +145,9 @@ void chunk_finish_lists(struct chunk *s, int n);
  * the margins of both, or than that of the one at a wall. A pair that was a
  * contact before keeps its history. */
 void chunk_choose_contacts(struct chunk *s, const struct rows *b);
+
+/* Splits its contacts into blocks; n particles. */
+void chunk_set_blocks(struct chunk *s, int n);
 
 /* 1 if the blocks are those that its contacts are split into; n particles. */
 int chunk_blocks_fit(const struct chunk *s, int n);

@@ -10,9 +10,8 @@
 #include "dem/particles_setup.h"
 
 /* The skin is d / SKIN_PARTS, and down to d / THINNEST_SKIN in a periodic box
- * that has no room for that; the contacts are chosen with a margin of at least
- * d / MARGIN_PARTS. The optima are flat. */
-enum { SKIN_PARTS = 3, THINNEST_SKIN = 6, MARGIN_PARTS = 600 };
+ * that has no room for that. The optima are flat. */
+enum { SKIN_PARTS = 3, THINNEST_SKIN = 6 };
 
 static const char *fast_unsupported(const struct dem_options *o)
 {

@@ -44,6 +44,9 @@ double adaptive_closes(const struct adaptive *a, int n_chunks);
 double adaptive_next(const struct adaptive *a, const struct dem_options *o,
                      const struct neighbours *nb, double done, double next);
 
+/* The contacts are chosen with a margin of at least d / MARGIN_PARTS. */
+enum { MARGIN_PARTS = 600 };
+
 struct fast {
     struct neighbours *neighbours;
     double min_margin; /* [m] */

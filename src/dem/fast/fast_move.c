@@ -11,7 +11,26 @@
 /* The margin of a particle is what the fastest covers in so many steps, since
  * it may be hit, and what it covers itself in so many more. Surfaces are not
  * measured: with them all have the margin of the fastest. */
-static const double steps_of_fastest = 1.5, steps_ahead = 6.0;
+struct margin_steps {
+    double of_fastest, ahead; /* [-] */
+};
+
+/* In n steps there are n times as many pairs that may touch, and 1/n choices a
+ * step: the sum is least for an n that falls with the square root of the way
+ * in a step. The factor was found by trial, and the optimum is flat. */
+static struct margin_steps margin_steps_of(const struct dem *dem, double way)
+{
+    static const struct margin_steps constant = {1.5, 6.0};
+    const struct fast *const fast = fast_of(dem);
+    const double d = MARGIN_PARTS * fast->min_margin;
+    const double n = 0.2 * sqrt(d / way);
+
+    const int measured = way > 0.0 && fast->neighbours->surfaces == NULL;
+
+    return measured && !dem->options.integrator->predicts
+               ? (struct margin_steps){0.25 * n, n}
+               : constant;
+}
 
 double fast_move_time(const struct dem *dem, int k)
 {
@@ -162,14 +181,15 @@ void fast_move_choose(struct dem *dem, struct contact_margin *r, double closer)
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const double v = neighbours_speed(nb);
     const int own = nb->surfaces == NULL && v > 0.0;
-    const double steps = own ? steps_of_fastest : steps_ahead;
+    const struct margin_steps by = margin_steps_of(dem, 0.5 * closer);
+    const double steps = own ? by.of_fastest : by.ahead;
 
     r->used = 0.0;
     r->margin = nb->surfaces == NULL ? neighbours_margin_left(nb) : -1.0;
     if (r->margin >= (dem->options.integrator->predicts ? closer : 0.0)) return;
     r->margin = neighbours_refresh(
         nb, 0.5 * fmax(fast_of(dem)->min_margin, steps * closer),
-        own ? 0.5 * steps_ahead * closer / v : 0.0);
+        own ? 0.5 * by.ahead * closer / v : 0.0);
 }
 
 int fast_move_crossed(const struct dem *dem, double closer)

@@ -181,7 +181,7 @@ static void neighbours_state(struct neighbours *nb, struct state *s)
         state_reals_of(s, "position_at_rebuild", "m", b->listed->x,
                        sizeof *b->listed, b->n, 3);
     if (b->n > 0)
-        state_reals(s, "position_and_margin", "m", b->chosen->x, b->n, 4);
+        state_reals(s, "position_and_reach", "m", b->chosen->x, b->n, 4);
     for (int k = 0; k < nb->n_chunks; k++) {
         if (s->loading) chunk_set_range(&nb->chunks[k], k, nb->n_chunks, b->n);
         state_begin_number(s, "chunk", k);

@@ -229,8 +229,8 @@ static void set_margins(const struct neighbours *nb, double least, double time)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        own->is_narrow = rows_set_margins(nb->rows, own->begin, own->end, least,
-                                          time, 0.5 * nb->skin);
+        own->margins = rows_set_margins(nb->rows, own->begin, own->end, least,
+                                        time, 0.5 * nb->skin);
     }
     neighbours_barrier(nb);
 }
@@ -251,7 +251,7 @@ static int list_is_narrow(const struct neighbours *nb, double least)
     int narrow = nb->stale;
 
     for (int s = 0; s < nb->n_chunks; s++) {
-        narrow |= nb->chunks[s].is_narrow;
+        narrow |= nb->chunks[s].margins.narrow;
         if (nb->surfaces != NULL)
             narrow |= 0.5 * nb->skin - surfaces_moved(nb->surfaces, s) < least;
     }
@@ -374,18 +374,22 @@ static void choose_contacts(struct neighbours *nb, int rebuilt, double least)
 double neighbours_refresh(struct neighbours *nb, double least, double time)
 {
     const double of_surfaces = fmin(least, 0.125 * nb->skin);
+    double margin = HUGE_VAL;
 
     neighbours_check_lost(nb);
     set_margins(nb, least, time);
     const int lost = is_any_lost(nb), narrow = list_is_narrow(nb, of_surfaces);
-    neighbours_barrier(nb);
+    if (lost || narrow) neighbours_barrier(nb); /* before they are set again */
     if (lost) return -1.0;
     if (narrow) {
         rebuild(nb);
         set_margins(nb, least, time);
     }
     choose_contacts(nb, narrow, of_surfaces);
-    return neighbours_margin_left(nb);
+    neighbours_barrier(nb);
+    for (int s = 0; s < nb->n_chunks; s++)
+        margin = fmin(margin, nb->chunks[s].margins.least);
+    return margin < 0.0 ? -1.0 : 2.0 * margin;
 }
 
 /* Two spheres may cross between two steps (dem.h), of which the lists do

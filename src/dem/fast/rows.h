@@ -60,7 +60,8 @@ struct rows {
     struct row_place *listed;  /* where each was when the list was last made, or
                                   was to be a little later */
     struct row_place *chosen;  /* where it was when the contacts were chosen; R:
-                                  its margin, how far it may move until then */
+                                  its radius and its margin, how far it may
+                                  move until they are chosen again */
     struct row_drag *drag;     /* NULL without an implicit drag */
     double *drag_impulse;      /* [N s] the particles' own */
     struct row_ball *ball;     /* NULL: there are no clumps */
@@ -115,11 +116,17 @@ struct rows_survey rows_check_lost(const struct rows *b, int begin, int end);
  * velocities, as the positions of the list. */
 void rows_record_positions(struct rows *b, int begin, int end, double ahead);
 
+/* What margins were given: the least [m]; 1 if there was too little room for
+ * one. */
+struct rows_margins {
+    double least;
+    int narrow;
+};
+
 /* Gives each particle the margin `least` + time |v| at its present place, or
- * what is left of `room` beyond its way from where it was listed [m]. 1 if
- * that is too little for one of them. */
-int rows_set_margins(struct rows *b, int begin, int end, double least,
-                     double time, double room);
+ * what is left of `room` beyond its way from where it was listed [m]. */
+struct rows_margins rows_set_margins(struct rows *b, int begin, int end,
+                                     double least, double time, double room);
 
 /* The least that is left of a margin, -1 if one is used up [m]. */
 double rows_margin_left(const struct rows *b, int begin, int end);
