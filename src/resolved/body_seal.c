@@ -138,7 +138,9 @@ static int close_cells(const struct closing *by)
     int closed = 0;
 
     for (int c = 0; c < by->fl->mesh->n_cells; c++) {
-        if (b->body_of[c] != 0 || gaps_at(by, c, &g) < 1 + by->corners)
+        if (b->body_of[c] != 0 ||
+            box_is_alike(&by->fl->mesh->box, b->body_of, c) ||
+            gaps_at(by, c, &g) < 1 + by->corners)
             continue;
         const int changes = mark_gap_changes(b, g.i, g.j, g.S);
         struct body_seal_gap *const widest =
@@ -191,7 +193,7 @@ struct search {
     struct solid_bodies *b;
     const struct fluid *fl;
     struct box_domain box;
-    double *all, *here; /* [m^3/s] that a body displaces; into this part */
+    double *here; /* [m^3/s] that each body displaces into this part */
     int inlets, outlets, any_outlet; /* [-] faces of this part */
     struct body_seal *found;
 };
@@ -250,7 +252,6 @@ static void look_into_gap(struct search *s, int i, int c, int f, double out)
     const int wall = f >= m->n_internal;
     const int next = wall || m->owner[f] != c ? m->owner[f] : m->neighbour[f];
     const int j = wall ? -1 : abs(s->b->body_of[next]) - 1;
-    const double h = vector_length(&m->d[3 * f]) * (wall ? 2.0 : 1.0);
 
     if (wall ? boundary_at(s, f)->kind >= BOUNDARY_INLET
              : j < 0 || j == i || j >= s->b->ps->n)
@@ -258,6 +259,7 @@ static void look_into_gap(struct search *s, int i, int c, int f, double out)
     struct body_seal_gap *const widest =
         mark_gap_changes(s->b, i, j, &m->S[3 * f]) ? &s->found->open
                                                    : &s->found->closed;
+    const double h = vector_length(&m->d[3 * f]) * (wall ? 2.0 : 1.0);
     const double gap = height_at(s, i, c, f, out) +
                        (wall ? 0.0 : height_at(s, j, next, f, -out));
     if (gap > fmax(widest->width, 1e-9) * h)
@@ -267,16 +269,12 @@ static void look_into_gap(struct search *s, int i, int c, int f, double out)
 static void look_at_body(struct search *s, int c)
 {
     const struct mesh *const m = s->fl->mesh;
-    const int i = (abs(s->b->body_of[c]) - 1) % s->b->ps->n,
-              held = s->b->body_of[c] > 0;
+    const int i = (abs(s->b->body_of[c]) - 1) % s->b->ps->n;
 
+    if (box_is_alike(&m->box, s->b->body_of, c)) return;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         if (closed_gap_of(s->b, c) < 0) look_into_gap(s, i, c, f, m->out[a]);
-        if (f >= m->n_internal) continue;
-        const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
-        if (held && s->b->body_of[next] <= 0)
-            s->all[i] += 0.5 * fabs(swept(s, i, c, f, m->out[a]));
     }
 }
 
@@ -289,16 +287,29 @@ static int flows_in(const struct boundary *p)
     return flows;
 }
 
+static void find(int *of, int cell, int *part, int *n)
+{
+    if (of[cell] != OPEN) return;
+    of[cell] = SEEN;
+    part[(*n)++] = cell;
+}
+
 /* All cells of the part that begins at one, in `part`; returns their number. */
 static int body_seal_fill(struct search *s, int first, int *part)
 {
     const struct mesh *const m = s->fl->mesh;
+    const int row = m->box.n[0], layer = row * m->box.n[1];
     int *const of = s->b->body_of, n = 0;
 
-    part[n++] = first;
-    of[first] = SEEN;
+    find(of, first, part, &n);
     for (int e = 0; e < n; e++) {
         const int c = part[e];
+        if (box_is_amid(&m->box, c)) {
+            find(of, c - layer, part, &n), find(of, c - row, part, &n);
+            find(of, c - 1, part, &n), find(of, c + 1, part, &n);
+            find(of, c + row, part, &n), find(of, c + layer, part, &n);
+            continue;
+        }
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const int f = m->cell_face[a];
             if (f >= m->n_internal) {
@@ -306,30 +317,68 @@ static int body_seal_fill(struct search *s, int first, int *part)
                 s->inlets += flows_in(boundary_at(s, f));
                 continue;
             }
-            const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
-            const int i = of[next] - 1;
-            if (i >= 0) s->here[i] += swept(s, i, next, f, -m->out[a]);
-            if (of[next] != OPEN) continue;
-            of[next] = SEEN;
-            part[n++] = next;
+            find(of, m->owner[f] == c ? m->neighbour[f] : m->owner[f], part,
+                 &n);
         }
     }
     return n;
 }
 
-/* Whether what is pushed into this part gets out of it. */
-static void judge(struct search *s)
+/* What the cells of body i displace [m^3/s]. */
+static double displaced(const struct search *s, int i)
 {
+    const struct solid_bodies *const b = s->b;
+    const struct mesh *const m = s->fl->mesh;
     double sum = 0.0;
 
+    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+        const int c = b->link[j].cell;
+        for (int a = m->cell_start[c];
+             a < m->cell_start[c + 1] && b->body_of[c] == i + 1; a++) {
+            const int f = m->cell_face[a];
+            if (f >= m->n_internal) continue;
+            const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
+            if (b->body_of[next] <= 0)
+                sum += 0.5 * fabs(swept(s, i, c, f, m->out[a]));
+        }
+    }
+    return sum;
+}
+
+/* What the bodies displace into a part of n cells, in s->here; the sum. */
+static double sum_swept(const struct search *s, const int *part, int n)
+{
+    const struct mesh *const m = s->fl->mesh;
+    double sum = 0.0;
+
+    memset(s->here, 0, (size_t)s->b->ps->n * sizeof *s->here);
+    for (int e = 0; e < n; e++) {
+        const int c = part[e];
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            if (f >= m->n_internal) continue;
+            const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
+            const int i = s->b->body_of[next] - 1;
+            if (i >= 0) s->here[i] += swept(s, i, next, f, -m->out[a]);
+        }
+    }
     for (int i = 0; i < s->b->ps->n; i++)
         sum += s->here[i];
-    for (int i = 0; i < s->b->ps->n && s->outlets == 0; i++)
-        if (s->all[i] > 0.0 && fabs(s->here[i]) > share * s->all[i] &&
-            fabs(sum) > share * s->all[i])
-            s->found->pushes = i + 1;
+    return sum;
+}
+
+/* Whether what is pushed into this part of n cells gets out of it. */
+static void judge(const struct search *s, const int *part, int n)
+{
     s->found->inlet |= s->inlets > 0 && s->outlets == 0 && s->any_outlet;
-    memset(s->here, 0, (size_t)s->b->ps->n * sizeof *s->here);
+    if (s->outlets > 0) return;
+    const double sum = sum_swept(s, part, n);
+    for (int i = 0; i < s->b->ps->n; i++) {
+        if (s->here[i] == 0.0) continue;
+        const double most = share * displaced(s, i);
+        if (most > 0.0 && fabs(s->here[i]) > most && fabs(sum) > most)
+            s->found->pushes = i + 1;
+    }
 }
 
 /* What of an inlet is covered by bodies [-]. */
@@ -360,11 +409,10 @@ void body_seal_find(struct solid_bodies *b, const struct fluid *fl)
     struct search s = {.b = b,
                        .fl = fl,
                        .box = box_domain_of(o->lo, o->hi, o->periodic),
-                       .all = alloc_doubles(2 * b->ps->n),
+                       .here = alloc_doubles(b->ps->n),
                        .found = &b->seal};
     int *const of = b->body_of, *const part = b->cell, n = 0;
 
-    s.here = s.all + b->ps->n;
     for (int c = 0; c < fl->mesh->n_cells; c++)
         if (closed_gap_of(b, c) >= 0) of[c] = abs(of[c]);
     look_at_patches(&s);
@@ -377,13 +425,14 @@ void body_seal_find(struct solid_bodies *b, const struct fluid *fl)
     for (int c = 0; c < fl->mesh->n_cells; c++) {
         if (of[c] != OPEN) continue;
         s.inlets = s.outlets = 0;
-        n += body_seal_fill(&s, c, &part[n]);
-        judge(&s);
+        const int count = body_seal_fill(&s, c, &part[n]);
+        judge(&s, &part[n], count);
+        n += count;
     }
     for (int e = 0; e < n; e++)
         of[part[e]] = OPEN;
     b->seal.inlet |= b->seal.covered == 1.0;
-    free(s.all);
+    free(s.here);
 }
 
 void body_seal_describe(const struct body_seal_gap *g, int open,

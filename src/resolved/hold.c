@@ -35,6 +35,7 @@ static void hold_begin(struct immersed *self, struct fluid *fl)
     double *const source = fl->levels->old_time_source;
 
     mark_bodies(b, fl);
+#pragma omp parallel for schedule(static)
     for (int j = 0; j < b->n_cells; j++) {
         const int c = b->cell[j];
         for (int k = 0; k < 3; k++)
@@ -47,6 +48,7 @@ static void add_friction(struct immersed *self, struct fluid *fl)
 {
     const struct solid_bodies *const b = bodies_of(self);
 
+#pragma omp parallel for schedule(static)
     for (int j = 0; j < b->n_cells; j++) {
         const int c = b->cell[j];
         fl->momentum->diag[c] += b->hold[c] * fl->mesh->V[c];
@@ -57,6 +59,8 @@ static void add_friction(struct immersed *self, struct fluid *fl)
 static double theta(const struct solid_bodies *b, const struct fluid *fl, int c)
 {
     const double diag = fl->momentum->diag[c];
+
+    if (b->hold[c] == 0.0) return 1.0;
     return (diag - b->hold[c] * fl->mesh->V[c]) / diag;
 }
 
@@ -103,22 +107,17 @@ static void smooth_forces(struct immersed *self, struct fluid *fl)
     }
 }
 
-/* Each face of a held cell once: by its owner, if that is held. The pressure
- * makes the fluxes satisfy continuity in all of the box [EW18 5]. */
+/* The faces of the held cells. The pressure makes the fluxes satisfy continuity
+ * in all of the box [EW18 5]. */
 static void change_faces(struct immersed *self, struct fluid *fl)
 {
     const struct solid_bodies *const b = bodies_of(self);
     const struct mesh *const m = fl->mesh;
 
-    for (int j = 0; j < b->n_cells; j++) {
-        const int c = b->cell[j];
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const int f = m->cell_face[a];
-            if (f >= m->n_internal) continue;
-            if (m->owner[f] == c || b->hold[m->owner[f]] == 0.0)
-                change_face(b, fl, f);
-        }
-    }
+#pragma omp parallel for schedule(static)
+    for (int f = 0; f < m->n_internal; f++)
+        if (b->hold[m->owner[f]] > 0.0 || b->hold[m->neighbour[f]] > 0.0)
+            change_face(b, fl, f);
 }
 
 /* The friction of one body: J = dt sum hold (u - u_b) V [EW18 15], and r x J
@@ -151,6 +150,7 @@ static double largest_term(const struct immersed *self, const struct fluid *fl)
     const double *const diag = fl->momentum->diag, *const V = fl->mesh->V;
     double largest = 0.0;
 
+#pragma omp parallel for schedule(static) reduction(max : largest)
     for (int c = 0; c < fl->mesh->n_cells; c++) {
         const double own = diag[c] - b->hold[c] * V[c];
         for (int k = 3 * c; k < 3 * c + 3; k++) {

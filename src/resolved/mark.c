@@ -52,8 +52,12 @@ int cell_window_cell(const struct mesh *m, const int at[3], const double x[3],
     int in[3];
 
     for (int k = 0; k < 3; k++) {
-        const int n = b->n[k], laps = (at[k] < 0 ? at[k] - n + 1 : at[k]) / n;
-        in[k] = at[k] - laps * n;
+        const int n = b->n[k];
+        int laps = 0; /* counted, because a division takes longer */
+        for (in[k] = at[k]; in[k] < 0; in[k] += n)
+            laps--;
+        for (; in[k] >= n; in[k] -= n)
+            laps++;
         r[k] = 0.5 * (b->edge[k][in[k]] + b->edge[k][in[k] + 1]) +
                laps * (b->edge[k][n] - b->edge[k][0]) - x[k];
     }
@@ -101,24 +105,67 @@ static double friction_inside(const struct fluid *fl, int c)
     return mark_friction_inside * most;
 }
 
+static int touches_boundary(const struct mesh *m, int c)
+{
+    int touches = 0;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+        touches |= m->cell_face[a] >= m->n_internal;
+    return touches;
+}
+
+/* The work of marking. All cells are equal, but for what touches a boundary. */
+struct marking {
+    struct solid_bodies *b;
+    const struct fluid *fl;
+    double width[3], widest; /* [m] of a cell */
+    double exchange[3];      /* [kg/(m^3 s)] mu/width^2 */
+    double inside; /* [kg/(m^3 s)] friction inside, of a cell amid others */
+};
+
+static struct marking marking_of(struct solid_bodies *b, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    struct marking by = {.b = b, .fl = fl};
+    int c = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const double h = m->box.edge[k][1] - m->box.edge[k][0];
+        by.width[k] = h;
+        by.widest = fmax(by.widest, h);
+        by.exchange[k] = fl->options.mu / (h * h);
+    }
+    while (c < m->n_cells && touches_boundary(m, c))
+        c++;
+    by.inside = c < m->n_cells ? friction_inside(fl, c) : 0.0;
+    return by;
+}
+
+static double marking_inside(const struct marking *by, int c)
+{
+    return touches_boundary(by->fl->mesh, c) ? friction_inside(by->fl, c)
+                                             : by->inside;
+}
+
 /* Outside at the distance s: the missing part of the neighbours inside; not
  * more than inside. */
-static double friction_outside(const struct fluid *fl,
+static double friction_outside(const struct marking *by,
                                const struct body_shape *shape, int c,
                                const double r[3], double s)
 {
-    const struct mesh *const m = fl->mesh;
     double sum = 0.0;
 
-    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-        const int f = m->cell_face[a];
-        double beyond[3];
-        if (f >= m->n_internal || s > vector_length(&m->d[3 * f])) continue;
-        vector_along(r, m->out[a], &m->d[3 * f], beyond);
+    if (s > by->widest) return 0.0;
+    for (int side = 0; side < 6; side++) {
+        const int k = side / 2;
+        double beyond[3] = {r[0], r[1], r[2]};
+        beyond[k] += side % 2 ? by->width[k] : -by->width[k];
+        if (s > by->width[k] || !box_goes_on(&by->fl->mesh->box, c, side))
+            continue;
         const double inside = -body_shape_distance(shape, beyond);
-        if (inside > 0.0) sum += exchange(fl, f, c) * inside;
+        if (inside > 0.0) sum += by->exchange[k] * inside;
     }
-    return sum > 0.0 ? fmin(sum / s, friction_inside(fl, c)) : 0.0;
+    return sum > 0.0 ? fmin(sum / s, marking_inside(by, c)) : 0.0;
 }
 
 static void mark_make_room(struct solid_bodies *b)
@@ -196,6 +243,7 @@ int mark_gap_changes(const struct solid_bodies *b, int i, int j,
 static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
                        int c, int i)
 {
+    if (box_is_alike(&m->box, b->body_of, c)) return 0;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         const int wall = f >= m->n_internal;
@@ -207,11 +255,6 @@ static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
     }
     return 0;
 }
-
-struct marking {
-    struct solid_bodies *b;
-    const struct fluid *fl;
-};
 
 static int mark_touch(const struct solid_bodies *b, int i, int j)
 {
@@ -235,42 +278,38 @@ static void assign_cell(void *by, int i, int c, const double r[3], double s)
     b->body_of[c] = i + 1;
 }
 
-static void free_cell(void *by, int i, int c, const double r[3], double s)
-{
-    (void)r, (void)i, (void)s;
-    ((struct marking *)by)->b->body_of[c] = 0;
-}
-
 double mark_fraction(const struct mesh *m, int c, double s)
 {
     return fmin(fmax(0.5 - s / cbrt(m->V[c]), 0.0), 1.0);
 }
 
 /* Of a gap that is closed, once: it may be between a body and its image. */
-static void hold_gap(struct solid_bodies *b, const struct fluid *fl, int i,
-                     int c, const double r[3], double s)
+static void hold_gap(const struct marking *by, int i, int c, const double r[3],
+                     double s)
 {
+    struct solid_bodies *const b = by->b;
+
     if (closed_gap_of(b, c) != i || b->body_of[c] < 0) return;
-    add_link(b, i, c, b->by_fraction ? 1.0 : friction_inside(fl, c), r);
-    closed_gap_velocity(fl, c, s, b->link[b->n_links - 1].u);
+    add_link(b, i, c, b->by_fraction ? 1.0 : marking_inside(by, c), r);
+    closed_gap_velocity(by->fl, c, s, b->link[b->n_links - 1].u);
     b->body_of[c] = -b->body_of[c];
 }
 
-static void hold_cell(void *by, int i, int c, const double r[3], double s)
+static void hold_cell(void *marking, int i, int c, const double r[3], double s)
 {
-    struct solid_bodies *const b = ((struct marking *)by)->b;
-    const struct fluid *const fl = ((struct marking *)by)->fl;
+    const struct marking *const by = marking;
+    struct solid_bodies *const b = by->b;
 
     if (closed_gap_of(b, c) >= 0)
-        hold_gap(b, fl, i, c, r, s);
+        hold_gap(by, i, c, r, s);
     else if (b->by_fraction) {
-        const double share = mark_fraction(fl->mesh, c, s);
+        const double share = mark_fraction(by->fl->mesh, c, s);
         if (share > 0.0) add_link(b, i, c, share, r);
     } else if (s > 0.0) {
-        const double hold = friction_outside(fl, &b->shape[i], c, r, s);
+        const double hold = friction_outside(by, &b->shape[i], c, r, s);
         if (hold > 0.0) add_link(b, i, c, hold, r);
-    } else if (!mark_is_gap(b, fl->mesh, c, i))
-        add_link(b, i, c, friction_inside(fl, c), r);
+    } else if (!mark_is_gap(b, by->fl->mesh, c, i))
+        add_link(b, i, c, marking_inside(by, c), r);
     else
         b->body_of[c] = -abs(b->body_of[c]);
 }
@@ -329,9 +368,9 @@ static void clear_links(struct solid_bodies *b)
 
 void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
 {
-    struct marking by = {b, fl};
-
     if (b->dt_marked == fl->options.dt) return;
+    struct marking by = marking_of(b, fl);
+
     clear_links(b);
     for (int i = 0; i < b->ps->n; i++)
         body_cells_each(b, fl->mesh, i, assign_cell, &by);
@@ -340,10 +379,9 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
         b->start[i] = b->n_links;
         body_cells_each(b, fl->mesh, i, hold_cell, &by);
     }
-    body_seal_find(b, fl);
-    for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, fl->mesh, i, free_cell, &by);
     b->start[b->ps->n] = b->n_links;
+    body_seal_find(b, fl);
+    memset(b->body_of, 0, (size_t)fl->mesh->n_cells * sizeof *b->body_of);
     sum_links(b);
     b->held = b->n_cells;
     for (int i = 0; i < b->ps->n; i++)

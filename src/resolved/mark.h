@@ -72,6 +72,40 @@ struct cell_window cell_window_around(const struct mesh *m, const double x[3],
 int cell_window_cell(const struct mesh *m, const int at[3], const double x[3],
                      double r[3]);
 
+/* 1 if the box goes on beyond cell c on this side: 2 k the lower, 2 k + 1 the
+ * upper one of direction k. */
+static inline int box_goes_on(const struct box *b, int c, int side)
+{
+    const int k = side / 2, n = b->n[k];
+    const int at = (k > 0 ? c / (k > 1 ? b->n[0] * b->n[1] : b->n[0]) : c) % n;
+
+    if (b->periodic[k]) return n > 1;
+    return side % 2 ? at < n - 1 : at > 0;
+}
+
+/* 1 if cell c touches no end of the box, so that the six beside it are c +- 1,
+ * c +- a row, c +- a layer. */
+static inline int box_is_amid(const struct box *b, int c)
+{
+    const int x = c % b->n[0], rows = c / b->n[0];
+    const int y = rows % b->n[1], z = rows / b->n[1];
+
+    return x > 0 && x < b->n[0] - 1 && y > 0 && y < b->n[1] - 1 && z > 0 &&
+           z < b->n[2] - 1;
+}
+
+/* 1 if the cells beside cell c have the mark that it has. 0 also for a cell at
+ * an end of the box, for which the faces are to be asked. */
+static inline int box_is_alike(const struct box *b, const int *mark, int c)
+{
+    const int row = b->n[0], layer = row * b->n[1];
+
+    return box_is_amid(b, c) && mark[c - 1] == mark[c] &&
+           mark[c + 1] == mark[c] && mark[c - row] == mark[c] &&
+           mark[c + row] == mark[c] && mark[c - layer] == mark[c] &&
+           mark[c + layer] == mark[c];
+}
+
 /* What is done in cell c, whose centre is at r [m] from that of body i and at
  * the distance s [m] from its surface. */
 typedef void body_cells_act(void *by, int i, int c, const double r[3],
