@@ -52,7 +52,7 @@ FACT(ls_5_17_the_fluid_inside_moves_with_the_body)
 
     drag_by(&fraction_methods_fictitious, 0.1, 120, &p);
     fluid_mean_flow(p.fluid, flow);
-    for (int j = 0; j < p.bodies->n_links; j++) {
+    for (int j = 0; j < p.bodies->end[0]; j++) {
         const struct hold_link *const l = &p.bodies->link[j];
         if (vector_length(l->r) < 0.25)
             worst = fmax(worst, vector_length(&p.fluid->u[3 * l->cell]));
@@ -106,7 +106,7 @@ FACT(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
     double worst = 0.0, flow[3];
 
     fluid_mean_flow(p.fluid, flow);
-    for (int j = 0; j < p.bodies->n_links; j++)
+    for (int j = 0; j < p.bodies->end[0]; j++)
         worst =
             fmax(worst, vector_length(&p.fluid->u[3 * p.bodies->link[j].cell]));
     pool_free(&p);

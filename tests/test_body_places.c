@@ -169,7 +169,7 @@ FACT(ew18_2_a_body_leaves_through_an_outlet)
     ck_assert_double_gt(leaving, 0.1);
     ck_assert_double_eq(p.bodies->ps->vy[0], 0.0);
     pool_run(&p, 1);
-    ck_assert_int_eq(p.bodies->n_links, 0);
+    ck_assert_int_eq(p.bodies->n_cells, 0);
     pool_free(&p);
 }
 

@@ -98,7 +98,7 @@ FACT(ew18_4_the_fluid_inside_moves_with_the_body)
 
     array_drag(0.216, 12, 1.0, 60, middle, &p);
     fluid_mean_flow(p.fluid, flow);
-    for (int j = 0; j < p.bodies->n_links; j++) {
+    for (int j = 0; j < p.bodies->end[0]; j++) {
         const struct hold_link *const l = &p.bodies->link[j];
         const double *const u = &p.fluid->u[3 * l->cell];
         if (vector_length(l->r) < 0.3) worst = fmax(worst, vector_length(u));

@@ -149,6 +149,7 @@ static int close_cells(const struct closing *by)
             *widest = (struct body_seal_gap){g.i + 1, g.j + 1, g.width};
         if (changes) continue;
         b->body_of[c] = 1 + g.i + b->ps->n;
+        b->end[g.i]++;
         closed++;
     }
     return closed;
@@ -331,7 +332,7 @@ static double displaced(const struct search *s, int i)
     const struct mesh *const m = s->fl->mesh;
     double sum = 0.0;
 
-    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+    for (int j = b->start[i]; j < b->end[i]; j++) {
         const int c = b->link[j].cell;
         for (int a = m->cell_start[c];
              a < m->cell_start[c + 1] && b->body_of[c] == i + 1; a++) {

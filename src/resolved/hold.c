@@ -124,7 +124,7 @@ static void change_faces(struct immersed *self, struct fluid *fl)
  * [EW18 16]. It gets what the fluid loses in all (fluid.h). */
 static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i)
 {
-    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+    for (int j = b->start[i]; j < b->end[i]; j++) {
         const struct hold_link *const l = &b->link[j];
         const double scale =
             fl->options.dt * l->hold * fl->mesh->V[l->cell]; /* [kg] */
@@ -248,7 +248,7 @@ static void set_velocity(struct solid_bodies *b, struct fluid *fl)
     const struct mesh *const m = fl->mesh;
 
     for (int i = 0; i < b->ps->n; i++)
-        for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+        for (int j = b->start[i]; j < b->end[i]; j++) {
             const struct hold_link *const l = &b->link[j];
             double *const u = &fl->u[3 * l->cell], du[3];
             for (int k = 0; k < 3; k++) {
@@ -401,16 +401,17 @@ static void correct_force(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = (struct solid_bodies *)self;
 
-    for (int j = 0; j < b->n_links; j++) {
-        const struct hold_link *const l = &b->link[j];
-        for (int k = 0; k < 3; k++) {
-            const double df = relaxation * l->hold / fl->options.dt *
-                              (l->u[k] - fl->u[3 * l->cell + k]);
-            b->hold_u[3 * l->cell + k] += df;
-            fl->momentum->b[3 * l->cell + k] +=
-                fl->options.rho * fl->mesh->V[l->cell] * df;
+    for (int i = 0; i < b->ps->n; i++)
+        for (int j = b->start[i]; j < b->end[i]; j++) {
+            const struct hold_link *const l = &b->link[j];
+            for (int k = 0; k < 3; k++) {
+                const double df = relaxation * l->hold / fl->options.dt *
+                                  (l->u[k] - fl->u[3 * l->cell + k]);
+                b->hold_u[3 * l->cell + k] += df;
+                fl->momentum->b[3 * l->cell + k] +=
+                    fl->options.rho * fl->mesh->V[l->cell] * df;
+            }
         }
-    }
 }
 
 /* The whole f of a cell is of the first body that shares it. */
@@ -420,7 +421,7 @@ static void piso_ib_end(struct immersed *self, struct fluid *fl)
 
     clear_impulse(self);
     for (int i = 0; i < b->ps->n; i++)
-        for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+        for (int j = b->start[i]; j < b->end[i]; j++) {
             const struct hold_link *const l = &b->link[j];
             const double dt = fl->options.dt,
                          share = l->hold / b->hold[l->cell];

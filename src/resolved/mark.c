@@ -109,6 +109,7 @@ static int touches_boundary(const struct mesh *m, int c)
 {
     int touches = 0;
 
+    if (box_is_amid(&m->box, c)) return 0;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
         touches |= m->cell_face[a] >= m->n_internal;
     return touches;
@@ -168,32 +169,37 @@ static double friction_outside(const struct marking *by,
     return sum > 0.0 ? fmin(sum / s, marking_inside(by, c)) : 0.0;
 }
 
+/* Room for the links of each body, for as many as its `end` was counted to. */
 static void mark_make_room(struct solid_bodies *b)
 {
-    if (b->n_links < b->capacity) return;
-    b->capacity = 2 * b->capacity + 1024;
-    struct hold_link *const more =
-        alloc_zeroed((size_t)b->capacity, sizeof *more);
-    if (b->n_links > 0)
-        memcpy(more, b->link, (size_t)b->n_links * sizeof *more);
+    int n = 0;
+
+    for (int i = 0; i < b->ps->n; i++) {
+        b->start[i] = n;
+        n += b->end[i];
+        b->end[i] = b->start[i];
+    }
+    if (n <= b->capacity) return;
     free(b->link);
-    b->link = more;
+    b->capacity = n + n / 8;
+    b->link = alloc_zeroed((size_t)b->capacity, sizeof *b->link);
 }
 
-static void add_link(struct solid_bodies *b, int i, int cell, double hold,
-                     const double r[3])
+static struct hold_link *add_link(struct solid_bodies *b, int i, int cell,
+                                  double hold, const double r[3])
 {
     const struct particles *const ps = b->ps;
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+    struct hold_link *const link = &b->link[b->end[i]++];
     double turn[3];
 
-    mark_make_room(b);
     vector_cross(w, r, turn);
-    b->link[b->n_links++] = (struct hold_link){
+    *link = (struct hold_link){
         .cell = cell,
         .hold = hold,
         .u = {ps->vx[i] + turn[0], ps->vy[i] + turn[1], ps->vz[i] + turn[2]},
         .r = {r[0], r[1], r[2]}};
+    return link;
 }
 
 /* 1 if body i may come nearer to a wall across axis k. */
@@ -270,6 +276,7 @@ static void assign_cell(void *by, int i, int c, const double r[3], double s)
     struct solid_bodies *const b = ((struct marking *)by)->b;
 
     (void)r;
+    b->end[i] += s <= ((struct marking *)by)->widest;
     if (s > 0.0) return;
     const int j = b->body_of[c] - 1;
     if (b->springs > 0 && j >= 0 && j != i &&
@@ -283,16 +290,21 @@ double mark_fraction(const struct mesh *m, int c, double s)
     return fmin(fmax(0.5 - s / cbrt(m->V[c]), 0.0), 1.0);
 }
 
+/* In place of `hold`, while links are made, of a cell that its body leaves to
+ * the fluid, or in a gap has held [kg/(m^3 s)]. */
+static const double mark_left = -1.0;
+
 /* Of a gap that is closed, once: it may be between a body and its image. */
 static void hold_gap(const struct marking *by, int i, int c, const double r[3],
                      double s)
 {
     struct solid_bodies *const b = by->b;
 
-    if (closed_gap_of(b, c) != i || b->body_of[c] < 0) return;
-    add_link(b, i, c, b->by_fraction ? 1.0 : marking_inside(by, c), r);
-    closed_gap_velocity(by->fl, c, s, b->link[b->n_links - 1].u);
-    b->body_of[c] = -b->body_of[c];
+    if (closed_gap_of(b, c) != i || b->hold[c] == mark_left) return;
+    closed_gap_velocity(
+        by->fl, c, s,
+        add_link(b, i, c, b->by_fraction ? 1.0 : marking_inside(by, c), r)->u);
+    b->hold[c] = mark_left;
 }
 
 static void hold_cell(void *marking, int i, int c, const double r[3], double s)
@@ -311,19 +323,37 @@ static void hold_cell(void *marking, int i, int c, const double r[3], double s)
     } else if (!mark_is_gap(b, by->fl->mesh, c, i))
         add_link(b, i, c, marking_inside(by, c), r);
     else
-        b->body_of[c] = -abs(b->body_of[c]);
+        b->hold[c] = mark_left;
+}
+
+/* The links of all bodies, several at a time. What one leaves to the fluid is
+ * marked when all are done, because the others look at body_of. */
+static void hold_cells(struct marking *by)
+{
+    struct solid_bodies *const b = by->b;
+
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < b->ps->n; i++)
+        body_cells_each(b, by->fl->mesh, i, hold_cell, by);
+#pragma omp parallel for schedule(static)
+    for (int c = 0; c < by->fl->mesh->n_cells; c++)
+        if (b->hold[c] == mark_left) {
+            b->hold[c] = 0.0;
+            b->body_of[c] = -abs(b->body_of[c]);
+        }
 }
 
 /* The sums over the links of each cell. */
 static void sum_links(struct solid_bodies *b)
 {
-    for (int j = 0; j < b->n_links; j++) {
-        const struct hold_link *const l = &b->link[j];
-        if (b->hold[l->cell] == 0.0) b->cell[b->n_cells++] = l->cell;
-        b->hold[l->cell] += l->hold;
-        for (int k = 0; k < 3 && !b->by_fraction; k++)
-            b->hold_u[3 * l->cell + k] += l->hold * l->u[k];
-    }
+    for (int i = 0; i < b->ps->n; i++)
+        for (int j = b->start[i]; j < b->end[i]; j++) {
+            const struct hold_link *const l = &b->link[j];
+            if (b->hold[l->cell] == 0.0) b->cell[b->n_cells++] = l->cell;
+            b->hold[l->cell] += l->hold;
+            for (int k = 0; k < 3 && !b->by_fraction; k++)
+                b->hold_u[3 * l->cell + k] += l->hold * l->u[k];
+        }
 }
 
 /* What of the fluid in the cell of link l moves with the body [-]. One outside
@@ -346,7 +376,7 @@ static void sum_inertia(struct solid_bodies *b, const struct fluid *fl, int i)
     double *const I = &b->inertia[3 * i];
 
     I[0] = I[1] = I[2] = 0.0;
-    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+    for (int j = b->start[i]; j < b->end[i]; j++) {
         const struct hold_link *const l = &b->link[j];
         const double m =
             share_of(b, fl, l) * fl->options.rho * fl->mesh->V[l->cell];
@@ -363,7 +393,8 @@ static void clear_links(struct solid_bodies *b)
         if (!b->by_fraction)
             memset(&b->hold_u[3 * c], 0, 3 * sizeof *b->hold_u);
     }
-    b->n_cells = b->n_links = 0;
+    b->n_cells = 0;
+    memset(b->end, 0, (size_t)b->ps->n * sizeof *b->end);
 }
 
 void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
@@ -375,15 +406,13 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
     for (int i = 0; i < b->ps->n; i++)
         body_cells_each(b, fl->mesh, i, assign_cell, &by);
     closed_gap_find(b, fl);
-    for (int i = 0; i < b->ps->n; i++) {
-        b->start[i] = b->n_links;
-        body_cells_each(b, fl->mesh, i, hold_cell, &by);
-    }
-    b->start[b->ps->n] = b->n_links;
+    mark_make_room(b);
+    hold_cells(&by);
     body_seal_find(b, fl);
     memset(b->body_of, 0, (size_t)fl->mesh->n_cells * sizeof *b->body_of);
     sum_links(b);
     b->held = b->n_cells;
+#pragma omp parallel for schedule(static)
     for (int i = 0; i < b->ps->n; i++)
         sum_inertia(b, fl, i);
     b->dt_marked = fl->options.dt;
@@ -421,7 +450,7 @@ static void start_inside(struct solid_bodies *b, struct fluid *fl, int i)
     const double U[3] = {b->ps->vx[i], b->ps->vy[i], b->ps->vz[i]};
     double held = 0.0, s[3] = {0.0}, I[6] = {0.0}, L[3], a[3], v[3], turn[3];
 
-    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+    for (int j = b->start[i]; j < b->end[i]; j++) {
         const struct hold_link *const l = &b->link[j];
         const double V = share_of(b, fl, l) * fl->mesh->V[l->cell];
         held += V;
@@ -436,7 +465,7 @@ static void start_inside(struct solid_bodies *b, struct fluid *fl, int i)
     vector_solve(I, L, a);
     vector_cross(s, a, v);
     vector_along(v, b->volume[i], U, v);
-    for (int j = b->start[i]; j < b->start[i + 1]; j++) {
+    for (int j = b->start[i]; j < b->end[i]; j++) {
         const struct hold_link *const l = &b->link[j];
         const double share = share_of(b, fl, l);
         double *const u = &fl->u[3 * l->cell];

@@ -43,7 +43,8 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     for (size_t a = 0; a < sizeof three / sizeof three[0]; a++)
         *three[a] = alloc_doubles(3 * n);
     b->cells = cells;
-    b->start = alloc_ints(n + 1);
+    b->start = alloc_ints(n);
+    b->end = alloc_ints(n);
     b->near = alloc_ints(n);
     b->cell = alloc_ints(cells);
     b->body_of = alloc_ints(cells);
@@ -82,6 +83,7 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b->torque);
     free(b->link);
     free(b->start);
+    free(b->end);
     free(b->cell);
     free(b->body_of);
     free(b->near);

@@ -57,8 +57,8 @@ struct solid_bodies {
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
     double *inertia; /* [kg m^2] of the fluid held in it, 3 a body (mark.c) */
     int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
-    struct hold_link *link; /* those of body i are link[start[i]] ... */
-    int *start, n_links, capacity;
+    struct hold_link *link; /* those of body i: link[start[i]] ... end[i] - 1 */
+    int *start, *end, capacity;
     struct body_exit *exit;     /* NULL: none can leave (body_motion.h) */
     struct among_grains *among; /* NULL: there are no other particles */
     void (*free_among)(struct solid_bodies *b);
