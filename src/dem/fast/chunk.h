@@ -98,6 +98,8 @@ struct chunk {
     struct row_load *sum; /* in a step: where they are summed, `load` or a
                              ring */
     int round;            /* [-] bits of a number in it; -1: all */
+    int fetched, reached; /* [-] particles from the first on whose rows are on
+                             their way into the cache, and are to be */
     struct row_load (*part)[ENERGY_PARTS]; /* of these loads (energy.h); NULL
                                                without a budget */
     int load_capacity;

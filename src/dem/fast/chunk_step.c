@@ -84,6 +84,8 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
     const struct chunk_block *const from = k > 0 ? to - 1 : &begin;
 
     chunk_zero_loads(own, from->n_loads, to->n_loads);
+    own->fetched = to->n_loads;
+    own->reached = k + 1 < own->n_blocks ? to[1].n_loads : to->n_loads;
     sweep_contacts(own, nb->rows, by->constants, by->dt, from->pairs,
                    to->pairs);
     sweep_contacts(own, nb->rows, by->constants, by->dt, from->walls,

@@ -441,6 +441,17 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
     if (loop & SWEEP_ROLLING) sweep_rolling(c, s, b, k, first, count, dt);
 }
 
+/* Sends for the rows that the next block reaches for the first time, a few with
+ * each group of lanes: all at once would wait for the memory. */
+static inline void sweep_fetch(struct chunk *s, const struct rows *b)
+{
+    for (int k = 0; k < SWEEP_LANES / 2 && s->fetched < s->reached; k++) {
+        const int i = (s->begin + s->fetched++) % b->n;
+        __builtin_prefetch(&b->place[i]);
+        __builtin_prefetch(&b->motion[i]);
+    }
+}
+
 /* Where lanes are left over at the end, the springs are copied: those behind
  * them belong to other contacts. */
 SWEEP_INLINE void sweep_with(struct chunk *s, const struct rows *b,
@@ -456,6 +467,7 @@ SWEEP_INLINE void sweep_with(struct chunk *s, const struct rows *b,
         const int count = short_of ? left : SWEEP_LANES;
         double *xi[3];
 
+        sweep_fetch(s, b);
         for (int a = 0; a < 3; a++) {
             xi[a] = short_of ? spare[a] : s->contacts.xi[a] + first;
             if (short_of) sweep_copy(xi[a], s->contacts.xi[a] + first, count);
