@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* chunk_loads.c -- where the loads of a chunk are summed. */
-#include "dem/fast/chunk.h"
+#include "dem/fast/neighbours.h"
 
+#include <omp.h>
 #include <string.h>
 
 /* --- a ring of loads ------------------------------------------------------ */
@@ -58,14 +59,12 @@ int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n)
     return reached < 0 ? 0 : reached < size ? reached : size;
 }
 
-/* Adds the first n rows. */
-static void add_rows(struct row_load *to, const struct row_load *from, int n)
+static void add_load(struct row_load *to, const struct row_load *from)
 {
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < 3; k++) {
-            to[i].F[k] += from[i].F[k];
-            to[i].turn[k] += from[i].turn[k];
-        }
+    for (int k = 0; k < 3; k++) {
+        to->F[k] += from->F[k];
+        to->turn[k] += from->turn[k];
+    }
 }
 
 void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
@@ -76,12 +75,63 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
     for (int back = 1; back < count; back++) {
         const struct chunk *const t = &chunks[(s - back + count) % count];
         const int offset = (own->begin - t->begin + n) % n;
-        const int last = own->begin + chunk_shared_loads(own, t, n);
-        const int many = (end < last ? end : last) - begin;
-        const int first = begin - own->begin;
-        add_rows(chunk_load(own, first), t->load + first + offset, many);
-        if (own->has_budget)
-            add_rows(own->part[first], t->part[first + offset],
-                     many * ENERGY_PARTS);
+        const int shared = own->begin + chunk_shared_loads(own, t, n);
+        const int last = shared < end ? shared : end;
+        for (int q = begin - own->begin; q < last - own->begin; q++)
+            add_load(chunk_load(own, q), chunk_load(t, q + offset));
+        for (int q = begin - own->begin;
+             own->has_budget && q < last - own->begin; q++)
+            for (int a = 0; a < ENERGY_PARTS; a++)
+                add_load(&own->part[q][a], &t->part[q + offset][a]);
     }
+}
+
+/* --- of a step --------------------------------------------------------------
+ */
+
+int chunk_loads_shared(const struct neighbours *nb, int s,
+                       const struct step_parameters *by)
+{
+    const int *const around = nb->rows->box.periodic;
+    const int n = nb->rows->n, first = neighbours_balanced_range(nb).first;
+    int most = 0;
+
+    if (nb->surfaces != NULL || by->n_attractions > 0) return n;
+    if (nb->n_chunks == 1 && (around[0] || around[1] || around[2])) return n;
+    for (int t = 0; t < nb->n_chunks; t++) {
+        const int done = first <= t && t <= s;
+        const int m =
+            done ? 0 : chunk_shared_loads(&nb->chunks[s], &nb->chunks[t], n);
+        most = m > most ? m : most;
+    }
+    return most;
+}
+
+/* NULL: the loads are needed after the blocks. */
+static struct row_load *ring_of_thread(const struct neighbours *nb, int s,
+                                       const struct step_parameters *by)
+{
+    if (!by->passing || by->budget || nb->ps->clumps != NULL) return NULL;
+    return nb->ring + (size_t)(2 * omp_get_thread_num() + s % 2) * CHUNK_RING;
+}
+
+void chunk_loads_begin(const struct neighbours *nb, int s,
+                       const struct step_parameters *by)
+{
+    const int waits = chunk_loads_shared(nb, s, by) > 0;
+    chunk_begin_loads(&nb->chunks[s], waits ? NULL : ring_of_thread(nb, s, by));
+}
+
+/* The loads on other chunks stay in the ring if the next chunk takes them all
+ * from there, before the one after it needs the ring. */
+void chunk_loads_end(const struct neighbours *nb, int s,
+                     const struct step_parameters *by)
+{
+    const struct chunk_range mine = neighbours_balanced_range(nb);
+    struct chunk *const own = &nb->chunks[s];
+
+    if (s > mine.first) chunk_begin_loads(own - 1, NULL);
+    if (s + 1 == mine.last || own->begin + own->window > own[1].end ||
+        chunk_loads_shared(nb, s + 1, by) > 0)
+        chunk_end_loads(own);
 }

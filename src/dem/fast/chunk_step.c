@@ -2,7 +2,6 @@
 #include "dem/fast/neighbours.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -50,29 +49,6 @@ static void chunk_step_count(const struct neighbours *nb, int s,
     if (nb->surfaces != NULL)
         surface_contacts_count(&nb->surfaces->chunk[s],
                                (1.0 - by->from) * by->kick);
-}
-
-/* Number of particles at the beginning of chunk s that receive loads from
- * chunks that this thread has not computed yet. A chunk adds loads to later
- * ones; in a periodic direction the first chunk follows the last one, also if
- * there is only one. Forces other than contacts are computed after the blocks.
- */
-static int n_shared(const struct neighbours *nb, int s,
-                    const struct step_parameters *by)
-{
-    const int *const around = nb->rows->box.periodic;
-    const int n = nb->rows->n, first = neighbours_balanced_range(nb).first;
-    int most = 0;
-
-    if (nb->surfaces != NULL || by->n_attractions > 0) return n;
-    if (nb->n_chunks == 1 && (around[0] || around[1] || around[2])) return n;
-    for (int t = 0; t < nb->n_chunks; t++) {
-        const int done = first <= t && t <= s;
-        const int m =
-            done ? 0 : chunk_shared_loads(&nb->chunks[s], &nb->chunks[t], n);
-        most = m > most ? m : most;
-    }
-    return most;
 }
 
 /* The loads of the contacts that end with this block. */
@@ -213,24 +189,16 @@ static void load_others(struct neighbours *nb, int s,
     chunk_step_add_attractions(nb->rows, own, by);
 }
 
-/* NULL: the loads are needed after the blocks. */
-static struct row_load *ring_of_thread(const struct neighbours *nb,
-                                       const struct step_parameters *by)
-{
-    if (!by->passing || by->budget || nb->ps->clumps != NULL) return NULL;
-    return nb->ring + (size_t)omp_get_thread_num() * CHUNK_RING;
-}
-
 /* Computes loads, then motion, block by block. Blocks wait if other chunks may
  * still add loads to them or still need their positions. */
 static void load_and_move_chunk(struct neighbours *nb, int s,
                                 const struct step_parameters *by, int waiting)
 {
     struct chunk *const own = &nb->chunks[s];
-    const int shared = n_shared(nb, s, by), late = own->begin + shared;
+    const int shared = chunk_loads_shared(nb, s, by),
+              late = own->begin + shared;
 
-    if (!waiting)
-        chunk_begin_loads(own, shared == 0 ? ring_of_thread(nb, by) : NULL);
+    if (!waiting) chunk_loads_begin(nb, s, by);
     for (int k = 0, begin = own->begin; k < own->n_blocks; k++) {
         const int end = own->blocks[k].end;
         if (!waiting) load_block(nb, own, k, by);
@@ -242,7 +210,7 @@ static void load_and_move_chunk(struct neighbours *nb, int s,
         begin = end;
     }
     if (waiting) return;
-    chunk_end_loads(own);
+    chunk_loads_end(nb, s, by);
     load_others(nb, s, by);
 }
 

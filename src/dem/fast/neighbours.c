@@ -33,7 +33,7 @@ struct neighbours *neighbours_create(struct particles *ps,
     neighbours_watch(nb, HUGE_VAL);
     nb->barrier = barrier_create();
     nb->ring =
-        alloc_zeroed((size_t)nb->n_chunks * CHUNK_RING, sizeof *nb->ring);
+        alloc_zeroed((size_t)nb->n_chunks * 2 * CHUNK_RING, sizeof *nb->ring);
     nb->rank = alloc_ints(ps->capacity);
     nb->stale = 1;
     return nb;

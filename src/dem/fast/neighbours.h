@@ -86,7 +86,7 @@ struct neighbours {
     double (*clump_speed)[3]; /* [m/s] largest |v_x|, |v_y|, |v_z| of balls of a
                                  slice (fast_clumps.c); NULL */
     struct barrier *barrier;
-    struct row_load *ring; /* CHUNK_RING of them for each thread */
+    struct row_load *ring; /* two times CHUNK_RING for each thread */
     int *rank;             /* [-] new index of each particle after a sort */
     double skin;     /* [m] set by the caller before neighbours_begin_run */
     double smallest; /* [m] diameter; 0: not known yet */
@@ -211,6 +211,20 @@ struct step_parameters {
     int passing; /* [-] 1: another step follows, and no one asks for the loads
                   */
 };
+
+/* Number of particles at the beginning of chunk s that receive loads from
+ * chunks that this thread has not computed yet. A chunk adds loads to later
+ * ones; in a periodic direction the first chunk follows the last one, also if
+ * there is only one. Forces other than contacts are computed after the blocks.
+ * (chunk_loads.c) */
+int chunk_loads_shared(const struct neighbours *nb, int s,
+                       const struct step_parameters *by);
+
+/* Before the first block of chunk s and after its last one. */
+void chunk_loads_begin(const struct neighbours *nb, int s,
+                       const struct step_parameters *by);
+void chunk_loads_end(const struct neighbours *nb, int s,
+                     const struct step_parameters *by);
 
 /* Computes loads and motion. Every thread of the team calls it; it ends with a
  * barrier. */

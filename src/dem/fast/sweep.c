@@ -405,6 +405,17 @@ static inline void sweep_copy(double *to, const double *from, int n)
     memcpy(to, from, (size_t)n * sizeof *to);
 }
 
+/* Sends for the rows that the next block reaches for the first time, a few with
+ * each group of lanes: all at once would wait for the memory. */
+static inline void sweep_fetch(struct chunk *s, const struct rows *b)
+{
+    for (int k = 0; k < SWEEP_LANES / 2 && s->fetched < s->reached; k++) {
+        const int i = (s->begin + s->fetched++) % b->n;
+        __builtin_prefetch(&b->place[i]);
+        __builtin_prefetch(&b->motion[i]);
+    }
+}
+
 /* The stages of one group of lanes. */
 SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
                                const struct rows *b,
@@ -415,6 +426,7 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
     const int loop = b->sweep_options;
     const int many = loop & SWEEP_MULTI_MATERIAL, budget = loop & SWEEP_BUDGET;
 
+    sweep_fetch(s, b);
     sweep_gather(c, s, b, first, count);
     if (b->own_inverse_mass != NULL) sweep_prescribed(c, s, b, first, count);
     sweep_into_columns(c);
@@ -441,17 +453,6 @@ SWEEP_INLINE void sweep_stages(struct sweep_buffers *c, struct chunk *s,
     if (loop & SWEEP_ROLLING) sweep_rolling(c, s, b, k, first, count, dt);
 }
 
-/* Sends for the rows that the next block reaches for the first time, a few with
- * each group of lanes: all at once would wait for the memory. */
-static inline void sweep_fetch(struct chunk *s, const struct rows *b)
-{
-    for (int k = 0; k < SWEEP_LANES / 2 && s->fetched < s->reached; k++) {
-        const int i = (s->begin + s->fetched++) % b->n;
-        __builtin_prefetch(&b->place[i]);
-        __builtin_prefetch(&b->motion[i]);
-    }
-}
-
 /* Where lanes are left over at the end, the springs are copied: those behind
  * them belong to other contacts. */
 SWEEP_INLINE void sweep_with(struct chunk *s, const struct rows *b,
@@ -467,7 +468,6 @@ SWEEP_INLINE void sweep_with(struct chunk *s, const struct rows *b,
         const int count = short_of ? left : SWEEP_LANES;
         double *xi[3];
 
-        sweep_fetch(s, b);
         for (int a = 0; a < 3; a++) {
             xi[a] = short_of ? spare[a] : s->contacts.xi[a] + first;
             if (short_of) sweep_copy(xi[a], s->contacts.xi[a] + first, count);
