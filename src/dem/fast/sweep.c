@@ -337,6 +337,17 @@ SWEEP_STAGE void sweep_springs(struct sweep_buffers *restrict c,
     }
 }
 
+/* Sends for the rows that the next block reaches for the first time, a few with
+ * each group of lanes: all at once would wait for the memory. */
+static inline void sweep_fetch(struct chunk *s, const struct rows *b)
+{
+    for (int k = 0; k < SWEEP_LANES / 2 && s->fetched < s->reached; k++) {
+        const int i = (s->begin + s->fetched++) % b->n;
+        __builtin_prefetch(&b->place[i]);
+        __builtin_prefetch(&b->motion[i]);
+    }
+}
+
 /* Coulomb's limit [LS 4.8]. Where the surfaces slide, xi is reduced until the
  * spring force is no larger than the limit. It is never increased by the limit,
  * because the spring would return energy that no slip stored in it. Then the
@@ -403,17 +414,6 @@ SWEEP_STAGE void sweep_loads_multi_material(struct sweep_buffers *restrict c,
 static inline void sweep_copy(double *to, const double *from, int n)
 {
     memcpy(to, from, (size_t)n * sizeof *to);
-}
-
-/* Sends for the rows that the next block reaches for the first time, a few with
- * each group of lanes: all at once would wait for the memory. */
-static inline void sweep_fetch(struct chunk *s, const struct rows *b)
-{
-    for (int k = 0; k < SWEEP_LANES / 2 && s->fetched < s->reached; k++) {
-        const int i = (s->begin + s->fetched++) % b->n;
-        __builtin_prefetch(&b->place[i]);
-        __builtin_prefetch(&b->motion[i]);
-    }
 }
 
 /* The stages of one group of lanes. */
