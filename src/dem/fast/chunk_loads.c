@@ -112,7 +112,7 @@ static struct row_load *ring_of_thread(const struct neighbours *nb, int s,
                                        const struct step_parameters *by)
 {
     if (!by->passing || by->budget || nb->ps->clumps != NULL) return NULL;
-    return nb->ring + (size_t)(2 * omp_get_thread_num() + s % 2) * CHUNK_RING;
+    return nb->ring[omp_get_thread_num()][s % 2];
 }
 
 void chunk_loads_begin(const struct neighbours *nb, int s,

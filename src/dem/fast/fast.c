@@ -208,6 +208,7 @@ static void fast_run(struct dem *dem, int steps, struct dem_report *r)
     struct fast *const fast = fast_of(dem);
     struct neighbours *const nb = fast->neighbours;
     const long before = nb->rebuilds;
+    const int team = team_size(nb);
 
     if (nb->stale) {
         nb->skin = skin_of(&dem->options, dem_mean_diameter(nb->ps));
@@ -216,8 +217,8 @@ static void fast_run(struct dem *dem, int steps, struct dem_report *r)
     if (nb->stale || nb->smallest == 0.0)
         nb->smallest = dem_least_diameter(dem->ps);
     fast->crossing.found = 0;
-    neighbours_begin_run(nb);
-#pragma omp parallel num_threads(team_size(nb))
+    neighbours_begin_run(nb, team);
+#pragma omp parallel num_threads(team)
     fast_move(dem, steps);
     fast_report(dem, nb->rebuilds - before, r);
 }

@@ -32,8 +32,6 @@ struct neighbours *neighbours_create(struct particles *ps,
     nb->chunks = alloc_zeroed((size_t)nb->n_chunks, sizeof *nb->chunks);
     neighbours_watch(nb, HUGE_VAL);
     nb->barrier = barrier_create();
-    nb->ring =
-        alloc_zeroed((size_t)nb->n_chunks * 2 * CHUNK_RING, sizeof *nb->ring);
     nb->rank = alloc_ints(ps->capacity);
     nb->stale = 1;
     return nb;
@@ -112,10 +110,15 @@ static void save_history(struct neighbours *nb, int s)
     if (nb->surfaces != NULL) surfaces_save_history(nb->surfaces, s, nb->ps);
 }
 
-void neighbours_begin_run(struct neighbours *nb)
+void neighbours_begin_run(struct neighbours *nb, int team)
 {
     struct rows *const b = nb->rows;
 
+    if (team > nb->n_rings) {
+        free(nb->ring);
+        nb->ring = alloc_zeroed((size_t)team, sizeof *nb->ring);
+        nb->n_rings = team;
+    }
     b->n = nb->ps->n;
     rows_add_implicit_drag(b, nb->ps);
     b->id = nb->ps->id;

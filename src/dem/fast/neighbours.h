@@ -86,8 +86,9 @@ struct neighbours {
     double (*clump_speed)[3]; /* [m/s] largest |v_x|, |v_y|, |v_z| of balls of a
                                  slice (fast_clumps.c); NULL */
     struct barrier *barrier;
-    struct row_load *ring; /* two times CHUNK_RING for each thread */
-    int *rank;             /* [-] new index of each particle after a sort */
+    struct row_load (*ring)[2][CHUNK_RING]; /* two for each thread */
+    int n_rings;                            /* [-] threads that have them */
+    int *rank;       /* [-] new index of each particle after a sort */
     double skin;     /* [m] set by the caller before neighbours_begin_run */
     double smallest; /* [m] diameter; 0: not known yet */
     double range;    /* [m] gap up to which the neighbour list must be complete,
@@ -139,8 +140,8 @@ int neighbours_save_histories(struct neighbours *nb);
  * Borrowed. */
 struct chunk *neighbours_restore_history(struct neighbours *nb, int n);
 
-/* Before a team starts. */
-void neighbours_begin_run(struct neighbours *nb);
+/* Before a team of so many threads starts. */
+void neighbours_begin_run(struct neighbours *nb, int team);
 
 /* At the beginning and the end of a run: copies the particles to the rows,
  * and back. */
