@@ -167,7 +167,7 @@ FACT_FOR_EACH(ls_5_15_the_list_is_for_the_places_a_little_later, 2)
     int found = 0;
 
     nb->skin = 0.999e-3; /* cells hardly wider than d + skin */
-    neighbours_begin_run(nb);
+    neighbours_begin_run(nb, 1);
     neighbours_load(nb);
     ck_assert_double_gt(neighbours_refresh(nb, 1e-6, 0.0), 0.0);
     for (int s = 0; s < nb->n_chunks; s++)

@@ -34,7 +34,7 @@ FACT_FOR_EACH(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 2)
     }
     struct neighbours *const nb = neighbours_create(ps, &box);
     nb->skin = skin;
-    neighbours_begin_run(nb);
+    neighbours_begin_run(nb, 1);
     neighbours_load(nb);
     ck_assert_double_gt(neighbours_refresh(nb, 1e-6, 0.0), 0.0);
     for (int i = 0; i < ps->n; i++)

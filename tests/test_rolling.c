@@ -191,7 +191,7 @@ FACT(without_rolling_friction_there_is_no_array_for_it)
         struct neighbours *const nb = neighbours_create(ps, &box);
         if (rolls) neighbours_add_rolling(nb);
         nb->skin = 1e-3;
-        neighbours_begin_run(nb);
+        neighbours_begin_run(nb, 1);
         neighbours_load(nb);
         ck_assert_double_gt(neighbours_refresh(nb, 1e-5, 0.0), 0.0);
         ck_assert_int_eq(nb->chunks[0].contacts.n_pairs, 1);
