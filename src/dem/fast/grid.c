@@ -175,31 +175,110 @@ static inline int close_by(const struct rows *b, int i, int j, double skin)
     return rows_distance2(&b->box, p, q) <= reach * reach;
 }
 
-/* The same where there are no images. */
-static inline int close_inside(const struct rows *b, int i, int j, double skin)
-{
-    const struct row_place *const p = &b->listed[i], *const q = &b->listed[j];
-    const double reach = p->R + q->R + skin;
-    double r2 = 0.0;
+/* The particles from `from` to `to` - 1 of each stretch. */
+struct grid_stretches {
+    int n, from[27], to[27];
+};
 
-    for (int k = 0; k < 3; k++)
-        r2 += (p->x[k] - q->x[k]) * (p->x[k] - q->x[k]);
-    return r2 <= reach * reach;
+/* Cells that follow each other in the fastest direction are one stretch of
+ * particles. Returns the number of the cell of i. */
+static int stretches_around(const struct grid *g, const struct rows *b, int i,
+                            struct grid_stretches *all)
+{
+    const int *const a = g->axis;
+    int at[3][3], count[3], c[3], own[3];
+
+    for (int k = 0; k < 3; k++) {
+        const double x = box_domain_inside(&b->box, k, b->listed[i].x[k]);
+        own[k] = grid_coordinate(g, k, x);
+        count[k] = grid_beside(g, k, own[k], at[k]);
+    }
+    all->n = 0;
+    for (int p = 0; p < count[a[2]]; p++)
+        for (int q = 0; q < count[a[1]]; q++)
+            for (int r = 0, next; r < count[a[0]]; r = next) {
+                const int *const row = at[a[0]];
+                for (next = r + 1; next < count[a[0]]; next++)
+                    if (row[next] != row[next - 1] + 1) break;
+                c[a[2]] = at[a[2]][p];
+                c[a[1]] = at[a[1]][q];
+                c[a[0]] = row[r];
+                const int cell = grid_cell_number(g, c);
+                all->from[all->n] = g->start[cell];
+                all->to[all->n++] = g->start[cell + next - r];
+            }
+    return grid_cell_number(g, own);
 }
 
-/* Partners of i among the particles from ... to - 1, all of which it would own,
- * in a box without images. Each candidate is written to the list, and the next
+/* The particles around those of a cell, by columns. */
+struct candidates {
+    int n, capacity;
+    int *j, *close; /* [-] index; 1: close to the particle at hand */
+    double *x[4];   /* [m] position, radius */
+};
+
+static void candidates_free(struct candidates *of)
+{
+    free(of->j);
+    free(of->close);
+    for (int k = 0; k < 4; k++)
+        free(of->x[k]);
+}
+
+static void candidates_grow(struct candidates *of, int n)
+{
+    if (n <= of->capacity) return;
+    of->capacity = 2 * n;
+    of->j = alloc_grown(of->j, of->n, of->capacity, sizeof *of->j);
+    of->close = alloc_grown(of->close, 0, of->capacity, sizeof *of->close);
+    for (int k = 0; k < 4; k++)
+        of->x[k] = alloc_grown(of->x[k], of->n, of->capacity, sizeof(double));
+}
+
+/* Those of the stretches that follow i, in ascending order: of a stretch that
+ * is not of the row of cells of i, all or none. */
+static void gather_candidates(struct candidates *of,
+                              const struct grid_stretches *all,
+                              const struct rows *b, int i)
+{
+    of->n = 0;
+    for (int p = 0; p < all->n; p++) {
+        const int from = all->from[p] > i ? all->from[p] : i + 1;
+        if (from >= all->to[p]) continue;
+        candidates_grow(of, of->n + all->to[p] - from);
+        for (int j = from; j < all->to[p]; j++, of->n++) {
+            of->j[of->n] = j;
+            for (int k = 0; k < 3; k++)
+                of->x[k][of->n] = b->listed[j].x[k];
+            of->x[3][of->n] = b->listed[j].R;
+        }
+    }
+}
+
+/* Partners of particle i among the candidates from `first` on, all of which it
+ * would own, in a box without images. Each is written to the list, and the next
  * one overwrites it unless it is close; a branch would be predicted wrongly for
  * every third. */
-static void find_inside(int from, int to, struct chunk *s, const struct rows *b,
-                        int i, double skin)
+static void find_inside(const struct candidates *of, int first, struct chunk *s,
+                        const struct rows *b, int i, double skin)
 {
-    int n = 0, *const close =
-                   to > from ? chunk_room_for_pairs(s, to - from) : NULL;
+    const struct row_place p = b->listed[i];
+    const double *const x = of->x[0], *const y = of->x[1], *const z = of->x[2];
+    const double *const R = of->x[3];
+    int *const close = of->close;
 
-    for (int j = from; j < to; j++) {
-        close[n] = j;
-        n += close_inside(b, i, j, skin);
+#pragma omp simd
+    for (int a = first; a < of->n; a++) {
+        const double dx = p.x[0] - x[a], dy = p.x[1] - y[a], dz = p.x[2] - z[a];
+        const double reach = p.R + R[a] + skin;
+        close[a] = dx * dx + dy * dy + dz * dz <= reach * reach;
+    }
+    int n = 0;
+    int *const to =
+        of->n > first ? chunk_room_for_pairs(s, of->n - first) : NULL;
+    for (int a = first; a < of->n; a++) {
+        to[n] = of->j[a];
+        n += close[a];
     }
     s->pairs.n += n;
 }
@@ -211,50 +290,20 @@ static inline int grid_are_one(const struct rows *b, int i, int j)
            b->ball[i].of == b->ball[j].of;
 }
 
-/* Partners of i among the particles from ... to - 1. */
-static void find_among(const struct grid *g, int from, int to, struct chunk *s,
-                       const struct rows *b, int i, double skin)
+/* Partners of i in the stretches, one by one. */
+static void find_among(const struct grid *g, const struct grid_stretches *all,
+                       struct chunk *s, const struct rows *b, int i,
+                       double skin)
 {
-    const int *const around = b->box.periodic;
-    const int ring = around[g->axis[2]];
-    const int first = !ring && from <= i ? i + 1 : from;
+    const int ring = b->box.periodic[g->axis[2]];
 
-    if (!around[0] && !around[1] && !around[2] && b->ball == NULL) {
-        find_inside(first, to, s, b, i, skin);
-        return;
-    }
-    for (int j = first; j < to; j++)
-        if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin) &&
-            !grid_are_one(b, i, j)) {
-            *chunk_room_for_pairs(s, 1) = j;
-            s->pairs.n++;
-        }
-}
-
-/* Cells that follow each other in the fastest direction are one stretch of
- * particles. */
-static void find_pairs(const struct grid *g, struct chunk *s,
-                       const struct rows *b, int i, double skin)
-{
-    const int *const a = g->axis;
-    int at[3][3], count[3], c[3];
-
-    for (int k = 0; k < 3; k++) {
-        const double x = box_domain_inside(&b->box, k, b->listed[i].x[k]);
-        count[k] = grid_beside(g, k, grid_coordinate(g, k, x), at[k]);
-    }
-    for (int p = 0; p < count[a[2]]; p++)
-        for (int q = 0; q < count[a[1]]; q++)
-            for (int r = 0, next; r < count[a[0]]; r = next) {
-                const int *const row = at[a[0]];
-                for (next = r + 1; next < count[a[0]]; next++)
-                    if (row[next] != row[next - 1] + 1) break;
-                c[a[2]] = at[a[2]][p];
-                c[a[1]] = at[a[1]][q];
-                c[a[0]] = row[r];
-                const int cell = grid_cell_number(g, c);
-                find_among(g, g->start[cell], g->start[cell + next - r], s, b,
-                           i, skin);
+    for (int p = 0; p < all->n; p++)
+        for (int j = !ring && all->from[p] <= i ? i + 1 : all->from[p];
+             j < all->to[p]; j++)
+            if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin) &&
+                !grid_are_one(b, i, j)) {
+                *chunk_room_for_pairs(s, 1) = j;
+                s->pairs.n++;
             }
 }
 
@@ -267,14 +316,32 @@ static void grid_find_walls(struct chunk *s, const struct rows *b, int i,
             chunk_add_wall(s, w);
 }
 
+/* The particles of a cell follow each other, and have the same around them. */
 void grid_find(const struct grid *g, struct chunk *s, const struct rows *b,
                double skin)
 {
+    const int *const around = b->box.periodic;
+    const int plain = !around[0] && !around[1] && !around[2] && b->ball == NULL;
+    struct grid_stretches all = {0};
+    struct candidates of = {0};
+
     chunk_clear_lists(s);
-    for (int i = s->begin; i < s->end; i++) {
+    for (int i = s->begin, first = i, end = i; i < s->end; i++) {
+        if (i == end) {
+            const int cell = stretches_around(g, b, i, &all);
+            first = i;
+            end = g->start[cell] <= i && i < g->start[cell + 1]
+                      ? g->start[cell + 1]
+                      : i + 1;
+            if (plain) gather_candidates(&of, &all, b, i);
+        }
         chunk_begin_owner(s, i);
-        find_pairs(g, s, b, i, skin);
+        if (plain)
+            find_inside(&of, i - first, s, b, i, skin);
+        else
+            find_among(g, &all, s, b, i, skin);
         grid_find_walls(s, b, i, skin);
     }
+    candidates_free(&of);
     chunk_finish_lists(s, b->n);
 }
