@@ -49,7 +49,7 @@ static void effects_tally_add(struct effect_tally *t, double size, double share)
 {
     t->sum += share * size;
     t->weight += share;
-    t->largest = fmax(t->largest, size);
+    t->largest = size > t->largest ? size : t->largest;
 }
 
 void effects_report(struct simulation *sim, const double f[3], double share)
@@ -69,9 +69,9 @@ void effects_measure_scale(struct simulation *sim)
     for (int i = 0; i < sim->particles->n && sim->n_effects > 0; i++) {
         const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;
         const double V = M_PI / 6.0 * gsl_pow_3(sim->particles->d[i]);
-        effects_tally_add(
-            &sim->force_scale,
-            fmax(fmax(drag, sim->particles->m[i] * size), V * push), 1.0);
+        const double weight = sim->particles->m[i] * size;
+        const double held = weight > V * push ? weight : V * push;
+        effects_tally_add(&sim->force_scale, drag > held ? drag : held, 1.0);
     }
 }
 

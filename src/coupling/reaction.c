@@ -14,16 +14,16 @@
 static void take_solids(struct simulation *sim, int m)
 {
     struct fluid *const fl = sim->fluid;
-    struct coupling_report *const report = &sim->coupling->report;
     const double *const field = sim->coupling->field;
+    double lowest = 1.0;
 
-    report->eps_lowest = 1.0;
     for (int c = 0; c < sim->mesh->n_cells; c++) {
         fl->eps[c] = 1.0 - field[m * c];
-        report->eps_lowest = fmin(report->eps_lowest, fl->eps[c]);
+        lowest = fl->eps[c] < lowest ? fl->eps[c] : lowest;
         for (int k = 0; k < m - 1; k++)
             fl->eps_us[3 * c + k] = field[m * c + 1 + k];
     }
+    sim->coupling->report.eps_lowest = lowest;
 }
 
 /* Continuity of the mixture contains eps_s u_s; the void-rate form does not,
@@ -52,14 +52,13 @@ int reaction_average(struct simulation *sim)
     take_solids(sim, m);
     cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
                                      cp->eps);
-    cp->report.lowest_interpolated = 1.0;
+    double lowest = 1.0;
     for (int i = 0; i < ps->n; i++)
-        cp->report.lowest_interpolated =
-            fmin(cp->report.lowest_interpolated, cp->eps[i]);
+        lowest = cp->eps[i] < lowest ? cp->eps[i] : lowest;
     cp->report.eps_lowest =
         shared_smallest(sim->fluid->options.shared, cp->report.eps_lowest);
-    cp->report.lowest_interpolated = shared_smallest(
-        sim->fluid->options.shared, cp->report.lowest_interpolated);
+    cp->report.lowest_interpolated =
+        shared_smallest(sim->fluid->options.shared, lowest);
     return cp->report.eps_lowest <= 0.0 ||
            cp->report.lowest_interpolated <= 0.0;
 }

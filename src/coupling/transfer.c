@@ -119,8 +119,10 @@ void transfer_drag_terms(struct simulation *sim)
 #pragma omp parallel for schedule(static)                                      \
     reduction(min                                                              \
               : shortest) if (ps->n >= TRANSFER_MANY)
-    for (int i = 0; i < ps->n; i++)
-        shortest = fmin(shortest, ps->m[i] / cp->rate[i]); /* [XS11 3.16] */
+    for (int i = 0; i < ps->n; i++) {
+        const double own = ps->m[i] / cp->rate[i]; /* [XS11 3.16] */
+        shortest = own < shortest ? own : shortest;
+    }
     cp->report.shortest_time =
         shared_smallest(sim->fluid->options.shared, shortest);
     if (cp->options.two_way) reaction_drag_terms(sim);

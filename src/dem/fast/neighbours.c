@@ -360,8 +360,7 @@ static void choose_contacts(struct neighbours *nb, int rebuilt, double least)
     const struct chunk_range mine = neighbours_static_range(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
-        struct chunk *const own = &nb->chunks[s];
-        chunk_choose_contacts(own, nb->rows);
+        chunk_choose_contacts(&nb->chunks[s], nb->rows);
         if (nb->surfaces != NULL)
             surfaces_choose_contacts(nb->surfaces, s, nb->rows, 2.0 * least);
     }
@@ -382,7 +381,7 @@ double neighbours_refresh(struct neighbours *nb, double least, double time)
     neighbours_check_lost(nb);
     set_margins(nb, least, time);
     const int lost = is_any_lost(nb), narrow = list_is_narrow(nb, of_surfaces);
-    if (lost || narrow) neighbours_barrier(nb); /* before they are set again */
+    if (lost || narrow) neighbours_barrier(nb);
     if (lost) return -1.0;
     if (narrow) {
         rebuild(nb);
@@ -459,8 +458,7 @@ void barrier_free(struct barrier *b)
     free(b);
 }
 
-/* The last thread to arrive begins the next round and wakes sleeping threads.
- */
+/* The last thread to arrive begins the next round and wakes sleepers. */
 static void open_up(struct barrier *b)
 {
     atomic_store(&b->n_waiting, 0);
