@@ -7,7 +7,7 @@
 #include "dem/fast/chunk.h"
 
 /* Pairs whose distances are computed together. */
-enum { NEAR_LANES = 32 };
+enum { NEAR_LANES = 64 };
 
 /* Moves the contacts to the end of as many slots as the lists have pairs;
  * returns the first of theirs. The new ones are written from slot 0 on: they
