@@ -195,7 +195,7 @@ static int whole_lanes(const struct chunk_contacts *c, int first, int n,
 
     while (own < n && c->owner[first + own] < end)
         own++;
-    return (int)fmin(64.0 * ceil(own / 64.0), n);
+    return (int)fmin(32.0 * ceil(own / 32.0), n);
 }
 
 /* A contact done after its block would come too late for its owner's motion;
@@ -216,7 +216,7 @@ FACT(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
     const struct chunk_contacts *const c = &one->contacts;
     ck_assert_int_eq(fast_of(dem)->neighbours->n_chunks, 1);
     ck_assert_int_ge(one->n_blocks, 3);
-    ck_assert_int_gt(c->n_walls, 64);
+    ck_assert_int_gt(c->n_walls, 32);
     for (int k = 0; k < one->n_blocks; k++) {
         const struct chunk_block *const b = &one->blocks[k];
         ck_assert_int_eq(b->pairs, whole_lanes(c, 0, c->n_pairs, b->end));

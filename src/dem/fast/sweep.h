@@ -15,7 +15,7 @@
 
 #include "dem/fast/chunk.h"
 
-enum { SWEEP_LANES = 64 };
+enum { SWEEP_LANES = 32 };
 
 /* Options of the loop, `sweep_options` of the rows. Each stage asks for them
  * once for all lanes, so that unused options cost nothing. */
