@@ -21,8 +21,6 @@ struct attachments {
         int width; /* [-] numbers a particle */
         const char *name, *unit;
     } row[MAX_ATTACHED];
-    double *copy;  /* of one column, while it is permuted */
-    int *int_copy; /* the same for whole numbers */
 };
 
 struct particles *particles_create(int capacity)
@@ -42,8 +40,6 @@ struct particles *particles_create(int capacity)
     ps->capacity = capacity;
     ps->id = alloc_ints(capacity);
     ps->attached = alloc_zeroed(1, sizeof *ps->attached);
-    ps->attached->copy = alloc_doubles(capacity);
-    ps->attached->int_copy = alloc_ints(capacity);
     for (int a = 0; a < OWN; a++)
         *own[a] = particles_new_array(ps, named[a][0], named[a][1], 1);
     return ps;
@@ -61,8 +57,6 @@ void particles_free(struct particles *ps)
     free(ps->material);
     free(ps->across);
     clumps_free(ps->clumps);
-    free(ps->attached->copy);
-    free(ps->attached->int_copy);
     free(ps->attached);
     free(ps);
 }
@@ -132,30 +126,42 @@ void particles_detach(struct particles *ps, const double *array)
 static void permute_array(double *array, int width, const int *order, int n,
                           double *copy)
 {
-    for (int k = 0; k < width; k++) {
-        for (int i = 0; i < n; i++)
-            copy[i] = array[width * order[i] + k];
-        for (int i = 0; i < n; i++)
-            array[width * i + k] = copy[i];
-    }
+    memcpy(copy, array, (size_t)(width * n) * sizeof *copy);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < width; k++)
+            array[width * i + k] = copy[width * order[i] + k];
 }
 
-static void permute_ints(int *array, const int *order, int n, int *copy)
+static void permute_ints(int *array, const int *order, int n)
 {
+    int *const copy = alloc_ints(n);
+
     memcpy(copy, array, (size_t)n * sizeof *copy);
     for (int i = 0; i < n; i++)
         array[i] = copy[order[i]];
+    free(copy);
+}
+
+void particles_permute_share(struct particles *ps, const int *order, int share,
+                             int of)
+{
+    const struct attachments *const a = ps->attached;
+    int widest = 1;
+
+    for (int k = share; k < a->n; k += of)
+        widest = a->row[k].width > widest ? a->row[k].width : widest;
+    double *const copy = alloc_doubles(widest * ps->n);
+    for (int k = share; k < a->n; k += of)
+        permute_array(a->row[k].array, a->row[k].width, order, ps->n, copy);
+    free(copy);
+    if (share < of - 1) return;
+    permute_ints(ps->id, order, ps->n);
+    if (ps->material != NULL) permute_ints(ps->material, order, ps->n);
 }
 
 void particles_permute(struct particles *ps, const int *order)
 {
-    struct attachments *const a = ps->attached;
-
-    for (int k = 0; k < a->n; k++)
-        permute_array(a->row[k].array, a->row[k].width, order, ps->n, a->copy);
-    permute_ints(ps->id, order, ps->n, a->int_copy);
-    if (ps->material != NULL)
-        permute_ints(ps->material, order, ps->n, a->int_copy);
+    particles_permute_share(ps, order, 0, 1);
 }
 
 void particles_remove(struct particles *ps, const int *removed)

@@ -3,13 +3,10 @@
 
 #include <math.h>
 #include <omp.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <threads.h>
 
 #include "base/alloc.h"
-#include "base/clock.h"
 #include "base/vector.h"
 #include "dem/dem.h"
 
@@ -266,8 +263,8 @@ static int list_is_narrow(const struct neighbours *nb, double least)
  * listed. */
 static const double part_ahead = 0.6;
 
-/* Called by one thread: sorts the particles and sets the new index of each. */
-static void neighbours_sort(struct neighbours *nb)
+/* Called by one thread: finds the order of the particles. */
+static void find_order(struct neighbours *nb)
 {
     const struct particles *const ps = nb->ps;
     double widest = 0.0, v2 = 0.0;
@@ -280,11 +277,17 @@ static void neighbours_sort(struct neighbours *nb)
     nb->ahead = v2 > 0.0 && nb->surfaces == NULL
                     ? part_ahead * 0.5 * nb->skin / sqrt(v2)
                     : 0.0;
-    const int *const order =
+    nb->order =
         grid_order(nb->grid, ps, widest + nb->skin + nb->range, nb->ahead);
-    particles_permute(nb->ps, order);
+}
+
+/* Called by one thread: the new index of each, and of what belongs to it. */
+static void follow_order(struct neighbours *nb)
+{
+    const struct particles *const ps = nb->ps;
+
     for (int i = 0; i < ps->n; i++)
-        nb->rank[order[i]] = i;
+        nb->rank[nb->order[i]] = i;
     fast_clumps_locate(nb);
     if (nb->surfaces != NULL) surfaces_locate_particles(nb->surfaces, ps);
     if (nb->prescribed != NULL) prescribed_particles_locate(nb->prescribed, ps);
@@ -330,7 +333,12 @@ static void rebuild(struct neighbours *nb)
         rows_store(b, nb->ps, own->begin, own->end);
     }
     neighbours_barrier(nb);
-    if (mine.first == 0) neighbours_sort(nb);
+    if (mine.first == 0) find_order(nb);
+    neighbours_barrier(nb);
+    particles_permute_share(nb->ps, nb->order, omp_get_thread_num(),
+                            omp_get_num_threads());
+    neighbours_barrier(nb);
+    if (mine.first == 0) follow_order(nb);
     neighbours_barrier(nb);
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
@@ -424,77 +432,4 @@ struct dem_crossing neighbours_crossing(const struct neighbours *nb, double dt)
             if (j != i && crossings_cross(b, i, j, dt))
                 return (struct dem_crossing){1, {b->id[i], b->id[j]}};
     return (struct dem_crossing){0};
-}
-
-/* --- barrier -------------------------------------------------------------- */
-
-/* Waking a thread takes as long as the work of a chunk, so a waiting thread
- * spins for about the duration of its part of a step before it sleeps. */
-static const double spin_time = 2e-4; /* [s] */
-
-enum { POLLS = 50 }; /* [-] iterations between two readings of the clock */
-
-struct barrier {
-    atomic_int n_waiting; /* [-] threads that wait */
-    atomic_int round;     /* [-] number of barriers passed */
-    mtx_t lock;
-    cnd_t opened;
-};
-
-struct barrier *barrier_create(void)
-{
-    struct barrier *const b = alloc_zeroed(1, sizeof *b);
-
-    mtx_init(&b->lock, mtx_plain);
-    cnd_init(&b->opened);
-    return b;
-}
-
-void barrier_free(struct barrier *b)
-{
-    if (b == NULL) return;
-    mtx_destroy(&b->lock);
-    cnd_destroy(&b->opened);
-    free(b);
-}
-
-/* The last thread to arrive begins the next round and wakes sleepers. */
-static void open_up(struct barrier *b)
-{
-    atomic_store(&b->n_waiting, 0);
-    mtx_lock(&b->lock);
-    atomic_fetch_add(&b->round, 1);
-    mtx_unlock(&b->lock);
-    cnd_broadcast(&b->opened);
-}
-
-/* Spins until the round is over or the time limit is reached. A spinning thread
- * yields the processor, which helps if there are more threads than processors.
- */
-static int is_over(struct barrier *b, int round)
-{
-    const double begin = clock_now();
-
-    do {
-        for (int poll = 0; poll < POLLS; poll++)
-            if (atomic_load_explicit(&b->round, memory_order_acquire) != round)
-                return 1;
-        thrd_yield();
-    } while (clock_now() - begin < spin_time);
-    return 0;
-}
-
-void barrier_wait(struct barrier *b, int team)
-{
-    const int round = atomic_load(&b->round);
-
-    if (atomic_fetch_add(&b->n_waiting, 1) + 1 == team) {
-        open_up(b);
-        return;
-    }
-    if (is_over(b, round)) return;
-    mtx_lock(&b->lock);
-    while (atomic_load(&b->round) == round)
-        cnd_wait(&b->opened, &b->lock);
-    mtx_unlock(&b->lock);
 }

@@ -88,12 +88,13 @@ struct neighbours {
     struct barrier *barrier;
     struct row_load (*ring)[2][CHUNK_RING]; /* two for each thread */
     int n_rings;                            /* [-] threads that have them */
-    int *rank;       /* [-] new index of each particle after a sort */
-    double skin;     /* [m] set by the caller before neighbours_begin_run */
-    double smallest; /* [m] diameter; 0: not known yet */
-    double range;    /* [m] gap up to which the neighbour list must be complete,
-                        for forces at a distance; 0 without any */
-    double margin;   /* [m] by which every gap may decrease */
+    const int *order; /* [-] of the last sort; borrowed from the grid */
+    int *rank;        /* [-] new index of each particle after a sort */
+    double skin;      /* [m] set by the caller before neighbours_begin_run */
+    double smallest;  /* [m] diameter; 0: not known yet */
+    double range;  /* [m] gap up to which the neighbour list must be complete,
+                      for forces at a distance; 0 without any */
+    double margin; /* [m] by which every gap may decrease */
     double margin_used; /* [m] of it since it was measured */
     double ahead;       /* [s] of the places of the list */
     int stale;          /* [-] 1: the particles were changed from outside */
