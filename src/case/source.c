@@ -186,7 +186,7 @@ static void source_append(char text[SOURCE_TEXT], const char *format, ...)
 }
 
 /* Of few digits; its point shows that it is written as a real number. */
-static int is_whole(const config_setting_t *s)
+static int is_whole_number(const config_setting_t *s)
 {
     const double x = config_setting_get_float(s);
 
@@ -197,7 +197,7 @@ static void append_scalar(char text[SOURCE_TEXT], const config_setting_t *s)
 {
     switch (config_setting_type(s)) {
     case CONFIG_TYPE_FLOAT:
-        source_append(text, is_whole(s) ? "%.1f" : "%g",
+        source_append(text, is_whole_number(s) ? "%.1f" : "%g",
                       config_setting_get_float(s));
         break;
     case CONFIG_TYPE_STRING:

@@ -326,7 +326,7 @@ static int body_seal_fill(struct search *s, int first, int *part)
 }
 
 /* What the cells of body i displace [m^3/s]. */
-static double displaced(const struct search *s, int i)
+static double displaced_by_cells(const struct search *s, int i)
 {
     const struct solid_bodies *const b = s->b;
     const struct mesh *const m = s->fl->mesh;
@@ -376,7 +376,7 @@ static void judge(const struct search *s, const int *part, int n)
     const double sum = sum_swept(s, part, n);
     for (int i = 0; i < s->b->ps->n; i++) {
         if (s->here[i] == 0.0) continue;
-        const double most = share * displaced(s, i);
+        const double most = share * displaced_by_cells(s, i);
         if (most > 0.0 && fabs(s->here[i]) > most && fabs(sum) > most)
             s->found->pushes = i + 1;
     }

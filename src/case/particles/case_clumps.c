@@ -134,10 +134,8 @@ static int clumps_check_one(const struct settings *s,
     if (one->name[0] == '\0')
         return settings_wrong(s, list, "expected a name for each");
     if (one->file != NULL && one->has_balls)
-        return settings_wrong(s, list,
-                              "%s: balls is for half_axes; its file has a row "
-                              "for each ball",
-                              one->name);
+        return settings_wrong(
+            s, list, "%s: balls is for half_axes, not for a file", one->name);
     if (one->has_half && one->scale != 1.0)
         return settings_wrong(s, list, "%s: scale is for a file", one->name);
     if ((one->file != NULL) == one->has_half)
@@ -452,11 +450,10 @@ static int pieces_of(const struct clump_shape *s)
 {
     int *const mark = alloc_ints(s->n), pieces = 0;
 
-    for (int i = 0; i < s->n; i++)
-        if (!mark[i]) {
-            mark_joined(s, i, mark);
-            pieces++;
-        }
+    for (int i = 0; i < s->n; i++) {
+        pieces += !mark[i];
+        if (!mark[i]) mark_joined(s, i, mark);
+    }
     free(mark);
     return pieces;
 }
@@ -464,12 +461,11 @@ static int pieces_of(const struct clump_shape *s)
 /* The diameter of Sauter has 1/psi^2. */
 static void print_lone_drag(const struct settings *s, double psi)
 {
-    const struct drag_shape *const shape = s->exchange.shape;
-    const int sauter = shape->factor == NULL;
+    const struct drag_shape *const by = s->exchange.shape;
+    const int sauter = by->factor == NULL;
 
     text_line("drag of a lone one",
-              sauter ? 1.0 / (psi * psi) : drag_shape_ratio(shape, psi, 0.0),
-              "-",
+              sauter ? 1.0 / (psi * psi) : drag_shape_ratio(by, psi, 0.0), "-",
               sauter ? "slow, over that sphere's: too much; see exchange.shape"
                      : "slow, over that of the sphere of its volume");
 }
