@@ -5,6 +5,7 @@
 #include "case/command.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -186,6 +187,8 @@ static int open_streams(void)
 int main(int argc, char **argv)
 {
     if (open_streams() != 0) return 4;
+    signal(SIGXFSZ,
+           SIG_IGN); /* beyond `ulimit -f` a write fails, and is told */
 
     const char *const first = argc > 1 ? argv[1] : "";
     if (main_wrong_word(argc, argv) != 0) return 2;

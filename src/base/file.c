@@ -167,7 +167,9 @@ int file_make_dirs(const char *path)
         if (kept != '/' && kept != '\0') continue;
         *end = '\0';
         const int failed = mkdir(part, 0777) != 0 ? errno : 0;
-        if (failed && !is_folder(part)) reason = failed;
+        if (failed && !is_folder(part))
+            reason =
+                failed == EEXIST && access(part, F_OK) == 0 ? ENOTDIR : failed;
         *end = kept;
     }
     if (reason != 0) file_report_failure("make the folder", path, reason);
