@@ -285,7 +285,8 @@ FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_axes, VARIANTS)
     discard(a);
 }
 
-/* To the last bit: all units are powers of two. */
+/* To the last bit: all units are powers of two, and those of length and mass of
+ * four, because the contact loop takes roots of R* delta and of m*. */
 FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_units, VARIANTS)
 {
     const struct frame *const t = &turned_frames[0];

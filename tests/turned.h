@@ -29,13 +29,14 @@ enum { TURNED = 6 };
 /* The same case in other units; the members are a metre, a second and a
  * kilogram in these units. Powers of two round to the same digits; a product
  * where a quotient should be, or a number that should have had a unit, shows at
- * once. L / T and M L^3 / T^2 are squares: drag laws take roots of speeds, and
+ * once. L, M, L / T and M L^3 / T^2 are squares of such: contacts take roots of
+ * L^2 twice and of M, drag laws of speeds, and
  * charges are roots of forces times areas. */
 struct units {
     double L, T, M;
 };
 static const struct units turned_si = {1.0, 1.0, 1.0};
-static const struct units turned_units = {8.0, 0.5, 32.0};
+static const struct units turned_units = {16.0, 0.25, 64.0};
 
 static inline void turned_scale(double factor, double v[3])
 {

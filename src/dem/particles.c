@@ -123,45 +123,50 @@ void particles_detach(struct particles *ps, const double *array)
     if (k < a->n) a->row[k] = a->row[--a->n];
 }
 
+/* `most` numbers of each row at a time; so many of each fit into `copy`. */
 static void permute_array(double *array, int width, const int *order, int n,
-                          double *copy)
+                          double *copy, int most)
 {
-    memcpy(copy, array, (size_t)(width * n) * sizeof *copy);
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < width; k++)
-            array[width * i + k] = copy[width * order[i] + k];
+    for (int first = 0; first < width; first += most) {
+        const int many = width - first < most ? width - first : most;
+        for (int i = 0; i < n; i++)
+            for (int k = 0; k < many; k++)
+                copy[many * i + k] = array[width * i + first + k];
+        for (int i = 0; i < n; i++)
+            for (int k = 0; k < many; k++)
+                array[width * i + first + k] = copy[many * order[i] + k];
+    }
 }
 
-static void permute_ints(int *array, const int *order, int n)
+static void permute_ints(int *array, const int *order, int n, int *copy)
 {
-    int *const copy = alloc_ints(n);
-
     memcpy(copy, array, (size_t)n * sizeof *copy);
     for (int i = 0; i < n; i++)
         array[i] = copy[order[i]];
-    free(copy);
 }
 
 void particles_permute_share(struct particles *ps, const int *order, int share,
-                             int of)
+                             int of, double *work)
 {
     const struct attachments *const a = ps->attached;
-    int widest = 1;
+    const int most = PARTICLES_SHARES / of;
+    double *const copy = work + (size_t)share * (size_t)(most * ps->n);
 
     for (int k = share; k < a->n; k += of)
-        widest = a->row[k].width > widest ? a->row[k].width : widest;
-    double *const copy = alloc_doubles(widest * ps->n);
-    for (int k = share; k < a->n; k += of)
-        permute_array(a->row[k].array, a->row[k].width, order, ps->n, copy);
-    free(copy);
+        permute_array(a->row[k].array, a->row[k].width, order, ps->n, copy,
+                      most);
     if (share < of - 1) return;
-    permute_ints(ps->id, order, ps->n);
-    if (ps->material != NULL) permute_ints(ps->material, order, ps->n);
+    permute_ints(ps->id, order, ps->n, (int *)copy);
+    if (ps->material != NULL)
+        permute_ints(ps->material, order, ps->n, (int *)copy);
 }
 
 void particles_permute(struct particles *ps, const int *order)
 {
-    particles_permute_share(ps, order, 0, 1);
+    double *const work = alloc_doubles(PARTICLES_SHARES * ps->n);
+
+    particles_permute_share(ps, order, 0, 1, work);
+    free(work);
 }
 
 void particles_remove(struct particles *ps, const int *removed)

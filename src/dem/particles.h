@@ -71,9 +71,12 @@ void particles_remove(struct particles *ps, const int *removed);
 /* Puts the particle that was at order[i] to place i, for all arrays. */
 void particles_permute(struct particles *ps, const int *order);
 
-/* The same for share number 0 ... of - 1 of the arrays, by one thread each. */
+/* The same for share number 0 ... of - 1 of the arrays, by one thread each; of
+ * is at most PARTICLES_SHARES, and all have so many doubles a particle to work
+ * in. */
+enum { PARTICLES_SHARES = 8 };
 void particles_permute_share(struct particles *ps, const int *order, int share,
-                             int of);
+                             int of, double *work);
 
 /* Visits all arrays, those that are attached too (state.h). */
 void particles_state(struct particles *ps, struct state *s);

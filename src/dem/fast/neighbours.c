@@ -320,6 +320,20 @@ static void restore_history(struct neighbours *nb, const struct chunk *from,
                           from->has_rolling ? roll : NULL);
 }
 
+/* The motion is stored, so that its rows are free to work in. */
+static void permute_by_all(struct neighbours *nb)
+{
+    const int threads = omp_get_num_threads(), share = omp_get_thread_num();
+    const int of = threads < PARTICLES_SHARES ? threads : PARTICLES_SHARES;
+
+    _Static_assert(sizeof *nb->rows->motion ==
+                       PARTICLES_SHARES * sizeof(double),
+                   "a row is the work space of a particle");
+    if (share < of)
+        particles_permute_share(nb->ps, nb->order, share, of,
+                                (double *)nb->rows->motion);
+}
+
 /* Sorts the particles and builds all neighbour lists; displacements are
  * kept. */
 static void rebuild(struct neighbours *nb)
@@ -335,8 +349,7 @@ static void rebuild(struct neighbours *nb)
     neighbours_barrier(nb);
     if (mine.first == 0) find_order(nb);
     neighbours_barrier(nb);
-    particles_permute_share(nb->ps, nb->order, omp_get_thread_num(),
-                            omp_get_num_threads());
+    permute_by_all(nb);
     neighbours_barrier(nb);
     if (mine.first == 0) follow_order(nb);
     neighbours_barrier(nb);
