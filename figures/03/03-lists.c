@@ -58,7 +58,7 @@ static struct neighbours *lists(struct particles *ps,
     struct neighbours *const nb = neighbours_create(ps, &b);
 
     nb->skin = skin;
-    neighbours_begin_run(nb);
+    neighbours_begin_run(nb, 1);
     neighbours_load(nb);
     neighbours_refresh(nb, 1e-6, 0.0);
     return nb;

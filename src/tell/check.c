@@ -358,7 +358,9 @@ int check_case(const struct settings *s)
     }
     const int code = print_cost(s, &k);
     check_accuracy(s, &k);
-    return code != 0 ? code : case_scales_check(s); /* as a run is refused */
+    const int refused = case_scales_check(s); /* as a run is */
+
+    return refused != 0 ? refused : code;
 }
 
 static int check_wrong(const char *why)
