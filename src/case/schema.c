@@ -206,8 +206,8 @@ void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
         [KEY_VECTOR] = "three numbers [x, y, z], each",
         [KEY_COUNTS] = "three whole numbers [x, y, z], each",
         [KEY_FLAGS] = "three of true or false [x, y, z]",
-        [KEY_SERIES] = "a number or ((time, number), ...) with time "
-                       "rising, each number",
+        [KEY_SERIES] =
+            "a number or ((time, number), ...) with time rising, each number",
         [KEY_CURVE] = "((x, number), ...) with x rising, each number",
         [KEY_PATCH] = "{ KEY = ...; } with one of "};
     char conditions[SCHEMA_TEXT], words[SCHEMA_TEXT];
