@@ -3,6 +3,7 @@
 #include "brenner.h"
 #include "facts.h"
 #include "narrow_gap.h"
+#include "resolved/mark.h"
 
 /* Far from everything it is Stokes' force, at a small gap R/z, twice as much as
  * between two; in between his table, where the distance is cosh 1, 2, 3 R. */
@@ -39,4 +40,39 @@ FACT_FOR_EACH(cox67_mesh_and_film_have_the_force_of_a_sphere_at_a_wall, 4)
 FACT_FOR_EACH(cox67_mesh_and_film_have_the_force_of_two_spheres, 2)
 {
     ck_assert_double_eq_tol(force_over_exact(exp2(-2 * _i), 1), 1.0, 0.15);
+}
+
+/* The cells are looked at by their numbers in the box. By the faces it is the
+ * same, with each cell in turn marked otherwise than all others. */
+FACT(cells_beside_one_by_number_are_those_by_its_faces)
+{
+    const struct box_spec spec = {.size = {1.0, 1.0, 1.0},
+                                  .cells = {4, 5, 6},
+                                  .grading = {1.0, 1.0, 1.0},
+                                  .periodic = {1, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    int *const mark = calloc((size_t)m->n_cells, sizeof *mark), found = 0;
+
+    for (int odd = 0; odd < m->n_cells; odd++) {
+        mark[odd] = 1;
+        for (int c = 0; c < m->n_cells; c++) {
+            const int x = c % 4; /* the ends of a period are left out */
+            int alike = x > 0 && x < 3;
+            for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+                const int f = m->cell_face[a], inner = f < m->n_internal;
+                const int k = fabs(m->S[3 * f]) > 0.0       ? 0
+                              : fabs(m->S[3 * f + 1]) > 0.0 ? 1
+                                                            : 2;
+                const int up = m->out[a] * m->S[3 * f + k] > 0.0;
+                ck_assert_int_eq(box_goes_on(&m->box, c, 2 * k + up), inner);
+                alike &= inner && mark[m->owner[f]] == mark[m->neighbour[f]];
+            }
+            ck_assert_int_eq(box_is_alike(&m->box, mark, c), alike);
+            found += alike;
+        }
+        mark[odd] = 0;
+    }
+    ck_assert_int_gt(found, 0);
+    mesh_free(m);
+    free(mark);
 }

@@ -25,7 +25,7 @@ struct body_seal {
     int pushes;     /* [-] 1 + the body that pushes into a part without an
                        outlet; 0: none */
     double covered; /* [-] of the area of an inlet, what bodies hold at most */
-    struct body_seal_gap closed, open; /* the widest of them (closed_gap.h) */
+    struct body_seal_gap closed, open; /* the widest of them */
 };
 
 /* To be called while links are made, after closed_gap_find: body_of is

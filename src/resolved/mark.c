@@ -268,7 +268,7 @@ static int mark_touch(const struct solid_bodies *b, int i, int j)
 }
 
 /* While links are made, body_of is 1 + the body around a cell, else 0; negative
- * where that leaves the cell to the fluid; larger in gaps (closed_gap.h).
+ * where that leaves the cell to the fluid; larger in gaps.
  * Bodies that have no contacts may overlap, but not where a spring moves one.
  */
 static void assign_cell(void *by, int i, int c, const double r[3], double s)
