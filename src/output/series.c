@@ -184,15 +184,6 @@ int series_add_polygons(struct series *s, const struct vtk_polygons *p,
            series_add(s, time);
 }
 
-int series_add_lines(struct series *s, const struct vtk_polygons *p,
-                     double time, int n_arrays, const struct vtk_array *arrays)
-{
-    const char *const path = series_begin(s);
-    return path == NULL ||
-           vtk_write_lines(s->writer, path, p, time, n_arrays, arrays) ||
-           series_add(s, time);
-}
-
 /* Non-zero after a message if a listed file is not there. */
 static int file_missing(struct series *s)
 {

@@ -47,7 +47,5 @@ int series_add_particles(struct series *s, int n, const double *const x[3],
 int series_add_polygons(struct series *s, const struct vtk_polygons *p,
                         double time, int n_arrays,
                         const struct vtk_array *arrays);
-int series_add_lines(struct series *s, const struct vtk_polygons *p,
-                     double time, int n_arrays, const struct vtk_array *arrays);
 
 #endif

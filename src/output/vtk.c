@@ -20,12 +20,11 @@ static void put_edges(struct vtk_file *f, const struct box *b)
     static const char *const name[3] = {"x", "y", "z"};
 
     fprintf(vtk_file_stream(f), "<Coordinates>\n");
-    for (int k = 0; k < 3; k++)
-        vtk_file_array(f,
-                       &(struct vtk_array){.name = name[k],
-                                           .components = 1,
-                                           .values = b->edge[k]},
-                       b->n[k] + 1);
+    for (int k = 0; k < 3; k++) {
+        const struct vtk_array edge = {
+            .name = name[k], .components = 1, .values = b->edge[k]};
+        vtk_file_array(f, &edge, b->n[k] + 1);
+    }
     fprintf(vtk_file_stream(f), "</Coordinates>\n");
 }
 
@@ -124,30 +123,16 @@ int vtk_write_particles(struct vtk_file *f, const char *path, int n,
                        n_arrays, arrays);
 }
 
-static int write_shapes(struct vtk_file *f, const char *path,
-                        const struct items *is, const struct vtk_polygons *p,
-                        double time, int n_arrays,
-                        const struct vtk_array *arrays)
-{
-    const struct vtk_array points = {
-        .name = "position", .components = 3, .values = p->x};
-
-    return write_items(f, path, is, p->n_points, &points, p->n_polygons,
-                       p->corner, p->end, time, n_arrays, arrays);
-}
-
 int vtk_write_polygons(struct vtk_file *f, const char *path,
                        const struct vtk_polygons *p, double time, int n_arrays,
                        const struct vtk_array *arrays)
 {
-    return write_shapes(f, path, &polys, p, time, n_arrays, arrays);
-}
+    const struct vtk_array points = {
+        .name = "position", .components = 3, .values = p->x};
 
-int vtk_write_lines(struct vtk_file *f, const char *path,
-                    const struct vtk_polygons *p, double time, int n_arrays,
-                    const struct vtk_array *arrays)
-{
-    return write_shapes(f, path, &lines, p, time, n_arrays, arrays);
+    return write_items(f, path, p->lines ? &lines : &polys, p->n_points,
+                       &points, p->n_polygons, p->corner, p->end, time,
+                       n_arrays, arrays);
 }
 
 /* --- vtk cells ------------------------------------------------------------ */
@@ -183,12 +168,8 @@ struct vtk_cells {
 static void vtk_cells_add(struct list *l, int value)
 {
     if (l->n == l->room) {
-        const int room = 2 * l->room + 64;
-        int *const more = alloc_ints(room);
-        if (l->n > 0) memcpy(more, l->value, (size_t)l->n * sizeof *more);
-        free(l->value);
-        l->value = more;
-        l->room = room;
+        l->room = 2 * l->room + 64;
+        l->value = alloc_grown(l->value, l->n, l->room, sizeof *l->value);
     }
     l->value[l->n++] = value;
 }
@@ -388,36 +369,24 @@ static void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *v)
     const struct mesh *const m = v->mesh;
     const struct vtk_array points = {
         .name = "position", .components = 3, .values = v->point};
+    const struct vtk_array list[] = {
+        {.name = "connectivity", .components = 1, .ints = v->points.value},
+        {.name = "offsets", .components = 1, .ints = v->end},
+        {.name = "types", .components = 1, .bytes = v->type},
+        {.name = "faces", .components = 1, .ints = v->faces.value},
+        {.name = "faceoffsets", .components = 1, .ints = v->faces_end}};
 
     fprintf(vtk_file_stream(f),
             "<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n", v->n_points,
             m->n_cells);
     vtk_file_section(f, "Points", v->n_points, 1, &points);
     fprintf(vtk_file_stream(f), "<Cells>\n");
-    vtk_file_array(f,
-                   &(struct vtk_array){.name = "connectivity",
-                                       .components = 1,
-                                       .ints = v->points.value},
-                   v->points.n);
-    vtk_file_array(
-        f,
-        &(struct vtk_array){.name = "offsets", .components = 1, .ints = v->end},
-        m->n_cells);
-    vtk_file_array(
-        f,
-        &(struct vtk_array){.name = "types", .components = 1, .bytes = v->type},
-        m->n_cells);
+    vtk_file_array(f, &list[0], v->points.n);
+    vtk_file_array(f, &list[1], m->n_cells);
+    vtk_file_array(f, &list[2], m->n_cells);
     if (v->polyhedra > 0) {
-        vtk_file_array(f,
-                       &(struct vtk_array){.name = "faces",
-                                           .components = 1,
-                                           .ints = v->faces.value},
-                       v->faces.n);
-        vtk_file_array(f,
-                       &(struct vtk_array){.name = "faceoffsets",
-                                           .components = 1,
-                                           .ints = v->faces_end},
-                       m->n_cells);
+        vtk_file_array(f, &list[3], v->faces.n);
+        vtk_file_array(f, &list[4], m->n_cells);
     }
     fprintf(vtk_file_stream(f), "</Cells>\n");
 }

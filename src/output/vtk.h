@@ -47,6 +47,21 @@ struct vtk_array {
     int single; /* [-] 1: Float32 */
 };
 
+/* Those that are only displayed, side by side or one array a component. */
+static inline struct vtk_array vtk_single(const char *name, int components,
+                                          const double *values)
+{
+    return (struct vtk_array){
+        .name = name, .components = components, .values = values, .single = 1};
+}
+
+static inline struct vtk_array vtk_vector(const char *name, const double *x,
+                                          const double *y, const double *z)
+{
+    return (struct vtk_array){
+        .name = name, .components = 3, .split = {x, y, z}, .single = 1};
+}
+
 /* VTK's name of its type: "Float64", "Float32", "Int32", "UInt8". */
 const char *vtk_array_type(const struct vtk_array *a);
 
@@ -103,15 +118,11 @@ struct vtk_polygons {
     int n_points, n_polygons;
     const double *x;
     const int *corner, *end;
+    int lines; /* [-] 1: each is an open line */
 };
 int vtk_write_polygons(struct vtk_file *f, const char *path,
                        const struct vtk_polygons *p, double time, int n_arrays,
                        const struct vtk_array *arrays);
-
-/* The same, each polygon an open line. */
-int vtk_write_lines(struct vtk_file *f, const char *path,
-                    const struct vtk_polygons *p, double time, int n_arrays,
-                    const struct vtk_array *arrays);
 
 /* The cells of any mesh, which is borrowed, as lists of points.
  * Hexahedra and tetrahedra have these types, all other cells are polyhedra. */

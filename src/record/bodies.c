@@ -10,7 +10,6 @@
  */
 #include "record/recorder_part.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -216,17 +215,11 @@ static int add_picture(void *record, double t)
         r->d[i] =
             solid_bodies_hung(b, i) ? 2.0 * b->shape[i].half[0] : ps->d[i];
     const struct vtk_array arrays[] = {
-        {.name = "diameter", .components = 1, .values = r->d, .single = 1},
-        {.name = "velocity",
-         .components = 3,
-         .split = {ps->vx, ps->vy, ps->vz},
-         .single = 1},
-        {.name = "angular_velocity",
-         .components = 3,
-         .split = {ps->wx, ps->wy, ps->wz},
-         .single = 1},
-        {.name = "force", .components = 3, .values = b->force, .single = 1},
-        {.name = "torque", .components = 3, .values = b->torque, .single = 1},
+        vtk_single("diameter", 1, r->d),
+        vtk_vector("velocity", ps->vx, ps->vy, ps->vz),
+        vtk_vector("angular_velocity", ps->wx, ps->wy, ps->wz),
+        vtk_single("force", 3, b->force),
+        vtk_single("torque", 3, b->torque),
         {.name = "id", .components = 1, .ints = ps->id}};
     return series_add_particles(r->pictures, ps->n, x, t, 6, arrays);
 }
@@ -434,7 +427,7 @@ static void outlines_place(struct outlines *r)
 static int add_clumps(struct outlines *r, double t)
 {
     const struct vtk_array arrays[] = {
-        {.name = "diameter", .components = 1, .values = r->d, .single = 1},
+        vtk_single("diameter", 1, r->d),
         {.name = "body", .components = 1, .ints = r->of_ball}};
     const double *const x[3] = {r->x[0], r->x[1], r->x[2]};
     return series_add_particles(r->clumps, r->n_balls, x, t, 2, arrays);
@@ -442,8 +435,8 @@ static int add_clumps(struct outlines *r, double t)
 
 static int outlines_add_surfaces(struct outlines *r, double t)
 {
-    const struct vtk_polygons shape = {3 * r->n_triangles, r->n_triangles,
-                                       r->corner, r->number, r->end};
+    const struct vtk_polygons shape = {
+        3 * r->n_triangles, r->n_triangles, r->corner, r->number, r->end, 0};
     const struct vtk_array of = {
         .name = "body", .components = 1, .ints = r->of_triangle};
 

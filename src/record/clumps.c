@@ -5,7 +5,6 @@
  * their balls are, the array body: the number of its clump, or -1. */
 #include "record/recorder_part.h"
 
-#include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -84,16 +83,13 @@ static int clump_record_add(void *record, double t)
     struct clump_record *const r = record;
     const double *const x[3] = {r->x[0], r->x[1], r->x[2]};
     const struct vtk_array arrays[] = {
-        {.name = "diameter", .components = 1, .values = r->d, .single = 1},
-        {.name = "velocity", .components = 3, .values = r->v, .single = 1},
-        {.name = "angular_velocity",
-         .components = 3,
-         .values = r->w,
-         .single = 1},
+        vtk_single("diameter", 1, r->d),
+        vtk_single("velocity", 3, r->v),
+        vtk_single("angular_velocity", 3, r->w),
         {.name = "quaternion", .components = 4, .values = r->q},
         {.name = "angular_momentum", .components = 3, .values = r->L},
-        {.name = "body", .components = 1, .values = r->number, .single = 1},
-        {.name = "shape", .components = 1, .values = r->shape, .single = 1}};
+        vtk_single("body", 1, r->number),
+        vtk_single("shape", 1, r->shape)};
 
     clump_record_take(r);
     return series_add_particles(r->pictures, r->ps->clumps->n, x, t, 7, arrays);

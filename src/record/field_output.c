@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "record/snapshot.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,10 +64,7 @@ static int add_effects(const struct simulation *sim, int n,
         const int more =
             e->fields == NULL ? 0 : e->fields(sim->effects[i].memory, f);
         for (int k = 0; k < more && n < FIELD_OUTPUT_ARRAYS; k++)
-            arrays[n++] = (struct vtk_array){.name = f[k].name,
-                                             .components = f[k].components,
-                                             .values = f[k].values,
-                                             .single = 1};
+            arrays[n++] = vtk_single(f[k].name, f[k].components, f[k].values);
     }
     return n;
 }
@@ -81,15 +77,9 @@ int field_output_of_fluid(const struct simulation *sim,
 
     arrays[0] = (struct vtk_array){
         .name = "void_fraction", .components = 1, .values = s->eps};
-    arrays[1] = (struct vtk_array){
-        .name = "velocity", .components = 3, .values = s->u, .single = 1};
-    arrays[2] = (struct vtk_array){
-        .name = "pressure", .components = 1, .values = s->p, .single = 1};
-    if (s->u_s != NULL)
-        arrays[n++] = (struct vtk_array){.name = "solid_velocity",
-                                         .components = 3,
-                                         .values = s->u_s,
-                                         .single = 1};
+    arrays[1] = vtk_single("velocity", 3, s->u);
+    arrays[2] = vtk_single("pressure", 1, s->p);
+    if (s->u_s != NULL) arrays[n++] = vtk_single("solid_velocity", 3, s->u_s);
     return add_effects(sim, n, arrays);
 }
 
@@ -115,25 +105,17 @@ int field_output_of_particles(const struct snapshot *s,
                               struct vtk_array arrays[FIELD_OUTPUT_ARRAYS])
 {
     const struct vtk_array own[5] = {
-        {.name = "diameter", .components = 1, .values = s->d, .single = 1},
-        {.name = "velocity",
-         .components = 3,
-         .split = {s->v[0], s->v[1], s->v[2]},
-         .single = 1},
-        {.name = "angular_velocity",
-         .components = 3,
-         .split = {s->w[0], s->w[1], s->w[2]},
-         .single = 1},
+        vtk_single("diameter", 1, s->d),
+        vtk_vector("velocity", s->v[0], s->v[1], s->v[2]),
+        vtk_vector("angular_velocity", s->w[0], s->w[1], s->w[2]),
         {.name = "id", .components = 1, .ints = s->id},
         {.name = "material", .components = 1, .ints = s->material}};
 
     int n = s->material != NULL ? 5 : 4;
     memcpy(arrays, own, sizeof own);
     for (int i = 0; i < s->n_more; i++)
-        arrays[n++] = (struct vtk_array){.name = s->more[i]->name,
-                                         .components = s->more[i]->components,
-                                         .values = s->value[i],
-                                         .single = 1};
+        arrays[n++] =
+            vtk_single(s->more[i]->name, s->more[i]->components, s->value[i]);
     return n;
 }
 

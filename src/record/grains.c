@@ -259,12 +259,13 @@ static int contacts_add_fields(void *part, double t)
     const struct contact_list *const c = own->found;
 
     contact_list_find(own->found);
-    const struct vtk_polygons lines = {2 * c->n, c->n, c->x, c->corner, c->end};
+    const struct vtk_polygons lines = {2 * c->n,  c->n,   c->x,
+                                       c->corner, c->end, .lines = 1};
     const struct vtk_array arrays[] = {
-        {.name = "force", .components = 1, .values = c->force, .single = 1},
-        {.name = "overlap", .components = 1, .values = c->depth, .single = 1},
+        vtk_single("force", 1, c->force),
+        vtk_single("overlap", 1, c->depth),
         {.name = "ids", .components = 2, .ints = c->ids}};
-    return series_add_lines(own->series, &lines, t, 3, arrays);
+    return series_add_polygons(own->series, &lines, t, 3, arrays);
 }
 
 static void contacts_release(void *part)

@@ -330,7 +330,7 @@ static int surface_fields_add(void *part, double t)
     surface_fields_draw(p, t);
     if (p->wears) take_wear(p, t);
     const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
-                                       o->corner, o->end};
+                                       o->corner,   o->end,        0};
     const struct vtk_array of[] = {
         {.name = "surface", .components = 1, .ints = o->of},
         {.name = "worn_depth", .components = 1, .values = p->depth},
@@ -388,7 +388,7 @@ static void set_shape(struct walls *w)
             w->corner[points] = points;
         w->end[i] = points;
     }
-    w->shape = (struct vtk_polygons){points, n, w->x, w->corner, w->end};
+    w->shape = (struct vtk_polygons){points, n, w->x, w->corner, w->end, 0};
 }
 
 static void walls_take(struct walls *w)
@@ -415,13 +415,10 @@ static int walls_add_fields(void *memory, double t)
     struct walls *const w = memory;
     const struct vtk_array arrays[] = {
         {.name = "patch", .components = 1, .ints = w->patch},
-        {.name = "pressure", .components = 1, .values = w->p, .single = 1},
-        {.name = "wall_shear_stress",
-         .components = 3,
-         .values = w->shear,
-         .single = 1},
-        {.name = "y_plus", .components = 1, .values = w->y_plus, .single = 1},
-        {.name = "velocity", .components = 3, .values = w->u, .single = 1}};
+        vtk_single("pressure", 1, w->p),
+        vtk_single("wall_shear_stress", 3, w->shear),
+        vtk_single("y_plus", 1, w->y_plus),
+        vtk_single("velocity", 3, w->u)};
 
     walls_take(w);
     return series_add_polygons(w->series, &w->shape, t, 5, arrays);
