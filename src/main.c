@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static void usage(FILE *out)
 {
@@ -26,18 +25,16 @@ static void usage(FILE *out)
 static const struct command *main_command_named(const char *name)
 {
     struct nearest n;
+    char hint[NEAREST_HINT];
 
     nearest_init(&n, name);
     for (const struct command *const *c = commands; *c != NULL; c++) {
         if (strcmp((*c)->name, name) == 0) return *c;
         nearest_offer(&n, (*c)->name);
     }
-    if (nearest_best(&n) != NULL)
-        fprintf(stderr, "winnow: no command %s; did you mean %s?\n", name,
-                nearest_best(&n));
-    else
-        fprintf(stderr, "winnow: no command %s; winnow --help names them all\n",
-                name);
+    fprintf(
+        stderr, "winnow: no command %s%s\n", name,
+        nearest_hint(nearest_best(&n), "; winnow --help names them all", hint));
     return NULL;
 }
 
@@ -74,15 +71,14 @@ static int read_word(const struct command *c, const char *option,
 static int wrong_option(const struct command *c, const char *option)
 {
     const char *near = NULL;
+    char hint[NEAREST_HINT];
 
     for (int i = 0; words[i].word != NULL && near == NULL; i++)
         if (strchr(c->options, words[i].letter) != NULL &&
             nearest_edits(option, words[i].word) < 4)
             near = words[i].word;
-    fprintf(stderr, "winnow: %s has no option %s%s%s%s\nwinnow %s %s\n",
-            c->name, option, near != NULL ? "; did you mean " : "",
-            near != NULL ? near : "", near != NULL ? "?" : "", c->name,
-            c->arguments);
+    fprintf(stderr, "winnow: %s has no option %s%s\nwinnow %s %s\n", c->name,
+            option, nearest_hint(near, "", hint), c->name, c->arguments);
     return 2;
 }
 

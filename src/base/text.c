@@ -206,3 +206,11 @@ const char *nearest_best(const struct nearest *n)
 {
     return n->best[0] != '\0' ? n->best : NULL;
 }
+
+const char *nearest_hint(const char *name, const char *other,
+                         char text[NEAREST_HINT])
+{
+    if (name == NULL) return other;
+    snprintf(text, NEAREST_HINT, "; did you mean %s?", name);
+    return text;
+}

@@ -82,4 +82,9 @@ void nearest_init(struct nearest *n, const char *wanted);
 void nearest_offer(struct nearest *n, const char *known);
 const char *nearest_best(const struct nearest *n);
 
+/* "; did you mean NAME?", or the other text if the name is NULL. */
+enum { NEAREST_HINT = 640 };
+const char *nearest_hint(const char *name, const char *other,
+                         char text[NEAREST_HINT]);
+
 #endif

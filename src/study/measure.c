@@ -128,7 +128,7 @@ static int probe_of(const struct settings *s, const char *field)
 static int measure_unknown(const struct measure *m)
 {
     struct nearest n;
-    char name[MEASURE_NAME];
+    char name[MEASURE_NAME], hint[NEAREST_HINT];
 
     nearest_init(&n, m->name);
     for (const struct history_column *c = history_columns; c->name; c++) {
@@ -140,11 +140,9 @@ static int measure_unknown(const struct measure *m)
         snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 1, " "), at + 1);
         nearest_offer(&n, name);
     }
-    const char *const best = nearest_best(&n);
     return plan_wrong("measure %s: no column of history.csv or probes.csv is "
-                      "called so, and no number of summary.json%s%s%s",
-                      m->text, best != NULL ? "; did you mean " : "",
-                      best != NULL ? best : "", best != NULL ? "?" : "");
+                      "called so, and no number of summary.json%s",
+                      m->text, nearest_hint(nearest_best(&n), "", hint));
 }
 
 /* Where the measure is found in the folder of a run. */

@@ -4,7 +4,6 @@
 #include "base/number.h"
 #include "case/case_file.h"
 #include "base/text.h"
-#include "case/schema.h"
 #include "case/source.h"
 
 #include <ctype.h>
@@ -108,7 +107,7 @@ static int take_option(struct words *w, const char *option, const char *value)
                    {"--times", NULL, &p->times, NULL},
                    {"-j", NULL, &p->jobs, NULL}};
     struct nearest near;
-    char why[NEAREST_TEXT + 64];
+    char why[NEAREST_HINT + 64], hint[NEAREST_HINT];
 
     nearest_init(&near, option);
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
@@ -123,10 +122,8 @@ static int take_option(struct words *w, const char *option, const char *value)
             return words_wrong(option, " asks for a number, 1 to 1024");
         return 0;
     }
-    const char *const best = nearest_best(&near);
-    snprintf(why, sizeof why, ": no such option%s%s%s",
-             best != NULL ? "; did you mean " : "", best != NULL ? best : "",
-             best != NULL ? "?" : "");
+    snprintf(why, sizeof why, ": no such option%s",
+             nearest_hint(nearest_best(&near), "", hint));
     return words_wrong(option, why);
 }
 

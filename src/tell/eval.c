@@ -25,15 +25,13 @@ static int unknown_key(const char *key)
 {
     struct equation e;
     struct nearest n;
+    char hint[NEAREST_HINT];
 
     nearest_init(&n, key);
     for (int i = 0; equations_at(i, &e); i++)
         nearest_offer(&n, e.key);
-    if (nearest_best(&n) != NULL)
-        fprintf(stderr, "winnow: no equation %s; did you mean %s?\n", key,
-                nearest_best(&n));
-    else
-        fprintf(stderr, "winnow: no equation %s; winnow eval lists all\n", key);
+    fprintf(stderr, "winnow: no equation %s%s\n", key,
+            nearest_hint(nearest_best(&n), "; winnow eval lists all", hint));
     return 2;
 }
 

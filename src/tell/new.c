@@ -130,7 +130,7 @@ int list_cases(void)
 /* The path of the shipped case of that name. The exit code. */
 static int find_named(const char *name, char path[PATH_TEXT])
 {
-    char other[LINE_TEXT];
+    char other[LINE_TEXT], hint[NEAREST_HINT];
     struct nearest n;
     glob_t found;
 
@@ -145,11 +145,9 @@ static int find_named(const char *name, char path[PATH_TEXT])
     }
     globfree(&found);
     if (path[0] != '\0') return 0;
-    fprintf(stderr, "winnow: no case %s; ", name);
-    if (nearest_best(&n) != NULL)
-        fprintf(stderr, "did you mean %s?\n", nearest_best(&n));
-    else
-        fprintf(stderr, "winnow list cases names them all\n");
+    fprintf(stderr, "winnow: no case %s%s\n", name,
+            nearest_hint(nearest_best(&n), "; winnow list cases names them all",
+                         hint));
     return 2;
 }
 

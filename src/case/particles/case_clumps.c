@@ -3,7 +3,6 @@
  * Chapter "Fewer or other particles". */
 #include "case/particles/case_clumps.h"
 
-#include <gsl/gsl_math.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -201,17 +200,15 @@ static int give_diameter(const struct settings *s, const char *key,
 {
     const struct clump_shape *const shape = case_clumps_shape(s, name);
     struct nearest n;
+    char hint[NEAREST_HINT];
 
     if (name == NULL) return 0;
     nearest_init(&n, name);
     for (int i = 0; i < s->particles.clumps.n; i++)
         nearest_offer(&n, s->particles.shapes[i].name);
-    const char *const best = nearest_best(&n);
     if (shape == NULL)
-        return settings_wrong(s, key, "no clump in %s is called %s%s%s%s", list,
-                              name, best != NULL ? "; did you mean " : "",
-                              best != NULL ? best : "",
-                              best != NULL ? "?" : "");
+        return settings_wrong(s, key, "no clump in %s is called %s%s", list,
+                              name, nearest_hint(nearest_best(&n), "", hint));
     if (*d == 0.0 && sizes == NULL) *d = clumps_shape_diameter(shape);
     if (around) *d *= clumps_shape_around(shape);
     return 0;

@@ -157,18 +157,18 @@ int case_materials_check_name(const struct settings *s, const char *path,
                               const char *name)
 {
     struct nearest n;
+    char hint[NEAREST_HINT];
 
     if (case_materials_number(s, name) >= 0) return 0;
     nearest_init(&n, name);
     nearest_offer(&n, "grains");
     for (int k = 0; k < s->particles.materials.n; k++)
         nearest_offer(&n, s->particles.materials.item[k].name);
-    if (nearest_best(&n) == NULL)
-        return settings_wrong(
-            s, path, "no material %s: there are %s and the names in %s", name,
-            "grains", list);
-    return settings_wrong(s, path, "no material %s; did you mean %s?", name,
-                          nearest_best(&n));
+    return settings_wrong(
+        s, path, "no material %s%s", name,
+        nearest_hint(nearest_best(&n),
+                     ": there are grains and the names in particles.materials",
+                     hint));
 }
 
 int case_materials_resist_rolling(const struct settings *s)
