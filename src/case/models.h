@@ -10,42 +10,20 @@
 #include "base/model.h"
 
 #include <stddef.h>
-#include <string.h>
 
 struct kind {
     const char *name;  /* "drag" */
     const char *what;  /* "drag laws" */
     const char *key;   /* that chooses: "exchange.drag" */
     const char *group; /* with which it is in use; NULL: that of the key */
-    /* The i-th model; 0 past the last. */
-    int (*model)(int i, struct model *m);
+    const void *list;  /* of its descriptors, ended by NULL */
 };
 
-/* All kinds, ended by NULL. */
-extern const struct kind models_contact, models_integrator, models_list,
-    case_population_sizes, case_surfaces_kind, models_averaging, models_scheme,
-    models_variation, models_interpolation, models_drag, models_shape,
-    models_treatment, models_slip_integration, models_form, models_direction,
-    models_time_scheme, models_convection, models_gradient, models_continuity,
-    models_patch, models_profile, models_effect;
-extern const struct kind case_bodies_method;
-extern const struct kind *const models_kinds[];
+/* All kinds, ended by one without a name. */
+extern const struct kind models_kinds[];
 
-/* Defines the kind of a list of descriptors, which ends with NULL; then follow
- * its name, what it is, its key and its group. */
-#define MODELS_KIND(descriptor, list, ...)                                     \
-    static int descriptor##_row(int i, struct model *m)                        \
-    {                                                                          \
-        for (int k = 0; k <= i; k++)                                           \
-            if ((list)[k] == NULL) return 0;                                   \
-        *m = (struct model){.name = (list)[i]->name,                           \
-                            .what = (list)[i]->what,                           \
-                            .equations = (list)[i]->equations,                 \
-                            .function = (list)[i]->function};                  \
-        memcpy(m->keys, (list)[i]->keys, sizeof m->keys);                      \
-        return 1;                                                              \
-    }                                                                          \
-    const struct kind descriptor = {__VA_ARGS__, descriptor##_row};
+/* The i-th model of a kind; 0 past the last. */
+int models_at(const struct kind *kind, int i, struct model *m);
 
 /* The kind of that name, or NULL. */
 const struct kind *models_kind(const char *name);

@@ -274,11 +274,11 @@ static void print_on(const struct settings *s)
     puts("On");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
-        for (int i = 0; (*k)->model(i, &m); i++)
-            if (model_choice_is_on(s, *k, &m)) {
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; models_at(k, i, &m); i++)
+            if (model_choice_is_on(s, k, &m)) {
                 char name[128];
-                snprintf(name, sizeof name, "%s %s", (*k)->name, m.name);
+                snprintf(name, sizeof name, "%s %s", k->name, m.name);
                 print_line(m.equations, m.function, name, m.what);
             }
 }
@@ -290,12 +290,12 @@ static void print_off(const struct settings *s)
     puts("Off: nothing is allocated and nothing called");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++) {
+    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
         int n = 0;
 
-        for (int i = 0; (*k)->model(i, &m); i++)
-            if (!model_choice_is_on(s, *k, &m)) {
-                if (n++ == 0) printf("  %s:", (*k)->name);
+        for (int i = 0; models_at(k, i, &m); i++)
+            if (!model_choice_is_on(s, k, &m)) {
+                if (n++ == 0) printf("  %s:", k->name);
                 printf(" %s", m.name);
             }
         if (n > 0) putchar('\n');
@@ -315,8 +315,8 @@ static int explain_case_key(const char *key)
 {
     const int code = list_keys(key);
 
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
-        if (strcmp((*k)->key, key) == 0) list_models((*k)->name);
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        if (strcmp(k->key, key) == 0) list_models(k->name);
     return code;
 }
 
@@ -334,12 +334,12 @@ static int explain_models(const char *word)
     struct model m;
     int n = 0;
 
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
-        for (int i = 0; (*k)->model(i, &m); i++) {
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; models_at(k, i, &m); i++) {
             if (strcmp(m.name, word) != 0 && strcmp(m.function, word) != 0)
                 continue;
-            printf("%s %s: chosen by %s, computed by %s\n", (*k)->name, m.name,
-                   (*k)->key, m.function);
+            printf("%s %s: chosen by %s, computed by %s\n", k->name, m.name,
+                   k->key, m.function);
             list_model(&m);
             n++;
         }
@@ -364,8 +364,8 @@ static void offer_paths(struct nearest *n, const struct key *const *tables)
 
     for (const struct command *const *c = commands; *c != NULL; c++)
         nearest_offer(n, (*c)->name);
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
-        for (int i = 0; (*k)->model(i, &m); i++) {
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; models_at(k, i, &m); i++) {
             nearest_offer(n, m.name);
             nearest_offer(n, m.function);
         }
@@ -386,7 +386,7 @@ static void offer_last_names(struct nearest *n, const struct key *const *tables)
 static int explain_unknown(const char *word)
 {
     const struct key *tables[CASE_FILE_TABLES];
-    char path[SCHEMA_TEXT];
+    char path[SCHEMA_TEXT], hint[NEAREST_HINT];
     struct nearest n;
 
     case_file_tables(tables);
@@ -399,12 +399,10 @@ static int explain_unknown(const char *word)
         if (best != NULL && schema_nearest(tables, best, path) != NULL)
             best = path;
     }
-    fprintf(
-        stderr,
-        "winnow: %s is no case file, key, model, function or command%s%s%s\n"
-        "winnow explain %s\n",
-        word, best != NULL ? "; did you mean " : "", best != NULL ? best : "",
-        best != NULL ? "?" : "", accepted);
+    fprintf(stderr,
+            "winnow: %s is no case file, key, model, function or command%s\n"
+            "winnow explain %s\n",
+            word, nearest_hint(best, "", hint), accepted);
     return 2;
 }
 

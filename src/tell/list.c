@@ -6,12 +6,10 @@
 #include <string.h>
 
 #include "case/case_file.h"
-#include "case/checks/checks.h"
 #include "case/command.h"
 #include "case/models.h"
 #include "base/text.h"
 #include "case/schema.h"
-#include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "record/history.h"
 #include "record/recorder_part.h"
@@ -20,10 +18,9 @@ void list_kinds(void)
 {
     struct model m;
 
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++) {
-        printf("%-14s %s, chosen by %s:\n%-14s", (*k)->name, (*k)->what,
-               (*k)->key, "");
-        for (int i = 0; (*k)->model(i, &m); i++)
+    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
+        printf("%-14s %s, chosen by %s:\n%-14s", k->name, k->what, k->key, "");
+        for (int i = 0; models_at(k, i, &m); i++)
             printf(" %s", m.name);
         putchar('\n');
     }
@@ -94,17 +91,12 @@ static int print_part(const struct key *const *tables, const char *part)
 
 static int unknown_part(const struct key *const *tables, const char *name)
 {
-    char nearest[SCHEMA_TEXT] = "";
+    char nearest[SCHEMA_TEXT] = "", hint[NEAREST_HINT];
+    const int found = schema_nearest(tables, name, nearest) != NULL;
 
-    if (schema_nearest(tables, name, nearest) != NULL)
-        fprintf(stderr,
-                "winnow: no part of a case is called %s; did you mean %s?\n",
-                name, nearest);
-    else
-        fprintf(stderr,
-                "winnow: no part of a case is called %s; winnow list keys "
-                "names all keys\n",
-                name);
+    fprintf(stderr, "winnow: no part of a case is called %s%s\n", name,
+            nearest_hint(found ? nearest : NULL,
+                         "; winnow list keys names all keys", hint));
     return 2;
 }
 
@@ -162,20 +154,17 @@ static int list_columns(void)
 static int unknown_kind(const char *name)
 {
     struct nearest n;
+    char hint[NEAREST_HINT];
 
     nearest_init(&n, name);
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
-        nearest_offer(&n, (*k)->name);
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        nearest_offer(&n, k->name);
     nearest_offer(&n, "keys");
     nearest_offer(&n, "columns");
     nearest_offer(&n, "cases");
-    if (nearest_best(&n) != NULL)
-        fprintf(stderr, "winnow: no kind of model %s; did you mean %s?\n", name,
-                nearest_best(&n));
-    else
-        fprintf(stderr,
-                "winnow: no kind of model %s; winnow list names them all\n",
-                name);
+    fprintf(
+        stderr, "winnow: no kind of model %s%s\n", name,
+        nearest_hint(nearest_best(&n), "; winnow list names them all", hint));
     return 2;
 }
 
@@ -188,7 +177,7 @@ int list_models(const char *name)
     if (strcmp(name, "columns") == 0) return list_columns();
     if (kind == NULL) return unknown_kind(name);
     printf("%s, chosen by %s\n", kind->what, kind->key);
-    for (int i = 0; kind->model(i, &m); i++)
+    for (int i = 0; models_at(kind, i, &m); i++)
         list_model(&m);
     return 0;
 }

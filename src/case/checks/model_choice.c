@@ -26,9 +26,10 @@ static const char *key_split(const char *path, char group[SCHEMA_TEXT])
 static int is_chosen_by_side(const struct boundary_options *side,
                              const struct kind *kind, const struct model *m)
 {
-    const char *const name = kind == &models_patch ? side->condition->name
-                             : side->has_profile   ? side->profile->name
-                                                   : "";
+    const char *const name = kind->list == boundary_conditions
+                                 ? side->condition->name
+                             : side->has_profile ? side->profile->name
+                                                 : "";
     return strcmp(name, m->name) == 0;
 }
 
@@ -63,10 +64,10 @@ static int is_choice_read(const struct settings *s, const struct kind *kind)
                          : group[0] != '\0'  ? group
                                              : kind->key))
         return 0;
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
-        for (int i = 0; (*k)->model(i, &m); i++)
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; models_at(k, i, &m); i++)
             if (models_reads(&m, kind->key)) {
-                if (model_choice_is_on(s, *k, &m)) return 1;
+                if (model_choice_is_on(s, k, &m)) return 1;
                 owned = 1;
             }
     return !owned;
@@ -97,7 +98,7 @@ int model_choice_refuse_unread(const struct settings *s, const char *kind,
     struct model m;
     size_t used = 0;
 
-    for (int i = 0; k->model(i, &m); i++) {
+    for (int i = 0; models_at(k, i, &m); i++) {
         if (!models_reads(&m, path)) continue;
         if (model_choice_is_on(s, k, &m)) return 0;
         used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
@@ -182,14 +183,14 @@ int model_choice_check(const struct settings *s)
             refuse_unread_keys(s, "averaging", averaging_methods[i]->own_keys);
     if (code != 0) return code;
 
-    for (const struct kind *const *k = models_kinds; *k != NULL; k++)
-        for (int i = 0; (*k)->model(i, &m); i++)
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; models_at(k, i, &m); i++)
             for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++)
                 for (const struct key *row = m.keys[t]; row->path != NULL;
                      row++)
                     if (row->fallback != NULL && schema_is_required(row) &&
-                        model_choice_is_on(s, *k, &m) &&
-                        refuse_missing(s, *k, &m, row->path) != 0)
+                        model_choice_is_on(s, k, &m) &&
+                        refuse_missing(s, k, &m, row->path) != 0)
                         return 2;
     return 0;
 }

@@ -19,7 +19,6 @@
 #include "case/particles/case_materials.h"
 #include "case/particles/case_surfaces.h"
 #include "case/case_mesh.h"
-#include "case/models.h"
 #include "base/text.h"
 #include "case/build.h"
 
@@ -495,6 +494,3 @@ int case_population_is_cut_short(const struct simulation *sim)
     return interrupt_arrived() && sim->population != NULL &&
            sim->population->totals.waiting > 0;
 }
-
-MODELS_KIND(case_population_sizes, sizes_laws, "sizes",
-            "distributions of diameters", "particles.sizes.distribution", NULL)

@@ -12,7 +12,6 @@
 #include "case/particles/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/checks/checks.h"
-#include "case/models.h"
 #include "dem/surfaces/triangles.h"
 #include "dem/surfaces/surface.h"
 #include "dem/surfaces/surfaces.h"
@@ -492,6 +491,3 @@ void case_surfaces_tell_unseen(const struct settings *s)
 {
     if (are_unseen(s) && !s->quiet) fprintf(stderr, "%s: %s\n", list, unseen);
 }
-
-MODELS_KIND(case_surfaces_kind, surface_shapes, "surface",
-            "walls besides those of the box", "particles.surfaces.shape", NULL)

@@ -453,6 +453,3 @@ int case_bodies_add(const struct settings *s, struct simulation *sim)
         among_grains_begin(b, sim);
     return solid_bodies_begin(b, sim->fluid) != 0 ? 2 : 0;
 }
-
-MODELS_KIND(case_bodies_method, solid_bodies_methods, "body_method",
-            "ways that bodies hold the fluid", "bodies.method", NULL)

@@ -4,13 +4,10 @@
 #ifndef CASE_RESOLVED_CASE_BODIES_H
 #define CASE_RESOLVED_CASE_BODIES_H
 
-#include "case/models.h"
 #include "case/settings.h"
 #include "coupling/simulation.h"
 #include "resolved/body_seal.h"
 #include "resolved/body_shape.h"
-
-extern const struct kind case_bodies_method;
 
 struct case_body {
     const struct body_setup *says;
