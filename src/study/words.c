@@ -7,7 +7,6 @@
 #include "case/schema.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Longer meanings are sentences, and the key says it in fewer letters. */

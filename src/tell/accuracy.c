@@ -4,7 +4,6 @@
 #include "case/case_mesh.h"
 #include "case/checks/checks.h"
 #include "case/particles/case_materials.h"
-#include "base/text.h"
 #include "fluid/schemes.h"
 
 #include <gsl/gsl_math.h>

@@ -9,7 +9,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "averaging/averaging.h"
 #include "averaging/kernel/weights.h"

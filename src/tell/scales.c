@@ -10,7 +10,6 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdio.h>
 
 #include "base/vector.h"
 #include "case/build.h"

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/checks/checks.h"
 
-#include <gsl/gsl_math.h>
 #include <libconfig.h>
 #include <limits.h>
 #include <math.h>
-#include <stdio.h>
 
 #include "averaging/averaging.h"
 #include "averaging/kernel/weights.h"
@@ -17,7 +15,6 @@
 #include "case/case_mesh.h"
 #include "case/case_file.h"
 #include "case/particles/case_population.h"
-#include "dem/dem_method.h"
 #include "dem/contact.h"
 
 /* Particles that are inserted later count as if they were there. */
