@@ -167,6 +167,42 @@ FACT(a_cap_counts_the_same_share_of_the_viscous_stress)
     ck_assert_double_eq_tol(viscous_push(0.35) / whole, share, 1e-12);
 }
 
+/* What is summed over 2744 spheres, enough for several ranges of them, after
+ * three steps with so many threads. */
+static void sums_by_threads(int threads, double sums[5])
+{
+    struct scene s = air;
+    s.n = 2744;
+    s.cells = 4;
+    s.size = 0.03;
+    s.pressure_gradient = 1;
+    omp_set_num_threads(threads);
+    struct simulation *const sim = build(&s);
+
+    run(sim, 3);
+    const struct effect_tally *const t = &sim->effects[0].tally;
+    const double all[5] = {t->sum, t->largest, t->weight, sim->force_scale.sum,
+                           sim->coupling->report.exchange_residual};
+    memcpy(sums, all, sizeof all);
+    discard(sim);
+    omp_set_num_threads(1);
+}
+
+FACT(sums_over_particles_have_the_same_bits_for_any_threads)
+{
+    static const int threads[] = {1, 2, 3, 7};
+    double sums[4][5];
+
+    for (int k = 0; k < 4; k++) {
+        sums_by_threads(threads[k], sums[k]);
+        ck_assert_double_eq(sums[k][2], 3.0 * 2744.0);
+        for (int j = 0; j < 5; j++)
+            ck_assert_double_eq(sums[k][j], sums[0][j]);
+    }
+    for (int j = 0; j < 5; j++)
+        ck_assert_double_gt(sums[0][j], 0.0);
+}
+
 /* Nothing but weight less buoyancy, (m - rho_f V_p) g, comes from outside, also
  * where a cap counts part of V_p only. No sphere changes cells in the 0.6 ms;
  * the rest is rounding. */

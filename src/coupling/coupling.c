@@ -98,6 +98,7 @@ static void apply_held_forces(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
 
+#pragma omp parallel for schedule(static) if (ps->n >= TRANSFER_MANY)
     for (int i = 0; i < ps->n; i++) {
         ps->ex[i] = sim->held_force[3 * i];
         ps->ey[i] = sim->held_force[3 * i + 1];
@@ -298,8 +299,9 @@ void coupling_unpaid_impulse(const struct simulation *sim, double unpaid[3])
 {
     unpaid[0] = unpaid[1] = unpaid[2] = 0.0;
     if (sim->coupling == NULL) return;
-    for (int i = 0; i < 3 * sim->particles->n; i++)
-        unpaid[i % 3] += sim->coupling->unpaid_impulse[i];
+    for (int i = 0; i < sim->particles->n; i++)
+        for (int k = 0; k < 3; k++)
+            unpaid[k] += sim->coupling->unpaid_impulse[3 * i + k];
     for (int k = 0; k < 3 && sim->coupling->replacement != NULL; k++)
         unpaid[k] += sim->coupling->replacement->unpaid_sum[k];
     processes_sum(sim, 3, unpaid);

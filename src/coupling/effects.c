@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/model.h"
+#include "base/parallel_ranges.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
@@ -45,7 +46,7 @@ void effects_call(struct simulation *sim, enum effects_stage stage)
     }
 }
 
-static void effects_tally_add(struct effect_tally *t, double size, double share)
+void effects_tally_add(struct effect_tally *t, double size, double share)
 {
     t->sum += share * size;
     t->weight += share;
@@ -58,21 +59,63 @@ void effects_report(struct simulation *sim, const double f[3], double share)
         effects_tally_add(&sim->running_effect->tally, vector_length(f), share);
 }
 
+static void tally_range(int first, int last, struct simulation *sim,
+                        effects_range *f, const void *memory,
+                        struct effect_tally *parts)
+{
+    f(first, last, sim, memory,
+      &parts[parallel_ranges_of(sim->particles->n, first)]);
+}
+
+/* Adds what f tells of all particles to t. */
+static void tally_all(struct simulation *sim, struct effect_tally *t,
+                      effects_range *f, const void *memory)
+{
+    struct effect_tally parts[PARALLEL_RANGES_COUNT] = {{0}};
+    const int n = sim->particles->n;
+
+    PARALLEL_RANGES(n, 12, tally_range, sim, f, memory, parts);
+    for (int s = 0; s < parallel_ranges_filled(n); s++) {
+        t->sum += parts[s].sum;
+        t->weight += parts[s].weight;
+        t->largest = fmax(t->largest, parts[s].largest);
+    }
+}
+
+void effects_report_all(struct simulation *sim, effects_range *f,
+                        const void *memory)
+{
+    struct effect_tally none = {0};
+
+    tally_all(sim,
+              sim->running_effect != NULL ? &sim->running_effect->tally : &none,
+              f, memory);
+}
+
+/* The drag on each, or its weight, or the force that drives the fluid. */
+static void scale_range(int first, int last, struct simulation *sim,
+                        const void *push, struct effect_tally *tally)
+{
+    const double size = vector_length(sim->gravity);
+
+    for (int i = first; i < last; i++) {
+        const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;
+        const double V = M_PI / 6.0 * gsl_pow_3(sim->particles->d[i]);
+        const double weight = sim->particles->m[i] * size;
+        const double pushed = V * *(const double *)push;
+        const double held = weight > pushed ? weight : pushed;
+        effects_tally_add(tally, drag > held ? drag : held, 1.0);
+    }
+}
+
 void effects_measure_scale(struct simulation *sim)
 {
-    const double *const g = sim->gravity;
-    const double size = vector_length(g);
     const double push = sim->fluid != NULL
                             ? vector_length(sim->fluid->options.mean_gradient)
                             : 0.0;
 
-    for (int i = 0; i < sim->particles->n && sim->n_effects > 0; i++) {
-        const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;
-        const double V = M_PI / 6.0 * gsl_pow_3(sim->particles->d[i]);
-        const double weight = sim->particles->m[i] * size;
-        const double held = weight > V * push ? weight : V * push;
-        effects_tally_add(&sim->force_scale, drag > held ? drag : held, 1.0);
-    }
+    if (sim->n_effects > 0)
+        tally_all(sim, &sim->force_scale, scale_range, &push);
 }
 
 static const char of_force[] = "the force on a grain";

@@ -57,6 +57,15 @@ void effects_call(struct simulation *sim, enum effects_stage stage);
  * this share of the step [-]. Outside of a hook it has no effect. */
 void effects_report(struct simulation *sim, const double f[3], double share);
 
+/* The same for all particles at once, by ranges of them (parallel_ranges.h):
+ * f(first, last, sim, memory, tally) adds the force of each to a tally of its
+ * range, and those are added in order. */
+typedef void effects_range(int first, int last, struct simulation *sim,
+                           const void *memory, struct effect_tally *tally);
+void effects_report_all(struct simulation *sim, effects_range *f,
+                        const void *memory);
+void effects_tally_add(struct effect_tally *t, double size, double share);
+
 /* Measures the scale at the end of a step. */
 void effects_measure_scale(struct simulation *sim);
 

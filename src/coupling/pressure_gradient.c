@@ -2,6 +2,7 @@
 /* pressure_gradient.c -- the two forces on a particle that need no flow around
  * it: its weight, and the mean pressure on its surface. */
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "coupling/coupling.h"
 #include "coupling/effect.h"
 #include "coupling/effects.h"
@@ -28,17 +29,23 @@ static void *gravity_create(struct simulation *sim, const double *parameters)
     return NULL;
 }
 
-static void gravity_before_particles(void *memory, struct simulation *sim)
+static void gravity_range(int first, int last, struct simulation *sim,
+                          const void *memory, struct effect_tally *tally)
 {
     (void)memory;
-    for (int i = 0; i < sim->particles->n; i++) {
+    for (int i = first; i < last; i++) {
         double f[3];
         for (int k = 0; k < 3; k++) {
             f[k] = sim->particles->m[i] * sim->gravity[k];
             sim->held_force[3 * i + k] += f[k];
         }
-        effects_report(sim, f, 1.0);
+        effects_tally_add(tally, vector_length(f), 1.0);
     }
+}
+
+static void gravity_before_particles(void *memory, struct simulation *sim)
+{
+    effects_report_all(sim, gravity_range, memory);
 }
 
 static struct effect_estimate gravity_estimate(const struct effect_scales *k)
@@ -125,34 +132,42 @@ static void pressure_gradient_add_rest(struct simulation *sim, int i, double V,
     coupling_add_impulse(sim, i, impulse);
 }
 
-/* The pressure part of [LS 5.1, XS11 2.6]. The solved p acts only on the part
- * of a particle that is in eps_s: see averaging_apply_cap. */
-static void pressure_gradient_before_particles(void *memory,
-                                               struct simulation *sim)
+static void pressure_gradient_range(int first, int last, struct simulation *sim,
+                                    const void *memory,
+                                    struct effect_tally *tally)
 {
     const struct pressure_gradient *const self = memory;
-    const struct particles *const ps = sim->particles;
     const double rho = sim->fluid->options.rho;
     const int shared = sim->fluid->options.pressure_shared;
     const double weight = sim->fluid->impulse_weight;
 
-    averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
-    averaging_apply_cap(sim->averaging, 3, self->gradient);
-    for (int i = 0; i < ps->n; i++) {
-        const double V = particles_volume(ps, i);
+    for (int i = first; i < last; i++) {
+        const double V = particles_volume(sim->particles, i);
         double f[3], impulse[3];
         for (int k = 0; k < 3; k++) {
             f[k] = -V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
             sim->held_force[3 * i + k] += f[k];
             impulse[k] = f[k] * sim->dt;
         }
-        effects_report(sim, f, 1.0);
+        effects_tally_add(tally, vector_length(f), 1.0);
         if (!shared)
             add_reaction(sim, i, V, impulse);
         else if (weight != 1.0)
             pressure_gradient_add_rest(sim, i, (weight - 1.0) * V,
                                        &self->gradient[3 * i]);
     }
+}
+
+/* The pressure part of [LS 5.1, XS11 2.6]. The solved p acts only on the part
+ * of a particle that is in eps_s: see averaging_apply_cap. */
+static void pressure_gradient_before_particles(void *memory,
+                                               struct simulation *sim)
+{
+    const struct pressure_gradient *const self = memory;
+
+    averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
+    averaging_apply_cap(sim->averaging, 3, self->gradient);
+    effects_report_all(sim, pressure_gradient_range, self);
 }
 
 /* In a fluidized bed this force is eps_s + eps_f rho_f/rho_s of the weight, on

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "base/parallel_ranges.h"
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
 
@@ -53,6 +54,7 @@ int reaction_average(struct simulation *sim)
     cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
                                      cp->eps);
     double lowest = 1.0;
+#pragma omp simd reduction(min : lowest)
     for (int i = 0; i < ps->n; i++)
         lowest = cp->eps[i] < lowest ? cp->eps[i] : lowest;
     cp->report.eps_lowest =
@@ -210,25 +212,42 @@ static void subtract_inertia(struct simulation *sim, double expected[3],
     }
 }
 
+/* What the fluid received for each particle of a range is added to `sums`,
+ * three components and the absolute values. */
+static void subtract_range(int first, int last, struct simulation *sim,
+                           double (*sums)[4])
+{
+    struct coupling *const cp = sim->coupling;
+    const double more = sim->fluid->impulse_weight - 1.0;
+    double *const sum = sums[parallel_ranges_of(sim->particles->n, first)];
+
+    for (int i = first; i < last; i++)
+        for (int k = 0; k < 3; k++) {
+            const int j = 3 * i + k;
+            const double estimate =
+                sim->dt * cp->k[i] * (cp->smooth[j] - cp->u_mean[j]);
+            sum[k] += estimate + cp->unpaid_impulse[j];
+            sum[3] += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
+            cp->unpaid_impulse[j] =
+                -estimate - more * (estimate + cp->unpaid_impulse[j]);
+        }
+}
+
 /* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a
  * particle, with u^new interpolated by the adjoint of the averaging; and in the
  * first step of BDF2 it is to receive half of that once more. */
 static void subtract_received(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
-    const double more = sim->fluid->impulse_weight - 1.0;
     double expected[3] = {0.0, 0.0, 0.0}, scale = 0.0;
+    double sums[PARALLEL_RANGES_COUNT][4] = {{0.0}};
 
-    for (int i = 0; i < sim->particles->n; i++)
-        for (int k = 0; k < 3; k++) {
-            const int j = 3 * i + k;
-            const double estimate =
-                sim->dt * cp->k[i] * (cp->smooth[j] - cp->u_mean[j]);
-            expected[k] += estimate + cp->unpaid_impulse[j];
-            scale += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
-            cp->unpaid_impulse[j] =
-                -estimate - more * (estimate + cp->unpaid_impulse[j]);
-        }
+    PARALLEL_RANGES(sim->particles->n, 12, subtract_range, sim, sums);
+    for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
+        for (int k = 0; k < 3; k++)
+            expected[k] += sums[s][k];
+        scale += sums[s][3];
+    }
     if (cp->inertia != NULL) subtract_inertia(sim, expected, &scale);
     if (cp->replacement != NULL)
         add_removed(cp->replacement, sim->mesh->n_cells, expected, &scale);
