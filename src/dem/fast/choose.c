@@ -6,28 +6,45 @@
 
 #include "dem/fast/chunk.h"
 
-/* Pairs whose distances are computed together. */
-enum { NEAR_LANES = 64 };
+/* Pairs whose distances are computed together; and of one owner, that are
+ * written at a time. */
+enum { NEAR_LANES = 64, OWNED = 8 };
 
-/* Moves the contacts to the end of as many slots as the lists have pairs;
- * returns the first of theirs. The new ones are written from slot 0 on: they
- * cannot reach an old one that is still to come, which is a pair of the list
- * that is still to come. */
-static int move_to_end(struct chunk *s)
+/* Copies the contacts to where the loads are, which nobody needs any more, and
+ * returns them there. */
+static struct chunk_contacts set_aside(struct chunk *s)
 {
-    struct chunk_contacts *const c = &s->contacts;
-    const int n = c->n_pairs + c->n_walls;
-    const int first = s->pairs.n + s->walls.n - n;
-    const size_t size = (size_t)n * sizeof(double);
+    const struct chunk_contacts *const c = &s->contacts;
+    const size_t n = (size_t)(c->n_pairs + c->n_walls);
+    const size_t columns = s->has_rolling ? 6 : 3, size = n * sizeof(double);
+    struct chunk_contacts old = {.n_pairs = c->n_pairs, .n_walls = c->n_walls};
 
-    if (n == 0) return first;
-    memmove(c->list_index + first, c->list_index, (size_t)n * sizeof(int));
-    for (int k = 0; k < 3; k++) {
-        memmove(c->xi[k] + first, c->xi[k], size);
-        if (s->has_rolling)
-            memmove(c->roll_angle[k] + first, c->roll_angle[k], size);
+    if (n == 0) return old; /* there may be histories */
+    chunk_reserve_loads(s, columns * size + n * sizeof(int), 0);
+    double *to = (void *)s->load;
+    for (int k = 0; k < 3; k++, to += n)
+        old.xi[k] = memcpy(to, c->xi[k], size);
+    for (int k = 0; s->has_rolling && k < 3; k++, to += n)
+        old.roll_angle[k] = memcpy(to, c->roll_angle[k], size);
+    old.list_index = memcpy(to, c->list_index, n * sizeof(int));
+    return old;
+}
+
+/* Names the owners of the `count` pairs from q on, the first of which belongs
+ * to particle `a` of the chunk or a later one; returns the last of theirs. */
+static int name_owners(const struct chunk *s, int q, int count, int a,
+                       int owner[NEAR_LANES + OWNED])
+{
+    const int *const start = s->pairs.start;
+
+    for (int p = 0;; a++) {
+        const int next = start[a + 1] - q, end = next < count ? next : count;
+        for (; p < end; p += OWNED)
+            for (int k = 0; k < OWNED; k++)
+                owner[p + k] = s->begin + a;
+        if (end == count) return a;
+        p = end;
     }
-    return first;
 }
 
 /* Sets near = 1 for those of the first `count` pairs whose distance is less
@@ -59,81 +76,88 @@ static inline void find_near(const struct rows *b, const int *restrict i,
     }
 }
 
-/* Writes the list indices of the near pairs as owners from slot `first` on;
- * returns the slot after the last. Writes every pair, and advances the slot
- * only for near ones, which avoids a branch. */
-static int choose_pairs(struct chunk *s, const struct rows *b, int first)
+/* Writes owners and list indices of the near pairs; returns their number.
+ * Writes every pair, and advances the slot only for near ones, which avoids a
+ * branch. Where the memory ends, the pairs that follow are taken to be near as
+ * often as those before. */
+static int choose_pairs(struct chunk *s, const struct rows *b)
 {
     const int *const around = b->box.periodic;
     const int periodic = around[0] || around[1] || around[2];
     const struct neighbour_list *const v = &s->pairs;
-    int *const to = s->contacts.owner; /* for now */
-    int near[NEAR_LANES], slot = first;
+    struct chunk_contacts *const c = &s->contacts;
+    int near[NEAR_LANES], owner[NEAR_LANES + OWNED], slot = 0;
 
-    for (int q = 0; q < v->n; q += NEAR_LANES) {
+    for (int q = 0, a = 0; q < v->n; q += NEAR_LANES) {
         const int count = v->n - q < NEAR_LANES ? v->n - q : NEAR_LANES;
+        if (slot + NEAR_LANES > c->capacity)
+            chunk_reserve_contacts(
+                s, NEAR_LANES + (int)((double)slot * v->n / (q + 1)), slot);
+        a = name_owners(s, q, count, a, owner);
         if (periodic)
-            find_near(b, v->owner + q, v->partner + q, count, 1, near);
+            find_near(b, owner, v->partner + q, count, 1, near);
         else
-            find_near(b, v->owner + q, v->partner + q, count, 0, near);
+            find_near(b, owner, v->partner + q, count, 0, near);
         for (int p = 0; p < count; p++) {
-            to[slot] = q + p;
+            c->owner[slot] = owner[p];
+            c->list_index[slot] = q + p;
             slot += near[p];
         }
     }
     return slot;
 }
 
+/* The same for walls, from slot `first` on; returns the slot after the last. */
 static int choose_walls(struct chunk *s, const struct rows *b, int first)
 {
     const struct neighbour_list *const v = &s->walls;
+    struct chunk_contacts *const c = &s->contacts;
     int slot = first;
 
-    for (int q = 0; q < v->n; q++) {
-        const struct row_place *const x = &b->chosen[v->owner[q]];
-        s->contacts.owner[slot] = q;
-        slot += box_domain_gap(&b->box, v->partner[q], x->x) < x->R;
-    }
+    chunk_reserve_contacts(s, first + v->n, first);
+    for (int i = s->begin; i < s->end; i++)
+        for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
+             q++) {
+            const struct row_place *const x = &b->chosen[i];
+            c->owner[slot] = i;
+            c->list_index[slot] = q;
+            slot += box_domain_gap(&b->box, v->partner[q], x->x) < x->R;
+        }
     return slot;
 }
 
-static inline void take_history(double *const component[3], int to, int from,
-                                int had)
-{
-    for (int k = 0; k < 3; k++)
-        component[k][to] = had ? component[k][from] : 0.0;
-}
-
-/* Completes the contacts first ... last - 1 of list v. The `n_old` contacts
- * from slot `old` on are those before, in the same order: a pair that was one
- * of them keeps its history. */
+/* Completes the contacts first ... last - 1 of list v. Those of before from
+ * `at` to end - 1 are in the same order: a pair that was one of them keeps its
+ * history. */
 static void complete_contacts(struct chunk *s, const struct neighbour_list *v,
-                              int first, int last, int old, int n_old)
+                              int first, int last,
+                              const struct chunk_contacts *old, int at, int end)
 {
     struct chunk_contacts *const c = &s->contacts;
-    const int end = old + n_old;
 
     for (int slot = first; slot < last; slot++) {
-        const int q = c->owner[slot];
-        while (old < end && c->list_index[old] < q)
-            old++;
-        const int had = old < end && c->list_index[old] == q;
-        c->list_index[slot] = q;
-        c->owner[slot] = v->owner[q];
+        const int q = c->list_index[slot];
+        while (at < end && old->list_index[at] < q)
+            at++;
+        const int had = at < end && old->list_index[at] == q;
         c->partner[slot] = v->partner[q];
-        take_history(c->xi, slot, old, had);
-        if (s->has_rolling) take_history(c->roll_angle, slot, old, had);
+        for (int k = 0; k < 3; k++) {
+            c->xi[k][slot] = had ? old->xi[k][at] : 0.0;
+            if (s->has_rolling)
+                c->roll_angle[k][slot] = had ? old->roll_angle[k][at] : 0.0;
+        }
     }
 }
 
 void chunk_choose_contacts(struct chunk *s, const struct rows *b)
 {
     struct chunk_contacts *const c = &s->contacts;
-    const int old = move_to_end(s);
-    const int pairs = choose_pairs(s, b, 0), all = choose_walls(s, b, pairs);
+    const struct chunk_contacts old = set_aside(s);
+    const int pairs = choose_pairs(s, b), all = choose_walls(s, b, pairs);
 
-    complete_contacts(s, &s->pairs, 0, pairs, old, c->n_pairs);
-    complete_contacts(s, &s->walls, pairs, all, old + c->n_pairs, c->n_walls);
+    complete_contacts(s, &s->pairs, 0, pairs, &old, 0, old.n_pairs);
+    complete_contacts(s, &s->walls, pairs, all, &old, old.n_pairs,
+                      old.n_pairs + old.n_walls);
     c->n_pairs = pairs;
     c->n_walls = all - pairs;
     chunk_set_blocks(s, b->n);

@@ -32,7 +32,6 @@ void chunk_release(struct chunk *s)
     for (int l = 0; l < 2; l++) {
         free(lists[l]->start);
         free(lists[l]->partner);
-        free(lists[l]->owner);
     }
     for (int k = 0; k < 3; k++) {
         free(s->contacts.xi[k]);
@@ -44,15 +43,14 @@ void chunk_release(struct chunk *s)
     free(s->load);
     free(s->part);
     free(s->blocks);
-    free(s->history);
     free(s->roll_history);
 }
 
-/* An eighth more than needed, so that arrays seldom grow after a few rebuilds.
- */
+/* A sixteenth more than needed, so that arrays seldom grow after a few
+ * rebuilds. */
 static int roomy(int needed)
 {
-    return needed + needed / 8 + 64;
+    return needed + needed / 16 + 64;
 }
 
 void chunk_set_range(struct chunk *s, int number, int count, int n)
@@ -90,7 +88,6 @@ static int *list_room_for(struct neighbour_list *v, int n)
         v->capacity = roomy(v->n + n);
         v->partner =
             alloc_grown(v->partner, v->n, v->capacity, sizeof *v->partner);
-        v->owner = alloc_grown(v->owner, 0, v->capacity, sizeof *v->owner);
     }
     return v->partner + v->n;
 }
@@ -119,51 +116,53 @@ static int chunk_larger(int a, int b)
     return a > b ? a : b;
 }
 
-static void list_name_owners(const struct chunk *s, struct neighbour_list *v)
+void chunk_reserve_loads(struct chunk *s, size_t bytes, size_t used)
 {
-    for (int i = s->begin; i < s->end; i++)
-        for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
-             q++)
-            v->owner[q] = i;
+    const size_t row = sizeof *s->load;
+    const int needed = (int)((bytes + row - 1) / row);
+
+    if (needed > s->load_capacity) {
+        s->load_capacity = roomy(needed);
+        s->load = alloc_grown(s->load, (int)((used + row - 1) / row),
+                              s->load_capacity, row);
+        free(s->part);
+        s->part = NULL;
+    }
+    if (s->has_budget && s->part == NULL)
+        s->part = alloc_zeroed((size_t)s->load_capacity, sizeof *s->part);
+    chunk_begin_loads(s, NULL);
 }
 
-/* The loads extend to the farthest partner after the first particle of the
- * chunk. */
-void chunk_finish_lists(struct chunk *s, int n)
+void chunk_reserve_contacts(struct chunk *s, int n, int used)
 {
     struct chunk_contacts *const c = &s->contacts;
-    const int most = s->pairs.n + s->walls.n + SWEEP_LANES;
 
-    chunk_begin_owner(s, s->end);
-    list_name_owners(s, &s->pairs);
-    list_name_owners(s, &s->walls);
-    for (int q = 0; q < s->pairs.n; q++)
-        s->window =
-            chunk_larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
-    if (s->load == NULL || s->window > s->load_capacity ||
-        (s->has_budget && s->part == NULL)) {
-        free(s->load);
-        free(s->part);
-        s->load_capacity = roomy(s->window);
-        s->load = alloc_zeroed((size_t)s->load_capacity, sizeof *s->load);
-        s->part = s->has_budget
-                      ? alloc_zeroed((size_t)s->load_capacity, sizeof *s->part)
-                      : NULL;
-    }
-    chunk_begin_loads(s, NULL);
-    c->n_pairs = c->n_walls = 0;
-    if (most <= c->capacity) return;
-    c->capacity = roomy(most);
-    c->owner = alloc_grown(c->owner, 0, c->capacity, sizeof *c->owner);
+    if (n + SWEEP_LANES <= c->capacity) return;
+    c->capacity = roomy(n + SWEEP_LANES);
+    c->owner = alloc_grown(c->owner, used, c->capacity, sizeof *c->owner);
     c->partner = alloc_grown(c->partner, 0, c->capacity, sizeof *c->partner);
     c->list_index =
-        alloc_grown(c->list_index, 0, c->capacity, sizeof *c->list_index);
+        alloc_grown(c->list_index, used, c->capacity, sizeof *c->list_index);
     for (int k = 0; k < 3; k++) {
         c->xi[k] = alloc_grown(c->xi[k], 0, c->capacity, sizeof(double));
         if (s->has_rolling)
             c->roll_angle[k] =
                 alloc_grown(c->roll_angle[k], 0, c->capacity, sizeof(double));
     }
+}
+
+/* The loads extend to the farthest partner after the first particle of the
+ * chunk. */
+void chunk_finish_lists(struct chunk *s, int n)
+{
+    chunk_begin_owner(s, s->end);
+    for (int q = 0; q < s->pairs.n; q++)
+        s->window =
+            chunk_larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
+    chunk_reserve_loads(s, (size_t)s->window * sizeof *s->load,
+                        (size_t)s->n_history * sizeof *chunk_history(s));
+    s->contacts.n_pairs = s->contacts.n_walls = 0;
+    chunk_reserve_contacts(s, s->pairs.n / 4, 0);
 }
 
 /* The contacts first ... last - 1 are in the order of their owners. Returns the
@@ -225,15 +224,12 @@ void chunk_set_blocks(struct chunk *s, int n)
 
 void chunk_reserve_history(struct chunk *s, int n)
 {
-    if (n > s->history_capacity) {
-        s->history_capacity = roomy(n);
-        s->history = alloc_grown(s->history, s->n_history, s->history_capacity,
-                                 sizeof *s->history);
-        if (s->has_rolling)
-            s->roll_history =
-                alloc_grown(s->roll_history, s->n_history, s->history_capacity,
-                            sizeof *s->roll_history);
-    }
+    const size_t size = sizeof *chunk_history(s);
+
+    chunk_reserve_loads(s, (size_t)n * size, (size_t)s->n_history * size);
+    if (s->has_rolling && n > s->n_history)
+        s->roll_history = alloc_grown(s->roll_history, s->n_history, n,
+                                      sizeof *s->roll_history);
     s->n_history = n;
 }
 
@@ -252,10 +248,27 @@ static int has_history(const struct chunk *s, int q)
 
 /* The tangential displacement of a touching pair is never exactly 0; a pair
  * with 0 has no history. */
-void chunk_save_history(struct chunk *s)
+int chunk_contact_history(const struct chunk *s, int q,
+                          struct contact_history *k, double roll[3])
 {
     const struct chunk_contacts *const c = &s->contacts;
-    const int all = c->n_pairs + c->n_walls;
+    const int partner = c->partner[q];
+
+    if (!has_history(s, q)) return 0;
+    k->owner = c->owner[q];
+    k->partner = q < c->n_pairs ? partner : -1 - partner;
+    for (int a = 0; a < 3; a++) {
+        k->xi[a] = c->xi[a][q];
+        if (s->has_rolling) roll[a] = c->roll_angle[a][q];
+    }
+    return 1;
+}
+
+void chunk_save_history(struct chunk *s)
+{
+    const int all = s->contacts.n_pairs + s->contacts.n_walls;
+    struct contact_history one;
+    double roll[3];
     int n = 0;
 
     for (int q = 0; q < all; q++)
@@ -263,14 +276,9 @@ void chunk_save_history(struct chunk *s)
     s->n_history = 0;
     chunk_reserve_history(s, n);
     for (int q = 0, at = 0; q < all; q++) {
-        if (!has_history(s, q)) continue;
-        s->history[at] = (struct contact_history){
-            .owner = c->owner[q],
-            .partner = q < c->n_pairs ? c->partner[q] : -1 - c->partner[q],
-            .xi = {c->xi[0][q], c->xi[1][q], c->xi[2][q]},
-        };
-        for (int a = 0; s->has_rolling && a < 3; a++)
-            s->roll_history[at][a] = c->roll_angle[a][q];
+        if (!chunk_contact_history(s, q, &one, roll)) continue;
+        chunk_history(s)[at] = one;
+        if (s->has_rolling) memcpy(s->roll_history[at], roll, sizeof roll);
         at++;
     }
 }

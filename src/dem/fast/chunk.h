@@ -23,7 +23,6 @@
  * are partner[start[a]] ... partner[start[a + 1] - 1]. */
 struct neighbour_list {
     int *start, *partner;
-    int *owner; /* of each partner */
     int n, capacity;
 };
 
@@ -48,10 +47,9 @@ struct contact_history {
  * that they own, then their motion, while the data are still in the cache. Each
  * number counts from the beginning of the chunk to the end of the block. */
 struct chunk_block {
-    int end; /* its last particle + 1 */
-    int pairs,
-        walls;   /* [-] contacts computed up to this block: at least its own */
-    int n_loads; /* [-] loads that these contacts write */
+    int end;          /* its last particle + 1 */
+    int pairs, walls; /* [-] contacts up to this block: at least its own */
+    int n_loads;      /* [-] loads that these contacts write */
 };
 
 /* Quantities of a chunk for the report. */
@@ -94,12 +92,12 @@ struct chunk {
     int begin, end; /* its particles */
     int window;     /* its loads reach begin ... begin + window - 1, modulo
                        the number of particles */
-    struct row_load *load;
-    struct row_load *sum; /* in a step: where they are summed, `load` or a
-                             ring */
-    int round;            /* [-] bits of a number in it; -1: all */
-    int fetched, reached; /* [-] particles from the first on whose rows are on
-                             their way into the cache, and are to be */
+    struct row_load *load; /* see chunk_reserve_loads */
+    struct row_load *sum;  /* in a step: where they are summed, `load` or a
+                              ring */
+    int round;             /* [-] bits of a number in it; -1: all */
+    int fetched, reached;  /* [-] particles from the first on whose rows are on
+                              their way into the cache, and are to be */
     struct row_load (*part)[ENERGY_PARTS]; /* of these loads (energy.h); NULL
                                                without a budget */
     int load_capacity;
@@ -107,10 +105,9 @@ struct chunk {
     struct chunk_contacts contacts;
     struct chunk_block *blocks;
     int n_blocks;
-    struct contact_history *history;
-    double (*roll_history)[3]; /* [rad] of each; NULL without rolling friction
-                                */
-    int n_history, history_capacity;
+    double (*roll_history)[3]; /* [rad] of each history; NULL without rolling
+                                  friction */
+    int n_history;
     int has_rolling;    /* [-] 1: there is rolling friction */
     int has_budget;     /* [-] 1: of energy */
     double max_overlap; /* [-] largest overlap over the mean diameter */
@@ -148,21 +145,34 @@ void chunk_finish_lists(struct chunk *s, int n);
  * contact before keeps its history. */
 void chunk_choose_contacts(struct chunk *s, const struct rows *b);
 
-/* Splits its contacts into blocks; n particles. */
+/* Splits its contacts into blocks; 1 if they are so already. n particles. */
 void chunk_set_blocks(struct chunk *s, int n);
-
-/* 1 if the blocks are those that its contacts are split into; n particles. */
 int chunk_blocks_fit(const struct chunk *s, int n);
 
 /* Visits the budget (state.h). */
 void chunk_energy_state(struct chunk_energy *e, struct state *state);
 
-/* Allocates space for n histories; existing ones are kept. */
+/* Memory for so many bytes where the loads are, which nobody needs while lists
+ * are made and contacts chosen: then the histories are there, or the contacts
+ * of before. The first `used` bytes are kept. */
+void chunk_reserve_loads(struct chunk *s, size_t bytes, size_t used);
+
+/* Memory for n contacts; the first `used` owners and list indices are kept. */
+void chunk_reserve_contacts(struct chunk *s, int n, int used);
+
+/* The histories; memory for n, in which existing ones are kept. */
+static inline struct contact_history *chunk_history(const struct chunk *s)
+{
+    return (void *)s->load;
+}
 void chunk_reserve_history(struct chunk *s, int n);
 
-/* Saves the histories of the touching pairs; restores one that chunk s owns
- * now, unless its pair is no contact any more. `roll` is NULL without rolling
- * friction. */
+/* The history of contact q and its rolling angle; 0: it has none. */
+int chunk_contact_history(const struct chunk *s, int q,
+                          struct contact_history *k, double roll[3]);
+
+/* Saves those of all touching pairs; restores one that chunk s owns now, unless
+ * its pair is no contact any more. `roll`: NULL without rolling friction. */
 void chunk_save_history(struct chunk *s);
 void chunk_restore_history(struct chunk *s, const struct contact_history *k,
                            const double *roll);

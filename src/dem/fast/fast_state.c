@@ -71,6 +71,7 @@ static void chunk_state_contacts(struct chunk *c, int n_spheres,
     state_count(s, "pairs", &k->n_pairs, c->pairs.n);
     state_count(s, "walls", &k->n_walls, c->walls.n);
     const long n = k->n_pairs + k->n_walls;
+    if (s->loading) chunk_reserve_contacts(c, (int)n, 0);
     state_indices(s, "owner", k->owner, n, c->begin, c->end - 1);
     state_indices(s, "partner", k->partner, n, 0,
                   n_spheres > WALLS ? n_spheres - 1 : WALLS - 1);
@@ -107,6 +108,7 @@ static void lists_state(struct chunk *c, int n, struct state *s)
                     c->n_blocks, 1);
     state_demand(s, s->failed || !s->loading || chunk_blocks_fit(c, n),
                  "blocks that are not those of its contacts");
+    if (c->n_history > 0) return; /* they are where the loads are */
     if (c->window > 0) state_reals(s, "load", "N", c->load->F, c->window, 8);
     if (c->window > 0 && c->has_budget)
         state_reals(s, "part", "N", c->part[0]->F, c->window, 8 * ENERGY_PARTS);
@@ -120,7 +122,7 @@ static void chunk_state_histories(struct chunk *c, int n_spheres,
     state_begin(s, "histories");
     state_count(s, "count", &n, INT_MAX);
     if (s->loading && !s->failed) chunk_reserve_history(c, n);
-    struct contact_history *const all = c->history;
+    struct contact_history *const all = chunk_history(c);
     state_indices_of(s, "owner", &all->owner, sizeof *all, n, 0, n_spheres - 1);
     state_indices_of(s, "partner", &all->partner, sizeof *all, n, -WALLS,
                      n_spheres - 1);
@@ -142,11 +144,11 @@ void chunk_energy_state(struct chunk_energy *e, struct state *s)
 
 static void chunk_state(struct chunk *c, int n, int capacity, struct state *s)
 {
-    int listed = c->load != NULL;
+    int listed = c->contacts.capacity > 0;
 
     state_whole(s, "listed", "-", &listed);
-    if (listed) lists_state(c, n, s);
     chunk_state_histories(c, capacity, s);
+    if (listed) lists_state(c, n, s);
     state_real(s, "deep_overlap", "-", &c->deep.overlap);
     state_whole(s, "deep_id", "-", &c->deep.id);
     state_whole(s, "deep_other", "-", &c->deep.other);
@@ -202,31 +204,49 @@ void fast_state(struct dem *dem, struct state *s)
     neighbours_state(fast_of(dem)->neighbours, s);
 }
 
-static struct dem_history entry_of_history(const struct chunk *c, int q,
-                                           const int *id)
+/* Writes the histories of a chunk, those `given` for the next run or those of
+ * its contacts, unless `to` is NULL; their number. */
+static int histories_of(const struct chunk *c, int given, const int *id,
+                        struct dem_history *to)
 {
-    const struct contact_history *const k = &c->history[q];
-    struct dem_history h = {.id = id[k->owner]};
+    const struct chunk_contacts *const all = &c->contacts;
+    struct contact_history k;
+    double roll[3] = {0.0, 0.0, 0.0};
+    int n = 0;
 
-    h.other = k->partner < 0 ? k->partner : id[k->partner];
-    memcpy(h.xi, k->xi, sizeof h.xi);
-    if (c->has_rolling)
-        memcpy(h.roll_angle, c->roll_history[q], sizeof h.roll_angle);
-    return h;
+    for (int q = 0; q < (given ? c->n_history : all->n_pairs + all->n_walls);
+         q++) {
+        if (given) {
+            k = chunk_history(c)[q];
+            if (c->has_rolling) memcpy(roll, c->roll_history[q], sizeof roll);
+        } else if (!chunk_contact_history(c, q, &k, roll)) {
+            continue;
+        }
+        if (to != NULL) {
+            to[n] = (struct dem_history){.id = id[k.owner]};
+            to[n].other = k.partner < 0 ? k.partner : id[k.partner];
+            memcpy(to[n].xi, k.xi, sizeof k.xi);
+            memcpy(to[n].roll_angle, roll, sizeof roll);
+        }
+        n++;
+    }
+    return n;
 }
 
 struct dem_history *fast_histories(struct dem *dem, int *n)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
-    const struct particles *const ps = nb->history_given ? NULL : nb->ps;
-    const int own = neighbours_save_histories(nb);
+    const int given = nb->history_given;
+    const struct particles *const ps = given ? NULL : nb->ps;
     struct dem_history *list;
+    int own = 0;
 
+    for (int s = 0; s < nb->n_chunks; s++)
+        own += histories_of(&nb->chunks[s], given, nb->ps->id, NULL);
     *n = own + surface_history_list(nb->surfaces, ps, NULL);
     list = alloc_zeroed((size_t)*n, sizeof *list);
     for (int s = 0, at = 0; s < nb->n_chunks; s++)
-        for (int q = 0; q < nb->chunks[s].n_history; q++)
-            list[at++] = entry_of_history(&nb->chunks[s], q, nb->ps->id);
+        at += histories_of(&nb->chunks[s], given, nb->ps->id, list + at);
     surface_history_list(nb->surfaces, ps, list + own);
     return list;
 }
@@ -235,16 +255,19 @@ void fast_restore_histories(struct dem *dem, const struct dem_history *list,
                             int n, const int *index)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
-    const int own = n - surface_history_restore(nb->surfaces, list, n);
-    const struct chunk *const kept = neighbours_restore_history(nb, own);
 
-    for (int q = 0; q < own; q++) {
-        struct contact_history *const k = &kept->history[q];
-        k->owner = index[list[q].id];
-        k->partner = list[q].other < 0 ? list[q].other : index[list[q].other];
-        memcpy(k->xi, list[q].xi, sizeof k->xi);
-        if (kept->has_rolling)
-            memcpy(kept->roll_history[q], list[q].roll_angle,
-                   sizeof *kept->roll_history);
+    neighbours_restore_history(
+        nb, n - surface_history_restore(nb->surfaces, list, n));
+    for (int s = 0; s < nb->n_chunks; s++) {
+        const struct chunk *const c = &nb->chunks[s];
+        for (int q = 0; q < c->n_history; q++, list++) {
+            struct contact_history *const k = &chunk_history(c)[q];
+            k->owner = index[list->id];
+            k->partner = list->other < 0 ? list->other : index[list->other];
+            memcpy(k->xi, list->xi, sizeof k->xi);
+            if (c->has_rolling)
+                memcpy(c->roll_history[q], list->roll_angle,
+                       sizeof list->roll_angle);
+        }
     }
 }

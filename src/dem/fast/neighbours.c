@@ -135,23 +135,12 @@ void neighbours_begin_run(struct neighbours *nb, int team)
         prescribed_particles_locate(nb->prescribed, nb->ps);
 }
 
-struct chunk *neighbours_restore_history(struct neighbours *nb, int n)
+void neighbours_restore_history(struct neighbours *nb, long n)
 {
     for (int s = 0; s < nb->n_chunks; s++)
-        chunk_reserve_history(&nb->chunks[s], s == 0 ? n : 0);
+        chunk_reserve_history(&nb->chunks[s], (int)(n * (s + 1) / nb->n_chunks -
+                                                    n * s / nb->n_chunks));
     nb->stale = nb->history_given = 1;
-    return &nb->chunks[0];
-}
-
-int neighbours_save_histories(struct neighbours *nb)
-{
-    int n = 0;
-
-    for (int s = 0; s < nb->n_chunks; s++) {
-        if (!nb->history_given) chunk_save_history(&nb->chunks[s]);
-        n += nb->chunks[s].n_history;
-    }
-    return n;
 }
 
 void neighbours_load(struct neighbours *nb)
@@ -299,7 +288,7 @@ static void follow_order(struct neighbours *nb)
 static void restore_history(struct neighbours *nb, const struct chunk *from,
                             int q)
 {
-    struct contact_history k = from->history[q];
+    struct contact_history k = chunk_history(from)[q];
     double roll[3] = {0.0, 0.0, 0.0};
 
     if (from->has_rolling) memcpy(roll, from->roll_history[q], sizeof roll);

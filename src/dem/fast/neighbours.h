@@ -134,12 +134,9 @@ static inline struct chunk *neighbours_chunk_of(const struct neighbours *nb,
 /* Waits for all threads of the team. */
 void neighbours_barrier(const struct neighbours *nb);
 
-/* Saves the histories of all touching pairs in their chunks; their number. */
-int neighbours_save_histories(struct neighbours *nb);
-
-/* The chunk with space for the `n` histories with which the next run starts.
- * Borrowed. */
-struct chunk *neighbours_restore_history(struct neighbours *nb, int n);
+/* Divides the memory for the `n` histories with which the next run starts among
+ * the chunks. */
+void neighbours_restore_history(struct neighbours *nb, long n);
 
 /* Before a team of so many threads starts. */
 void neighbours_begin_run(struct neighbours *nb, int team);
