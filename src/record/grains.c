@@ -151,7 +151,7 @@ static void contact_list_fill_rows(struct contact_list *c)
     for (int i = 0; i < ps->n; i++) {
         const double x[4] = {ps->x[i], ps->y[i], ps->z[i], 0.5 * ps->d[i]};
         memcpy(&rows->place[i], x, sizeof x);
-        rows->listed[i] = rows->place[i];
+        memcpy(rows->listed[i], rows->place[i].x, sizeof rows->listed[i]);
     }
 }
 

@@ -85,6 +85,16 @@ static void chunk_state_contacts(struct chunk *c, int n_spheres,
     state_end(s);
 }
 
+/* Of its own particles: nobody asks for those on others after a step. */
+static void loads_state(struct chunk *c, struct state *s)
+{
+    const size_t size = sizeof *c->load;
+    const long n = c->end - c->begin;
+
+    state_reals_of(s, "load", "N", c->load->F, size, n, 3);
+    state_reals_of(s, "load_turning", "N", c->load->turn, size, n, 3);
+}
+
 /* Visits the lists and the arrays whose sizes follow from them. */
 static void lists_state(struct chunk *c, int n, struct state *s)
 {
@@ -109,7 +119,7 @@ static void lists_state(struct chunk *c, int n, struct state *s)
     state_demand(s, s->failed || !s->loading || chunk_blocks_fit(c, n),
                  "blocks that are not those of its contacts");
     if (c->n_history > 0) return; /* they are where the loads are */
-    if (c->window > 0) state_reals(s, "load", "N", c->load->F, c->window, 8);
+    if (c->window > 0) loads_state(c, s);
     if (c->window > 0 && c->has_budget)
         state_reals(s, "part", "N", c->part[0]->F, c->window, 8 * ENERGY_PARTS);
 }
@@ -180,8 +190,7 @@ static void neighbours_state(struct neighbours *nb, struct state *s)
     state_long(s, "rebuilds", "-", &nb->rebuilds);
     state_count(s, "listed", &b->n, nb->ps->capacity);
     if (b->n > 0)
-        state_reals_of(s, "position_at_rebuild", "m", b->listed->x,
-                       sizeof *b->listed, b->n, 3);
+        state_reals(s, "position_at_rebuild", "m", *b->listed, b->n, 3);
     if (b->n > 0)
         state_reals(s, "position_and_reach", "m", b->chosen->x, b->n, 4);
     for (int k = 0; k < nb->n_chunks; k++) {

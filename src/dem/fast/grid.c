@@ -14,8 +14,8 @@ struct grid {
     int cells[3];      /* [-] along x, y, z */
     double origin[3];  /* [m] */
     double inverse[3]; /* [1/m] of the cell width */
-    int *cell;         /* [-] of each particle, before the sort */
-    int *start;        /* [-] first particle of each cell, after it */
+    int *start;        /* [-] first particle of each cell, after the sort */
+    int most;          /* [-] cells that it is long enough for */
     int *order;
 };
 
@@ -42,16 +42,13 @@ struct grid *grid_create(int capacity, const struct box_domain *box)
                 axis[c] = axis[c + 1];
                 axis[c + 1] = swap;
             }
-    g->cell = alloc_ints(capacity);
     g->order = alloc_ints(capacity);
-    g->start = alloc_ints(most_cells(g) + 1);
     return g;
 }
 
 void grid_free(struct grid *g)
 {
     if (g == NULL) return;
-    free(g->cell);
     free(g->order);
     free(g->start);
     free(g);
@@ -118,28 +115,40 @@ static int grid_ahead(const struct grid *g, int k, double x, double v,
     return grid_coordinate(g, k, box_domain_inside(&g->box, k, x + ahead * v));
 }
 
+/* All cells, for which there is memory then. */
+static int grid_cells(struct grid *g)
+{
+    const int n = g->cells[0] * g->cells[1] * g->cells[2];
+
+    if (g->start == NULL || n > g->most) {
+        g->most = n + n / 16;
+        g->start = alloc_grown(g->start, 0, g->most + 1, sizeof *g->start);
+    }
+    return n;
+}
+
 /* Counting sort; particles of one cell stay in their order. */
 const int *grid_order(struct grid *g, const struct particles *ps, double reach,
-                      double ahead)
+                      double ahead, int *cell)
 {
     grid_divide(g, ps, reach);
 
-    const int n = g->cells[0] * g->cells[1] * g->cells[2];
+    const int n = grid_cells(g);
     for (int c = 0; c <= n; c++)
         g->start[c] = 0;
     for (int i = 0; i < ps->n; i++) {
         const int c[3] = {grid_ahead(g, 0, ps->x[i], ps->vx[i], ahead),
                           grid_ahead(g, 1, ps->y[i], ps->vy[i], ahead),
                           grid_ahead(g, 2, ps->z[i], ps->vz[i], ahead)};
-        g->cell[i] = grid_cell_number(g, c);
-        g->start[g->cell[i]]++;
+        cell[i] = grid_cell_number(g, c);
+        g->start[cell[i]]++;
     }
     for (int c = 0, sum = 0; c <= n; c++) {
         sum += g->start[c];
         g->start[c] = sum; /* the end of the cell; becomes its start */
     }
     for (int i = ps->n - 1; i >= 0; i--)
-        g->order[--g->start[g->cell[i]]] = i;
+        g->order[--g->start[cell[i]]] = i;
     return g->order;
 }
 
@@ -169,10 +178,9 @@ static int grid_beside(const struct grid *g, int k, int c, int found[3])
 /* 1 if the gap of i and j, nearest image, is less than the skin [LS 5.15]. */
 static inline int close_by(const struct rows *b, int i, int j, double skin)
 {
-    const struct row_place *const p = &b->listed[i], *const q = &b->listed[j];
-    const double reach = p->R + q->R + skin;
+    const double reach = b->place[i].R + b->place[j].R + skin;
 
-    return rows_distance2(&b->box, p, q) <= reach * reach;
+    return rows_distance2(&b->box, b->listed[i], b->listed[j]) <= reach * reach;
 }
 
 /* The particles from `from` to `to` - 1 of each stretch. */
@@ -189,7 +197,7 @@ static int stretches_around(const struct grid *g, const struct rows *b, int i,
     int at[3][3], count[3], c[3], own[3];
 
     for (int k = 0; k < 3; k++) {
-        const double x = box_domain_inside(&b->box, k, b->listed[i].x[k]);
+        const double x = box_domain_inside(&b->box, k, b->listed[i][k]);
         own[k] = grid_coordinate(g, k, x);
         count[k] = grid_beside(g, k, own[k], at[k]);
     }
@@ -249,8 +257,8 @@ static void gather_candidates(struct candidates *of,
         for (int j = from; j < all->to[p]; j++, of->n++) {
             of->j[of->n] = j;
             for (int k = 0; k < 3; k++)
-                of->x[k][of->n] = b->listed[j].x[k];
-            of->x[3][of->n] = b->listed[j].R;
+                of->x[k][of->n] = b->listed[j][k];
+            of->x[3][of->n] = b->place[j].R;
         }
     }
 }
@@ -262,15 +270,15 @@ static void gather_candidates(struct candidates *of,
 static void find_inside(const struct candidates *of, int first, struct chunk *s,
                         const struct rows *b, int i, double skin)
 {
-    const struct row_place p = b->listed[i];
+    const double *const p = b->listed[i], wide = b->place[i].R + skin;
     const double *const x = of->x[0], *const y = of->x[1], *const z = of->x[2];
     const double *const R = of->x[3];
     int *const close = of->close;
 
 #pragma omp simd
     for (int a = first; a < of->n; a++) {
-        const double dx = p.x[0] - x[a], dy = p.x[1] - y[a], dz = p.x[2] - z[a];
-        const double reach = p.R + R[a] + skin;
+        const double dx = p[0] - x[a], dy = p[1] - y[a], dz = p[2] - z[a];
+        const double reach = wide + R[a];
         close[a] = dx * dx + dy * dy + dz * dz <= reach * reach;
     }
     int n = 0;
@@ -312,7 +320,7 @@ static void grid_find_walls(struct chunk *s, const struct rows *b, int i,
 {
     for (int w = 0; w < 6; w++)
         if (!b->box.periodic[w / 2] &&
-            rows_wall_gap(&b->box, &b->listed[i], w) <= skin)
+            box_domain_gap(&b->box, w, b->listed[i]) - b->place[i].R <= skin)
             chunk_add_wall(s, w);
 }
 

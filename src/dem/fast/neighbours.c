@@ -266,8 +266,8 @@ static void find_order(struct neighbours *nb)
     nb->ahead = v2 > 0.0 && nb->surfaces == NULL
                     ? part_ahead * 0.5 * nb->skin / sqrt(v2)
                     : 0.0;
-    nb->order =
-        grid_order(nb->grid, ps, widest + nb->skin + nb->range, nb->ahead);
+    nb->order = grid_order(nb->grid, ps, widest + nb->skin + nb->range,
+                           nb->ahead, nb->rank);
 }
 
 /* Called by one thread: the new index of each, and of what belongs to it. */

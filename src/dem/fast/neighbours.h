@@ -58,9 +58,9 @@ void grid_free(struct grid *g);
 
 /* Finds the order of the particles with cells of at least `reach` [m], at the
  * places where they will be after `ahead` [s]: the particle at order[i] belongs
- * to place i. Borrowed; until the next call. */
+ * to place i. Borrowed; until the next call. `cell` is to work in. */
 const int *grid_order(struct grid *g, const struct particles *ps, double reach,
-                      double ahead);
+                      double ahead, int *cell);
 
 /* Fills the neighbour list of a chunk with pairs and walls closer than skin
  * [m] there. The rows are in the order of grid_order. */

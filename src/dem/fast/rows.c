@@ -16,7 +16,7 @@ struct rows *rows_create(int capacity, const struct box_domain *box)
     b->box = *box;
     b->place = alloc_zeroed(n, sizeof *b->place);
     b->motion = alloc_zeroed(n, sizeof *b->motion);
-    b->acceleration = alloc_zeroed(n, sizeof *b->acceleration);
+    b->acceleration = alloc_zeroed(n + 1, sizeof *b->acceleration);
     b->listed = alloc_zeroed(n, sizeof *b->listed);
     b->chosen = alloc_zeroed(n, sizeof *b->chosen);
     return b;
@@ -149,7 +149,7 @@ void rows_advance(struct rows *b, int begin, int end,
         double *restrict const v = (double *)&b->motion[i];
         const double *restrict const a = b->acceleration[i];
         const double *restrict const f = (const double *)&load[i - begin];
-        const double per_mass = kick * b->motion[i].per_m;
+        const double per_mass = kick * b->motion[i].per_m, per_R = v[3];
 
 #pragma omp simd
         for (int k = 0; k < 8; k++)
@@ -162,6 +162,7 @@ void rows_advance(struct rows *b, int begin, int end,
 #pragma omp simd
         for (int k = 0; k < 4; k++)
             top[k] = fabs(v[k]) > top[k] ? fabs(v[k]) : top[k];
+        v[3] = per_R; /* to which a number of the next one was added */
     }
     for (int k = 0; k < 3; k++)
         fastest[k] = top[k];
@@ -254,9 +255,8 @@ struct rows_survey rows_check_lost(const struct rows *b, int begin, int end)
 void rows_record_positions(struct rows *b, int begin, int end, double ahead)
 {
     for (int i = begin; i < end; i++) {
-        b->listed[i] = b->place[i];
         for (int k = 0; k < 3; k++)
-            b->listed[i].x[k] += ahead * b->motion[i].v[k];
+            b->listed[i][k] = b->place[i].x[k] + ahead * b->motion[i].v[k];
     }
 }
 
@@ -265,7 +265,8 @@ struct rows_margins rows_set_margins(struct rows *b, int begin, int end,
                                      double least, double time, double room)
 {
     const struct box_domain box = b->box;
-    const struct row_place *const x = b->place, *const listed = b->listed;
+    const struct row_place *const x = b->place;
+    const double(*const listed)[3] = (const double(*)[3])b->listed;
     struct row_place *const chosen = b->chosen;
     double left = HUGE_VAL;
     int narrow = 0;
@@ -277,7 +278,7 @@ struct rows_margins rows_set_margins(struct rows *b, int begin, int end,
         const double own = least + time * speed;
         const double wanted = own < 0.25 * room ? own : 0.25 * room;
         const double rest =
-            room - sqrt(rows_distance2(&box, &x[i], &listed[i]));
+            room - sqrt(rows_distance2(&box, x[i].x, listed[i]));
         const double margin = wanted < rest ? wanted : rest;
 
         chosen[i] = x[i];
@@ -297,7 +298,7 @@ double rows_margin_left(const struct rows *b, int begin, int end)
 
 #pragma omp simd reduction(min : left) reduction(| : bad)
     for (int i = begin; i < end; i++) {
-        const double moved = sqrt(rows_distance2(&box, &x[i], &at[i]));
+        const double moved = sqrt(rows_distance2(&box, x[i].x, at[i].x));
         const double own = at[i].R - x[i].R - moved;
 
         left = own < left ? own : left;

@@ -56,9 +56,9 @@ struct rows {
     struct row_motion *motion;
     struct row_motion *before; /* `motion` before the last kick; NULL without a
                                    budget of energy */
-    double (*acceleration)[4]; /* [m/s^2] of the external force; 0 */
-    struct row_place *listed;  /* where each was when the list was last made, or
-                                  was to be a little later */
+    double (*acceleration)[3]; /* [m/s^2] of the external force */
+    double (*listed)[3];       /* [m] where each was when the list was last
+                                  made, or was to be a little later */
     struct row_place *chosen;  /* where it was when the contacts were chosen; R:
                                   its radius and its margin, how far it may
                                   move until they are chosen again */
@@ -134,13 +134,12 @@ double rows_margin_left(const struct rows *b, int begin, int end);
 /* Squared distance of two places, nearest image [m^2]; the gap of particles i
  * and j, and that of a place and a side of the box [m]. */
 static inline double rows_distance2(const struct box_domain *box,
-                                    const struct row_place *p,
-                                    const struct row_place *q)
+                                    const double p[3], const double q[3])
 {
     double r2 = 0.0;
 
     for (int k = 0; k < 3; k++) {
-        const double dx = box_domain_nearest(box, k, p->x[k] - q->x[k]);
+        const double dx = box_domain_nearest(box, k, p[k] - q[k]);
         r2 += dx * dx;
     }
     return r2;
@@ -149,7 +148,7 @@ static inline double rows_distance2(const struct box_domain *box,
 static inline double rows_pair_gap(const struct rows *b, int i, int j)
 {
     const struct row_place *const p = &b->place[i], *const q = &b->place[j];
-    return sqrt(rows_distance2(&b->box, p, q)) - p->R - q->R;
+    return sqrt(rows_distance2(&b->box, p->x, q->x)) - p->R - q->R;
 }
 
 static inline double rows_wall_gap(const struct box_domain *box,

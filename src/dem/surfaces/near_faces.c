@@ -47,7 +47,7 @@ void near_faces_image(const struct near_face *f, const struct rows *b, int i,
                       double x[3])
 {
     for (int k = 0; k < 3; k++) {
-        const double dx = b->place[i].x[k] - b->listed[i].x[k];
+        const double dx = b->place[i].x[k] - b->listed[i][k];
         const double back = b->box.length[k] * rint(dx * b->box.inverse[k]);
         x[k] = b->place[i].x[k] - back + f->shift[k];
     }

@@ -209,7 +209,7 @@ static int crosses(const struct surface_contacts *c,
     const struct near_face at = {surface, face, {shift[0], shift[1], shift[2]}};
     double x[3], old[3], from[3], to[3];
 
-    vector_along(b->listed[i].x, 1.0, shift, old);
+    vector_along(b->listed[i], 1.0, shift, old);
     near_faces_image(&at, b, i, x);
     motion_origin(&c->built[surface], old, from);
     motion_origin(&c->pose[surface], x, to);
@@ -237,7 +237,7 @@ static double moved2(const struct rows *b, int i)
     double x[3], way[3];
 
     near_faces_image(&none, b, i, x);
-    vector_between(x, b->listed[i].x, way);
+    vector_between(x, b->listed[i], way);
     return vector_dot(way, way);
 }
 
