@@ -55,43 +55,46 @@ static void add_friction(struct immersed *self, struct fluid *fl)
     }
 }
 
-/* a / (a + hold V) */
-static double theta(const struct solid_bodies *b, const struct fluid *fl, int c)
-{
-    const double diag = fl->momentum->diag[c];
+/* What the bodies change in the flux through a face, and what each of its
+ * cells has to do with it. */
+struct body_share {
+    double theta; /* [-] a / (a + hold V) */
+    double flux;  /* [m^3/s] (1 - theta) eps u_b . S / 2 */
+};
 
-    if (b->hold[c] == 0.0) return 1.0;
-    return (diag - b->hold[c] * fl->mesh->V[c]) / diag;
-}
-
-/* The share of cell c in the flux of the bodies through S, (1 - theta) eps u_b
- * . S / 2 [m^3/s]. */
-static double body_flux(const struct solid_bodies *b, const struct fluid *fl,
-                        int c, double rest, const double S[3])
+static inline struct body_share body_share(const struct solid_bodies *b,
+                                           const struct fluid *fl, int c,
+                                           const double S[3])
 {
-    return b->hold[c] > 0.0 ? 0.5 * (1.0 - rest) * fl->eps[c] *
-                                  vector_dot(&b->hold_u[3 * c], S) / b->hold[c]
-                            : 0.0;
+    const double of_cell = fl->mesh->V[c] / fl->momentum->diag[c];
+
+    return (struct body_share){1.0 - of_cell * b->hold[c],
+                               0.5 * of_cell * fl->eps[c] *
+                                   vector_dot(&b->hold_u[3 * c], S)};
 }
 
 /* The resistance has been formed with the whole diagonal; what of the flux does
  * not depend on p is in proportion to the mobility. */
-static void change_face(const struct solid_bodies *b, struct fluid *fl, int f)
+FACE_KERNEL change_face(int f, int o, int n, const void *with)
 {
+    const struct fluid *const fl = with;
+    const struct solid_bodies *const b = bodies_of(fl->immersed);
+
+    if (b->hold[o] == 0.0 && b->hold[n] == 0.0) return;
     struct pressure_system *const pressure = fl->pressure;
-    const int o = fl->mesh->owner[f], n = fl->mesh->neighbour[f];
-    const double w = fl->mesh->w[f], *const r = pressure->resistance;
-    const double of_o = theta(b, fl, o), of_n = theta(b, fl, n);
-    const double free = (1.0 - w) * of_o * r[o] + w * of_n * r[n];
-    const double m = 0.5 * (of_o + of_n) / free;
-    const double factor = m / pressure->m_face[f];
-    const double *const S = &fl->mesh->S[3 * f];
+    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const struct body_share of_o = body_share(b, fl, o, S);
+    const struct body_share of_n = body_share(b, fl, n, S);
+    const double r_o = (1.0 - w) * pressure->resistance[o];
+    const double r_n = w * pressure->resistance[n];
+    const double m =
+        0.5 * (of_o.theta + of_n.theta) / (of_o.theta * r_o + of_n.theta * r_n);
+    const double factor = m * (r_o + r_n); /* of the mobility */
 
     pressure->m_face[f] = m;
     pressure->conductance[f] *= factor;
-    pressure->explicit_flux[f] *= factor;
-    pressure->explicit_flux[f] +=
-        body_flux(b, fl, o, of_o, S) + body_flux(b, fl, n, of_n, S);
+    pressure->explicit_flux[f] =
+        factor * pressure->explicit_flux[f] + of_o.flux + of_n.flux;
 }
 
 /* Convection and viscosity alone: with the diagonal, face_jump.c has taken away
@@ -111,13 +114,8 @@ static void smooth_forces(struct immersed *self, struct fluid *fl)
  * in all of the box [EW18 5]. */
 static void change_faces(struct immersed *self, struct fluid *fl)
 {
-    const struct solid_bodies *const b = bodies_of(self);
-    const struct mesh *const m = fl->mesh;
-
-#pragma omp parallel for schedule(static)
-    for (int f = 0; f < m->n_internal; f++)
-        if (b->hold[m->owner[f]] > 0.0 || b->hold[m->neighbour[f]] > 0.0)
-            change_face(b, fl, f);
+    (void)self;
+    FOR_EACH_FACE(fl->faces, 8, change_face, fl);
 }
 
 /* The friction of one body: J = dt sum hold (u - u_b) V [EW18 15], and r x J
