@@ -3,7 +3,8 @@
 #include "brenner.h"
 #include "facts.h"
 #include "narrow_gap.h"
-#include "resolved/mark.h"
+#include "resolved/body_cells.h"
+#include "resolved/fluid_parts.h"
 
 /* Far from everything it is Stokes' force, at a small gap R/z, twice as much as
  * between two; in between his table, where the distance is cosh 1, 2, 3 R. */
@@ -42,37 +43,115 @@ FACT_FOR_EACH(cox67_mesh_and_film_have_the_force_of_two_spheres, 2)
     ck_assert_double_eq_tol(force_over_exact(exp2(-2 * _i), 1), 1.0, 0.15);
 }
 
-/* The cells are looked at by their numbers in the box. By the faces it is the
- * same, with each cell in turn marked otherwise than all others. */
-FACT(cells_beside_one_by_number_are_those_by_its_faces)
+static struct mesh *small_box(void)
 {
     const struct box_spec spec = {.size = {1.0, 1.0, 1.0},
                                   .cells = {4, 5, 6},
                                   .grading = {1.0, 1.0, 1.0},
-                                  .periodic = {1, 0, 0}};
-    struct mesh *const m = mesh_create_box(&spec);
+                                  .periodic = {1, 0, 1}};
+    return mesh_create_box(&spec);
+}
+
+/* As many marked cells of eight as n says, scattered. */
+static void scatter(int *mark, int cells, int n)
+{
+    for (unsigned c = 0, x = (unsigned)n; c < (unsigned)cells; c++) {
+        x = x * 1664525u + 1013904223u;
+        mark[c] = (int)(x >> 29) < n ? 1 + (int)(x >> 20) % 3 : 0;
+    }
+}
+
+/* What is beside cell c, by its faces. */
+struct beside {
+    int amid, meets, marked[3]; /* along each axis */
+};
+
+static struct beside beside(const struct mesh *m, const int *mark, int c)
+{
+    const int x = c % 4, z = c / 20; /* the ends of a period are left out */
+    struct beside s = {.amid = x > 0 && x < 3 && z > 0 && z < 5};
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const int f = m->cell_face[a], inner = f < m->n_internal;
+        const double *const S = &m->S[3 * f];
+        const int k = fabs(S[0]) > 0.0 ? 0 : fabs(S[1]) > 0.0 ? 1 : 2;
+        const int next =
+            inner && m->owner[f] == c ? m->neighbour[f] : m->owner[f];
+        ck_assert_int_eq(
+            box_goes_on(&m->box, c, 2 * k + (m->out[a] * S[k] > 0.0)), inner);
+        s.amid &= inner;
+        s.marked[k] += mark[next] != 0;
+        s.meets |= mark[next] != 0 && mark[next] != mark[c];
+    }
+    return s;
+}
+
+/* The cells are looked at by their numbers in the box. By the faces it is the
+ * same. */
+FACT_FOR_EACH(cells_beside_one_by_number_are_those_by_its_faces, 8)
+{
+    struct mesh *const m = small_box();
     int *const mark = calloc((size_t)m->n_cells, sizeof *mark), found = 0;
 
-    for (int odd = 0; odd < m->n_cells; odd++) {
-        mark[odd] = 1;
-        for (int c = 0; c < m->n_cells; c++) {
-            const int x = c % 4; /* the ends of a period are left out */
-            int alike = x > 0 && x < 3;
-            for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-                const int f = m->cell_face[a], inner = f < m->n_internal;
-                const int k = fabs(m->S[3 * f]) > 0.0       ? 0
-                              : fabs(m->S[3 * f + 1]) > 0.0 ? 1
-                                                            : 2;
-                const int up = m->out[a] * m->S[3 * f + k] > 0.0;
-                ck_assert_int_eq(box_goes_on(&m->box, c, 2 * k + up), inner);
-                alike &= inner && mark[m->owner[f]] == mark[m->neighbour[f]];
-            }
-            ck_assert_int_eq(box_is_alike(&m->box, mark, c), alike);
-            found += alike;
-        }
-        mark[odd] = 0;
+    scatter(mark, m->n_cells, _i);
+    for (int c = 0; c < m->n_cells; c++) {
+        const struct beside s = beside(m, mark, c);
+        ck_assert_int_eq(box_is_amid(&m->box, c), s.amid);
+        if (!s.amid) continue;
+        const int *const of = s.marked;
+        ck_assert_int_eq(box_meets_other(&m->box, mark, c), s.meets);
+        ck_assert_int_eq(box_is_between(&m->box, mark, c),
+                         of[0] == 2 || of[1] == 2 || of[2] == 2);
+        found++;
     }
     ck_assert_int_gt(found, 0);
+    mesh_free(m);
+    free(mark);
+}
+
+/* The least number of a cell that each is joined with, through faces. */
+static void join_by_faces(const struct mesh *m, const int *mark, int *least)
+{
+    for (int c = 0; c < m->n_cells; c++)
+        least[c] = c;
+    for (int changed = 1; changed;) {
+        changed = 0;
+        for (int f = 0; f < m->n_internal; f++) {
+            int *const o = &least[m->owner[f]], *const n =
+                                                    &least[m->neighbour[f]];
+            if (mark[m->owner[f]] || mark[m->neighbour[f]] || *o == *n)
+                continue;
+            *o = *n = *o < *n ? *o : *n;
+            changed = 1;
+        }
+    }
+}
+
+/* The parts of the fluid are found by rows. Through the faces they are the
+ * same, and each cell is in one. */
+FACT_FOR_EACH(parts_by_rows_are_those_by_faces, 8)
+{
+    struct mesh *const m = small_box();
+    int *const mark = calloc(3 * (size_t)m->n_cells, sizeof *mark);
+    int *const least = mark + m->n_cells, *const part = least + m->n_cells;
+    int n = 0;
+
+    scatter(mark, m->n_cells, _i);
+    join_by_faces(m, mark, least);
+    const struct fluid_parts p = fluid_parts_find(&m->box, mark);
+    for (int e = 0; e < p.runs; e++) {
+        if (p.run[e].root != e) continue;
+        const int cells = fluid_parts_cells(&p, e, part);
+        for (int c = 0; c < cells; c++) {
+            ck_assert_int_eq(least[part[c]], p.run[e].first);
+            ck_assert_int_eq(p.run[fluid_parts_run(&p, part[c])].root, e);
+        }
+        n += cells;
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        n += mark[c] != 0;
+    ck_assert_int_eq(n, m->n_cells);
+    fluid_parts_free(&p);
     mesh_free(m);
     free(mark);
 }

@@ -2,8 +2,11 @@
 #include "resolved/body_seal.h"
 
 #include "base/alloc.h"
+#include "base/parallel_ranges.h"
 #include "base/vector.h"
 #include "dem/box_domain.h"
+#include "resolved/body_cells.h"
+#include "resolved/fluid_parts.h"
 #include "resolved/mark.h"
 
 #include <math.h>
@@ -117,10 +120,10 @@ static int gaps_at(const struct closing *by, int c, struct gap *g)
         struct gap one = {.i = beyond(by, c, m->cell_face[a])};
         if (one.i < 0) continue;
         for (int e = m->cell_start[c]; e < m->cell_start[c + 1]; e++) {
-            one.j =
-                is_opposite(m, a, e) ? beyond(by, c, m->cell_face[e]) : NONE;
+            one.j = beyond(by, c, m->cell_face[e]);
             one.S = &m->S[3 * m->cell_face[e]];
             if (one.j == NONE || (one.j != WALL && e < a) ||
+                !is_opposite(m, a, e) ||
                 (!is_narrow(by, c, a, e, &one) && !by->corners))
                 continue;
             if (n++ == 0 || one.width < g->width) *g = one;
@@ -139,7 +142,8 @@ static int close_cells(const struct closing *by)
 
     for (int c = 0; c < by->fl->mesh->n_cells; c++) {
         if (b->body_of[c] != 0 ||
-            box_is_alike(&by->fl->mesh->box, b->body_of, c) ||
+            (b->amid[c] &&
+             !box_is_between(&by->fl->mesh->box, b->body_of, c)) ||
             gaps_at(by, c, &g) < 1 + by->corners)
             continue;
         const int changes = mark_gap_changes(b, g.i, g.j, g.S);
@@ -155,14 +159,18 @@ static int close_cells(const struct closing *by)
     return closed;
 }
 
-void closed_gap_find(struct solid_bodies *b, const struct fluid *fl)
+int closed_gap_find(struct solid_bodies *b, const struct fluid *fl)
 {
     struct closing by = {.b = b, .fl = fl};
+    int closed = 0, more;
 
     b->seal = (struct body_seal){0};
-    do
-        by.corners = close_cells(&by) > 0;
-    while (by.corners);
+    do {
+        more = close_cells(&by);
+        by.corners = more > 0;
+        closed += more;
+    } while (more > 0);
+    return closed;
 }
 
 void closed_gap_velocity(const struct fluid *fl, int c, double s, double u[3])
@@ -188,14 +196,12 @@ void closed_gap_velocity(const struct fluid *fl, int c, double s, double u[3])
  * piston all of it, a sphere less than this between three others. */
 static const double share = 0.5;
 
-enum { OPEN = 0, SEEN = -1 }; /* of body_of */
-
 struct search {
     struct solid_bodies *b;
     const struct fluid *fl;
     struct box_domain box;
     double *here; /* [m^3/s] that each body displaces into this part */
-    int inlets, outlets, any_outlet; /* [-] faces of this part */
+    int any_outlet;
     struct body_seal *found;
 };
 
@@ -247,7 +253,8 @@ static const struct boundary *boundary_at(const struct search *s, int f)
 }
 
 /* The gap between a cell in body i, and the other side of a face. */
-static void look_into_gap(struct search *s, int i, int c, int f, double out)
+static void look_into_gap(const struct search *s, int i, int c, int f,
+                          double out, struct body_seal *found)
 {
     const struct mesh *const m = s->fl->mesh;
     const int wall = f >= m->n_internal;
@@ -258,8 +265,8 @@ static void look_into_gap(struct search *s, int i, int c, int f, double out)
              : j < 0 || j == i || j >= s->b->ps->n)
         return;
     struct body_seal_gap *const widest =
-        mark_gap_changes(s->b, i, j, &m->S[3 * f]) ? &s->found->open
-                                                   : &s->found->closed;
+        mark_gap_changes(s->b, i, j, &m->S[3 * f]) ? &found->open
+                                                   : &found->closed;
     const double h = vector_length(&m->d[3 * f]) * (wall ? 2.0 : 1.0);
     const double gap = height_at(s, i, c, f, out) +
                        (wall ? 0.0 : height_at(s, j, next, f, -out));
@@ -267,15 +274,43 @@ static void look_into_gap(struct search *s, int i, int c, int f, double out)
         *widest = (struct body_seal_gap){i + 1, j + 1, gap / h};
 }
 
-static void look_at_body(struct search *s, int c)
+static void look_at_body(const struct search *s, int c, struct body_seal *found)
 {
     const struct mesh *const m = s->fl->mesh;
     const int i = (abs(s->b->body_of[c]) - 1) % s->b->ps->n;
 
-    if (box_is_alike(&m->box, s->b->body_of, c)) return;
+    if (s->b->amid[c] && !box_meets_other(&m->box, s->b->body_of, c)) return;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
-        if (closed_gap_of(s->b, c) < 0) look_into_gap(s, i, c, f, m->out[a]);
+        if (closed_gap_of(s->b, c) < 0)
+            look_into_gap(s, i, c, f, m->out[a], found);
+    }
+}
+
+static void take_wider(struct body_seal_gap *widest,
+                       const struct body_seal_gap *g)
+{
+    if (g->width > widest->width) *widest = *g;
+}
+
+/* Each range of cells finds its own, whatever the number of threads. */
+static void look_at_bodies(struct search *s)
+{
+    struct body_seal part[PARALLEL_RANGES_COUNT] = {{0}};
+    const int n = s->fl->mesh->n_cells, *const of = s->b->body_of;
+
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < PARALLEL_RANGES_COUNT; k++)
+        for (int c = parallel_ranges_first(n, k);
+             c < parallel_ranges_first(n, k + 1); c++)
+            if (of[c] == 0)
+                part[k].outside++;
+            else
+                look_at_body(s, c, &part[k]);
+    for (int k = 0; k < PARALLEL_RANGES_COUNT; k++) {
+        s->found->outside += part[k].outside;
+        take_wider(&s->found->open, &part[k].open);
+        take_wider(&s->found->closed, &part[k].closed);
     }
 }
 
@@ -288,41 +323,22 @@ static int flows_in(const struct boundary *p)
     return flows;
 }
 
-static void find(int *of, int cell, int *part, int *n)
-{
-    if (of[cell] != OPEN) return;
-    of[cell] = SEEN;
-    part[(*n)++] = cell;
-}
-
-/* All cells of the part that begins at one, in `part`; returns their number. */
-static int body_seal_fill(struct search *s, int first, int *part)
+static void find_openings(const struct search *s, const struct fluid_parts *p)
 {
     const struct mesh *const m = s->fl->mesh;
-    const int row = m->box.n[0], layer = row * m->box.n[1];
-    int *const of = s->b->body_of, n = 0;
 
-    find(of, first, part, &n);
-    for (int e = 0; e < n; e++) {
-        const int c = part[e];
-        if (box_is_amid(&m->box, c)) {
-            find(of, c - layer, part, &n), find(of, c - row, part, &n);
-            find(of, c - 1, part, &n), find(of, c + 1, part, &n);
-            find(of, c + row, part, &n), find(of, c + layer, part, &n);
-            continue;
-        }
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const int f = m->cell_face[a];
-            if (f >= m->n_internal) {
-                s->outlets += boundary_at(s, f)->kind == BOUNDARY_OUTLET;
-                s->inlets += flows_in(boundary_at(s, f));
-                continue;
-            }
-            find(of, m->owner[f] == c ? m->neighbour[f] : m->owner[f], part,
-                 &n);
+    for (int k = 0; k < m->n_patches; k++) {
+        const struct patch *const at = &m->patches[k];
+        const int outlet = s->fl->options.boundaries[k].kind == BOUNDARY_OUTLET;
+        const int inlet = flows_in(&s->fl->options.boundaries[k]);
+        for (int f = at->first; f < at->first + at->n && (inlet || outlet);
+             f++) {
+            if (s->b->body_of[m->owner[f]] > 0) continue;
+            const int e = p->run[fluid_parts_run(p, m->owner[f])].root;
+            p->run[e].inlet |= inlet;
+            p->run[e].outlet |= outlet;
         }
     }
-    return n;
 }
 
 /* What the cells of body i displace [m^3/s]. */
@@ -355,6 +371,8 @@ static double sum_swept(const struct search *s, const int *part, int n)
     memset(s->here, 0, (size_t)s->b->ps->n * sizeof *s->here);
     for (int e = 0; e < n; e++) {
         const int c = part[e];
+        if (s->b->amid[c] && !box_meets_other(&m->box, s->b->body_of, c))
+            continue;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const int f = m->cell_face[a];
             if (f >= m->n_internal) continue;
@@ -368,11 +386,15 @@ static double sum_swept(const struct search *s, const int *part, int n)
     return sum;
 }
 
-/* Whether what is pushed into this part of n cells gets out of it. */
-static void judge(const struct search *s, const int *part, int n)
+/* Whether what is pushed into the part with this root gets out of it. */
+static void judge(const struct search *s, const struct fluid_parts *p, int root)
 {
-    s->found->inlet |= s->inlets > 0 && s->outlets == 0 && s->any_outlet;
-    if (s->outlets > 0) return;
+    int *const part = s->b->cell;
+
+    s->found->inlet |=
+        p->run[root].inlet && !p->run[root].outlet && s->any_outlet;
+    if (p->run[root].outlet) return;
+    const int n = fluid_parts_cells(p, root, part);
     const double sum = sum_swept(s, part, n);
     for (int i = 0; i < s->b->ps->n; i++) {
         if (s->here[i] == 0.0) continue;
@@ -412,26 +434,22 @@ void body_seal_find(struct solid_bodies *b, const struct fluid *fl)
                        .box = box_domain_of(o->lo, o->hi, o->periodic),
                        .here = alloc_doubles(b->ps->n),
                        .found = &b->seal};
-    int *const of = b->body_of, *const part = b->cell, n = 0;
+    const int n = b->ps->n;
+    int *const of = b->body_of;
 
+#pragma omp parallel for schedule(static)
     for (int c = 0; c < fl->mesh->n_cells; c++)
-        if (closed_gap_of(b, c) >= 0) of[c] = abs(of[c]);
+        of[c] = of[c] < -n ? -of[c] : of[c];
     look_at_patches(&s);
-    for (int c = 0; c < fl->mesh->n_cells; c++) {
-        b->seal.outside += of[c] == 0;
-        if (of[c] != 0) look_at_body(&s, c);
-    }
+    look_at_bodies(&s);
+#pragma omp parallel for schedule(static)
     for (int c = 0; c < fl->mesh->n_cells; c++)
-        of[c] = of[c] > 0 ? (of[c] - 1) % b->ps->n + 1 : OPEN;
-    for (int c = 0; c < fl->mesh->n_cells; c++) {
-        if (of[c] != OPEN) continue;
-        s.inlets = s.outlets = 0;
-        const int count = body_seal_fill(&s, c, &part[n]);
-        judge(&s, &part[n], count);
-        n += count;
-    }
-    for (int e = 0; e < n; e++)
-        of[part[e]] = OPEN;
+        of[c] = of[c] > n ? of[c] - n : of[c] > 0 ? of[c] : 0;
+    const struct fluid_parts p = fluid_parts_find(&fl->mesh->box, of);
+    find_openings(&s, &p);
+    for (int e = 0; e < p.runs; e++)
+        if (p.run[e].root == e) judge(&s, &p, e);
+    fluid_parts_free(&p);
     b->seal.inlet |= b->seal.covered == 1.0;
     free(s.here);
 }

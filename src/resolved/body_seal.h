@@ -47,8 +47,9 @@ void body_seal_describe(const struct body_seal_gap *g, int open,
 
 /* To be called when body_of is 1 + the body around a cell, else 0: where body i
  * holds a cell of a gap it is 1 + i + the number of bodies afterwards. The
- * widest that is closed, and that stays open, begin b->seal anew. */
-void closed_gap_find(struct solid_bodies *b, const struct fluid *fl);
+ * widest that is closed, and that stays open, begin b->seal anew. Returns how
+ * many cells it has closed. */
+int closed_gap_find(struct solid_bodies *b, const struct fluid *fl);
 
 /* Which body holds a cell of such a gap; negative: none does. */
 int closed_gap_of(const struct solid_bodies *b, int c);

@@ -12,6 +12,7 @@
  * treated otherwise (face_jump.c), by a jump of the pressure gradient: with
  * that, a sphere would be the staircase of its cells.
  */
+#include "base/alloc.h"
 #include "base/vector.h"
 #include "fluid/face_jump.h"
 #include "fluid/systems.h"
@@ -20,10 +21,18 @@
 #include "resolved/solid_bodies.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static struct solid_bodies *bodies_of(struct immersed *self)
 {
     return (struct solid_bodies *)self;
+}
+
+static void clear_impulse(struct immersed *self)
+{
+    for (int k = 0; k < 3; k++)
+        self->impulse[k] = 0.0;
+    self->gross = 0.0;
 }
 
 /* The multiplier of [EW18 1] is hold (u - u_b)/rho, and u - u_b is 1/C of what
@@ -119,8 +128,10 @@ static void change_faces(struct immersed *self, struct fluid *fl)
 }
 
 /* The friction of one body: J = dt sum hold (u - u_b) V [EW18 15], and r x J
- * [EW18 16]. It gets what the fluid loses in all (fluid.h). */
-static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i)
+ * [EW18 16]. It gets what the fluid loses in all (fluid.h): of this step in
+ * lost[0] to lost[2], and their amounts in lost[3] [N s]. */
+static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i,
+                        double lost[4])
 {
     for (int j = b->start[i]; j < b->end[i]; j++) {
         const struct hold_link *const l = &b->link[j];
@@ -129,8 +140,8 @@ static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i)
         double J[3], turn[3];
         for (int k = 0; k < 3; k++) {
             J[k] = scale * (fl->u[3 * l->cell + k] - l->u[k]);
-            b->hooks.impulse[k] -= J[k];
-            b->hooks.gross += fabs(J[k]);
+            lost[k] += J[k];
+            lost[3] += fabs(J[k]);
             J[k] *= fl->impulse_weight;
             b->impulse[3 * i + k] += J[k];
         }
@@ -162,12 +173,17 @@ static double largest_term(const struct immersed *self, const struct fluid *fl)
 static void hold_end(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = bodies_of(self);
+    double *const lost = alloc_doubles(4 * b->ps->n);
 
-    for (int k = 0; k < 3; k++)
-        self->impulse[k] = 0.0;
-    self->gross = 0.0;
+    clear_impulse(self);
+#pragma omp parallel for schedule(static)
     for (int i = 0; i < b->ps->n; i++)
-        add_impulse(b, fl, i);
+        add_impulse(b, fl, i, &lost[4 * i]);
+    for (int i = 0; i < b->ps->n; i++) {
+        vector_along(self->impulse, -1.0, &lost[4 * i], self->impulse);
+        self->gross += lost[4 * i + 3];
+    }
+    free(lost);
 }
 
 static void hold_fluid(struct solid_bodies *b)
@@ -217,13 +233,6 @@ static void take_impulse(struct solid_bodies *b, const struct fluid *fl, int i,
     vector_cross(l->r, J, turn);
     for (int k = 0; k < 3; k++)
         b->angular[3 * i + k] += turn[k];
-}
-
-static void clear_impulse(struct immersed *self)
-{
-    for (int k = 0; k < 3; k++)
-        self->impulse[k] = 0.0;
-    self->gross = 0.0;
 }
 
 static void fraction_methods_mark(struct immersed *self, struct fluid *fl)

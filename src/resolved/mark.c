@@ -2,87 +2,14 @@
 #include "resolved/mark.h"
 
 #include "base/alloc.h"
-#include "base/number.h"
 #include "base/vector.h"
+#include "resolved/body_cells.h"
 #include "resolved/body_motion.h"
 #include "resolved/body_seal.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* --- cell window ---------------------------------------------------------- */
-
-enum { farthest = 1 << 29 }; /* a cell that no body reaches */
-
-/* Index of the cell of a direction at x [m]; equal cells, which go on beyond
- * the mesh. */
-static int index_at(const struct box *b, int k, double x)
-{
-    const double width = (b->edge[k][b->n[k]] - b->edge[k][0]) / b->n[k];
-    return number_clamped(floor((x - b->edge[k][0]) / width), -farthest,
-                          farthest);
-}
-
-struct cell_window cell_window_around(const struct mesh *m, const double x[3],
-                                      const double extent[3])
-{
-    struct cell_window w;
-
-    for (int k = 0; k < 3; k++) {
-        const double *const edge = m->box.edge[k];
-        const int n = m->box.n[k], here = index_at(&m->box, k, x[k]);
-        w.first[k] = index_at(&m->box, k, x[k] - extent[k]) - 1;
-        w.last[k] = index_at(&m->box, k, x[k] + extent[k]) + 1;
-        if (m->box.periodic[k] && 2.0 * extent[k] >= edge[n] - edge[0]) {
-            w.first[k] = here - n / 2; /* from end to end: each cell once */
-            w.last[k] = w.first[k] + n - 1;
-        }
-        if (m->box.periodic[k]) continue;
-        if (w.first[k] < 0) w.first[k] = 0;
-        if (w.last[k] >= m->box.n[k]) w.last[k] = m->box.n[k] - 1;
-    }
-    return w;
-}
-
-int cell_window_cell(const struct mesh *m, const int at[3], const double x[3],
-                     double r[3])
-{
-    const struct box *const b = &m->box;
-    int in[3];
-
-    for (int k = 0; k < 3; k++) {
-        const int n = b->n[k];
-        int laps = 0; /* counted, because a division takes longer */
-        for (in[k] = at[k]; in[k] < 0; in[k] += n)
-            laps--;
-        for (; in[k] >= n; in[k] -= n)
-            laps++;
-        r[k] = 0.5 * (b->edge[k][in[k]] + b->edge[k][in[k] + 1]) +
-               laps * (b->edge[k][n] - b->edge[k][0]) - x[k];
-    }
-    return in[0] + b->n[0] * (in[1] + b->n[1] * in[2]);
-}
-
-/* --- body cells ----------------------------------------------------------- */
-
-void body_cells_each(const struct solid_bodies *b, const struct mesh *m, int i,
-                     body_cells_act *act, void *by)
-{
-    const struct body_shape *const shape = &b->shape[i];
-    const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
-    double extent[3], r[3];
-    int at[3];
-
-    body_shape_extent(shape, extent);
-    const struct cell_window w = cell_window_around(m, x, extent);
-    CELL_WINDOW_EACH (at, w) {
-        const int c = cell_window_cell(m, at, x, r);
-        act(by, i, c, r, body_shape_distance(shape, r));
-    }
-}
-
-/* --- mark ----------------------------------------------------------------- */
 
 const double mark_friction_inside = 1e3;
 
@@ -105,11 +32,12 @@ static double friction_inside(const struct fluid *fl, int c)
     return mark_friction_inside * most;
 }
 
-static int touches_boundary(const struct mesh *m, int c)
+static int touches_boundary(const struct solid_bodies *b, const struct mesh *m,
+                            int c)
 {
     int touches = 0;
 
-    if (box_is_amid(&m->box, c)) return 0;
+    if (b->amid[c]) return 0;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
         touches |= m->cell_face[a] >= m->n_internal;
     return touches;
@@ -136,7 +64,7 @@ static struct marking marking_of(struct solid_bodies *b, const struct fluid *fl)
         by.widest = fmax(by.widest, h);
         by.exchange[k] = fl->options.mu / (h * h);
     }
-    while (c < m->n_cells && touches_boundary(m, c))
+    while (c < m->n_cells && touches_boundary(b, m, c))
         c++;
     by.inside = c < m->n_cells ? friction_inside(fl, c) : 0.0;
     return by;
@@ -144,8 +72,18 @@ static struct marking marking_of(struct solid_bodies *b, const struct fluid *fl)
 
 static double marking_inside(const struct marking *by, int c)
 {
-    return touches_boundary(by->fl->mesh, c) ? friction_inside(by->fl, c)
-                                             : by->inside;
+    return touches_boundary(by->b, by->fl->mesh, c) ? friction_inside(by->fl, c)
+                                                    : by->inside;
+}
+
+/* 1 if no body is around the cell on that side of cell c. */
+static int is_clear(const struct solid_bodies *b, const struct box *box, int c,
+                    int side)
+{
+    const int row = box->n[0], way[3] = {1, row, row * box->n[1]};
+
+    if (!b->amid[c]) return !box_goes_on(box, c, side);
+    return b->body_of[side % 2 ? c + way[side / 2] : c - way[side / 2]] == 0;
 }
 
 /* Outside at the distance s: the missing part of the neighbours inside; not
@@ -156,12 +94,11 @@ static double friction_outside(const struct marking *by,
 {
     double sum = 0.0;
 
-    if (s > by->widest) return 0.0;
     for (int side = 0; side < 6; side++) {
         const int k = side / 2;
         double beyond[3] = {r[0], r[1], r[2]};
         beyond[k] += side % 2 ? by->width[k] : -by->width[k];
-        if (s > by->width[k] || !box_goes_on(&by->fl->mesh->box, c, side))
+        if (s > by->width[k] || is_clear(by->b, &by->fl->mesh->box, c, side))
             continue;
         const double inside = -body_shape_distance(shape, beyond);
         if (inside > 0.0) sum += by->exchange[k] * inside;
@@ -249,7 +186,7 @@ int mark_gap_changes(const struct solid_bodies *b, int i, int j,
 static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
                        int c, int i)
 {
-    if (box_is_alike(&m->box, b->body_of, c)) return 0;
+    if (b->amid[c] && !box_meets_other(&m->box, b->body_of, c)) return 0;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         const int wall = f >= m->n_internal;
@@ -267,22 +204,44 @@ static int mark_touch(const struct solid_bodies *b, int i, int j)
     return b->options.others != NULL && b->options.others->touch(b, i, j);
 }
 
-/* While links are made, body_of is 1 + the body around a cell, else 0; negative
- * where that leaves the cell to the fluid; larger in gaps.
- * Bodies that have no contacts may overlap, but not where a spring moves one.
+/* Bodies that have no contacts may overlap, but not where a spring moves one.
  */
+static void look_for_spring(struct solid_bodies *b, int i, int j)
+{
+    if (j >= 0 && j != i &&
+        (b->motion[i] == BODY_SPRING || b->motion[j] == BODY_SPRING))
+        b->met |= !mark_touch(b, i, j);
+}
+
+/* While links are made, body_of is 1 + the body around a cell, else 0; negative
+ * where that leaves the cell to the fluid; larger in gaps. Of several that are
+ * around a cell it is the last: who takes the mark of a later one out gives it
+ * back. */
 static void assign_cell(void *by, int i, int c, const double r[3], double s)
 {
     struct solid_bodies *const b = ((struct marking *)by)->b;
 
     (void)r;
-    b->end[i] += s <= ((struct marking *)by)->widest;
-    if (s > 0.0) return;
-    const int j = b->body_of[c] - 1;
-    if (b->springs > 0 && j >= 0 && j != i &&
-        (b->motion[i] == BODY_SPRING || b->motion[j] == BODY_SPRING))
-        b->met |= !mark_touch(b, i, j);
-    b->body_of[c] = i + 1;
+    b->end[i]++;
+    for (int mine = i + 1, other = 0; s <= 0.0; mine = other) {
+#pragma omp atomic capture
+        {
+            other = b->body_of[c];
+            b->body_of[c] = mine;
+        }
+        if (b->springs > 0) look_for_spring(b, i, other - 1);
+        if (other <= mine) break;
+    }
+}
+
+/* Several bodies at a time, but where a spring moves one. */
+static void assign_cells(struct marking *by)
+{
+    struct solid_bodies *const b = by->b;
+
+#pragma omp parallel for schedule(dynamic, 1) if (b->springs == 0)
+    for (int i = 0; i < b->ps->n; i++)
+        body_cells_each(b, by->fl->mesh, i, by->widest, assign_cell, by);
 }
 
 double mark_fraction(const struct mesh *m, int c, double s)
@@ -326,15 +285,17 @@ static void hold_cell(void *marking, int i, int c, const double r[3], double s)
         b->hold[c] = mark_left;
 }
 
-/* The links of all bodies, several at a time. What one leaves to the fluid is
- * marked when all are done, because the others look at body_of. */
-static void hold_cells(struct marking *by)
+/* The links of all bodies, several at a time; cells of closed gaps may be
+ * beyond those beside a body. What a body leaves to the fluid is marked when
+ * all are done, because the others look at body_of. */
+static void hold_cells(struct marking *by, int gaps)
 {
     struct solid_bodies *const b = by->b;
+    const double reach = gaps ? HUGE_VAL : by->widest;
 
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, by->fl->mesh, i, hold_cell, by);
+        body_cells_each(b, by->fl->mesh, i, reach, hold_cell, by);
 #pragma omp parallel for schedule(static)
     for (int c = 0; c < by->fl->mesh->n_cells; c++)
         if (b->hold[c] == mark_left) {
@@ -403,11 +364,10 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
     struct marking by = marking_of(b, fl);
 
     clear_links(b);
-    for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, fl->mesh, i, assign_cell, &by);
-    closed_gap_find(b, fl);
+    assign_cells(&by);
+    const int gaps = closed_gap_find(b, fl);
     mark_make_room(b);
-    hold_cells(&by);
+    hold_cells(&by, gaps);
     body_seal_find(b, fl);
     memset(b->body_of, 0, (size_t)fl->mesh->n_cells * sizeof *b->body_of);
     sum_links(b);

@@ -10,6 +10,7 @@
 #include "coupling/effect.h"
 #include "coupling/simulation.h"
 #include "resolved/among/among_grains.h"
+#include "resolved/body_cells.h"
 #include "resolved/body_motion.h"
 #include "resolved/mark.h"
 
@@ -47,6 +48,7 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     b->end = alloc_ints(n);
     b->near = alloc_ints(n);
     b->cell = alloc_ints(cells);
+    b->amid = alloc_zeroed((size_t)cells, sizeof *b->amid);
     b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
@@ -85,6 +87,7 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b->start);
     free(b->end);
     free(b->cell);
+    free(b->amid);
     free(b->body_of);
     free(b->near);
     free(b->hold);
@@ -177,6 +180,8 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     }
     b->exit = body_exit_create(b, fl);
     look_for_walls(b, fl);
+    for (int c = 0; c < b->cells; c++)
+        b->amid[c] = box_is_amid(&fl->mesh->box, c) ? 1 : 0;
     mark_start(b, fl);
     if (!free) return 0;
     /* To the dem of the spheres the others are points at their centres, which

@@ -66,6 +66,7 @@ struct solid_bodies {
     double dt_marked; /* [s] step that the links were made for; 0: none */
     int cells, *cell, n_cells; /* [-] all; those with a link, each once */
     int held;            /* [-] how many those were, after a restart too */
+    unsigned char *amid; /* [-] 1: a cell that touches no end of the box */
     int *body_of, *near; /* [-] work space of mark.c and of body_gaps.c */
     double *hold;        /* [kg/(m^3 s)] sum of the links of a cell */
     double *hold_u;      /* [N/m^3] sum of hold times velocity, 3 a cell */

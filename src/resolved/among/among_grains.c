@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "dem/box_domain.h"
+#include "resolved/body_cells.h"
 #include "resolved/mark.h"
 #include "resolved/body_motion.h"
 
@@ -221,9 +222,9 @@ static void mirrors_update(struct mirrors *m, const struct solid_bodies *b)
     memset(m->closed, 0, (size_t)m->mesh->n_cells);
     m->n = m->stuck = 0;
     for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, m->mesh, i, close_cell, &by);
+        body_cells_each(b, m->mesh, i, 0.0, close_cell, &by);
     for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, m->mesh, i, mirror_cell, &by);
+        body_cells_each(b, m->mesh, i, HUGE_VAL, mirror_cell, &by);
 }
 
 /* --- among grains --------------------------------------------------------- */

@@ -7,6 +7,7 @@
 #include "base/statistics.h"
 #include "base/vector.h"
 #include "coupling/drag.h"
+#include "resolved/body_cells.h"
 #include "resolved/mark.h"
 #include "resolved/shapes/shapes.h"
 
@@ -136,7 +137,7 @@ void surroundings_bind(struct surroundings_filter *f)
     for (int c = 0; c < f->fl->mesh->n_cells; c++)
         f->chi[c] = 1.0;
     for (int i = 0; i < f->b->ps->n; i++)
-        body_cells_each(f->b, f->fl->mesh, i, take_solid, f);
+        body_cells_each(f->b, f->fl->mesh, i, HUGE_VAL, take_solid, f);
 }
 
 /* Copies the cells whose centres are in the cube around x; returns how many. */
