@@ -65,6 +65,30 @@ FACT(xs11_2_11_beta_is_the_printed_product)
                             1.0, 1e-13);
 }
 
+/* Fluid fractions from 0.01 to 1.1 and slips from 0 to 1e12 m/s, at which
+ * viscosity does not matter, in rows of 1 to 11. */
+FACT(a_law_for_many_particles_is_that_for_one)
+{
+    double eps[11], d[11], u[11], many[11];
+    int rows = 0;
+
+    for (int k = 0; drag_laws[k] != NULL; k++)
+        for (int n = 1; n <= 11 && drag_laws[k]->resistance_many; n++, rows++) {
+            for (int i = 0; i < n; i++) {
+                eps[i] = 0.01 + 1.09 * i * n / 121.0;
+                d[i] = 1e-4 * (1 + i);
+                u[i] = i > 0 ? pow(10.0, 2 * i - n) : 0.0;
+            }
+            drag_laws[k]->resistance_many(n, eps, air_rho, air_mu, d, u, many);
+            for (int i = 0; i < n; i++)
+                ck_assert_double_eq_tol(
+                    many[i] / drag_resistance(drag_laws[k], eps[i], air_rho,
+                                              air_mu, d[i], u[i]),
+                    1.0, 1e-13);
+        }
+    ck_assert_int_gt(rows, 0);
+}
+
 /* eps_f B = V_p beta / eps_s: B is not the coefficient of the force itself. */
 FACT(xs11_2_10_force_per_slip_is_eps_f_times_b)
 {

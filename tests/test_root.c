@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/power.h"
 #include "base/root.h"
 #include "dem/contact_hertz.h"
 #include "facts.h"
@@ -36,6 +37,32 @@ FACT(inverse_roots_are_right_to_two_units_in_the_last_place)
     }
     ck_assert_double_le(worst[0], 2.0);
     ck_assert_double_le(worst[1], 2.0);
+}
+
+/* x^a with x from 1e-37 to 1e37 and a of the drag laws, and as much below 0,
+ * over the error that is allowed. */
+static double power_off(double x, double a)
+{
+    const long double want = powl((long double)x, (long double)a);
+    const double got = power_exp(a * power_log(x));
+    const double allowed = (2.0 + fabs(a * log(x))) * DBL_EPSILON;
+
+    return (double)fabsl(got / want - 1.0L) / allowed;
+}
+
+/* The worst is 0.94 of what is allowed. */
+FACT(powers_without_a_call_are_right_to_rounding)
+{
+    static const double powers[] = {4.14, 2.65, 1.28, 0.5, -1.0, -2.65, 1e-9};
+    double worst = 0.0;
+
+    for (int i = 0; i < TRIES; i += 3)
+        for (int k = 0; k < 7; k++)
+            worst = fmax(worst, power_off(nth(i), powers[k]));
+    for (int i = 1; i <= TRIES; i++) /* fluid fractions */
+        worst = fmax(worst, power_off((double)i / TRIES, powers[i % 7]));
+    ck_assert_double_le(worst, 1.0);
+    ck_assert_double_eq(power_exp(4.14 * power_log(1.0)), 1.0);
 }
 
 /* Spheres of 1e-10 m to 100 m with overlaps of 1e-16 to 1 of their radius. The

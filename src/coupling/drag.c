@@ -2,6 +2,7 @@
 #include "coupling/drag.h"
 
 #include "base/model.h"
+#include "base/power.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
@@ -21,28 +22,70 @@ static int is_inviscid(double Re)
     return !(Re < 1e9);
 }
 
+/* The exponents of [XS11 2.14]: A1 = eps_f^4.14, A2 is a multiple of the other
+ * power. */
+static const double power_A1 = 4.14;
+
+static inline double power_A2(double eps_f)
+{
+    return eps_f <= 0.85 ? 1.28 : 2.65;
+}
+
+static inline double factor_A2(double eps_f)
+{
+    return eps_f <= 0.85 ? 0.8 : 1.0;
+}
+
+static inline double terminal_ratio(double Re, double A1, double A2)
+{
+    const double a = 0.06 * Re;
+    const double V_r =
+        0.5 *
+        (A1 - a + sqrt(a * a + 2.0 * a * (2.0 * A2 - A1) + A1 * A1)); /* 2.13 */
+
+    return is_inviscid(Re) ? A2 : V_r; /* its limit */
+}
+
 double drag_terminal_ratio(double Re, double eps_f)
 {
-    const double A1 = pow(eps_f, 4.14); /* [XS11 2.14] */
-    const double A2 = eps_f <= 0.85 ? 0.8 * pow(eps_f, 1.28) : pow(eps_f, 2.65);
-    const double a = 0.06 * Re;
-
-    if (is_inviscid(Re)) return A2; /* the limit of [XS11 2.13] */
-    return 0.5 * (A1 - a +
-                  sqrt(a * a + 2.0 * a * (2.0 * A2 - A1) + A1 * A1)); /* 2.13 */
+    return terminal_ratio(Re, pow(eps_f, power_A1),
+                          factor_A2(eps_f) * pow(eps_f, power_A2(eps_f)));
 }
 
 /* [XS11 2.11] with C_d u_r = (0.63 sqrt(u_r) + 4.8 sqrt(V_r u_r / Re))^2, where
  * u_r / Re = mu / (rho_f d) has no 0/0 in it. */
-static double syamlal_obrien(double eps_f, double rho_f, double mu, double d,
-                             double u_r)
+static inline double syamlal_obrien_of(double V_r, double eps_f, double rho_f,
+                                       double mu, double d, double u_r)
 {
-    const double Re = drag_reynolds(rho_f, mu, d, u_r);
-    const double V_r = drag_terminal_ratio(Re, eps_f);
     const double root = 0.63 * sqrt(u_r) + 4.8 * sqrt(V_r * mu / (rho_f * d));
     const double Cd_u = root * root;
 
     return 0.75 * Cd_u / (V_r * V_r) * rho_f / d * eps_f;
+}
+
+static double syamlal_obrien(double eps_f, double rho_f, double mu, double d,
+                             double u_r)
+{
+    const double Re = drag_reynolds(rho_f, mu, d, u_r);
+
+    return syamlal_obrien_of(drag_terminal_ratio(Re, eps_f), eps_f, rho_f, mu,
+                             d, u_r);
+}
+
+/* Both powers of one logarithm, and all of it eight by eight. */
+static void syamlal_obrien_many(int n, const double *eps_f, double rho_f,
+                                double mu, const double *d, const double *u_r,
+                                double *resistance)
+{
+#pragma omp simd
+    for (int i = 0; i < n; i++) {
+        const double Re = drag_reynolds(rho_f, mu, d[i], u_r[i]);
+        const double eps = eps_f[i], log = power_log(eps);
+        const double A2 = factor_A2(eps) * power_exp(power_A2(eps) * log);
+        const double V_r = terminal_ratio(Re, power_exp(power_A1 * log), A2);
+
+        resistance[i] = syamlal_obrien_of(V_r, eps, rho_f, mu, d[i], u_r[i]);
+    }
 }
 
 const struct drag_law drag_syamlal_obrien = {
@@ -54,6 +97,7 @@ const struct drag_law drag_syamlal_obrien = {
     .eps_max = 1.0,
     .Re_max = 3e4,
     .resistance = syamlal_obrien,
+    .resistance_many = syamlal_obrien_many,
 };
 
 /* C_d Re / 24, the correction to Stokes' law [LS 5.13, 5.26]. Schiller and

@@ -26,6 +26,10 @@ struct drag_law {
                                 warns outside of them */
     double (*resistance)(double eps_f, double rho_f, double mu, double d,
                          double u_r);
+    /* The same for n particles, to rounding; NULL: one by one. */
+    void (*resistance_many)(int n, const double *eps_f, double rho_f, double mu,
+                            const double *d, const double *u_r,
+                            double *resistance);
     /* A law with keys of its own (base/model.h), one of the tables above, has
      * this function instead. Their numbers are those of the case; in the
      * descriptor, those with which the law is tested. */

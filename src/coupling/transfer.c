@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "base/parallel_ranges.h"
 #include "base/vector.h"
 #include "coupling/coupling.h"
 #include "dem/clumps.h"
@@ -21,14 +22,28 @@ static double slip_speed(const struct simulation *sim, int i)
 
 /* k_i = eps_f B_i = V_p beta / eps_s [XS11 2.9-2.11], [kg/s]. A ball of a clump
  * has its share of the drag on a body with the clump's volume and surface. */
-static double drag_rate(const struct simulation *sim, int i)
+static void drag_rates(int first, int last, const struct simulation *sim,
+                       double *k)
 {
+    const struct drag_law *const law = sim->coupling->options.law;
     const struct fluid_options *const o = &sim->fluid->options;
     const struct particles *const ps = sim->particles;
-    return particles_volume(ps, i) *
-           drag_resistance(sim->coupling->options.law, sim->coupling->eps[i],
-                           o->rho, o->mu, clumps_grain(ps, i),
-                           slip_speed(sim, i));
+    const double *const eps = &sim->coupling->eps[first];
+    double d[PARALLEL_RANGES_BLOCK], slip[PARALLEL_RANGES_BLOCK];
+    const int n = last - first;
+
+    for (int i = 0; i < n; i++) {
+        d[i] = clumps_grain(ps, first + i);
+        slip[i] = slip_speed(sim, first + i);
+    }
+    if (law->resistance_many != NULL)
+        law->resistance_many(n, eps, o->rho, o->mu, d, slip, &k[first]);
+    for (int i = 0; i < n; i++) {
+        if (law->resistance_many == NULL)
+            k[first + i] =
+                drag_resistance(law, eps[i], o->rho, o->mu, d[i], slip[i]);
+        k[first + i] *= particles_volume(ps, first + i);
+    }
 }
 
 /* The balls of clumps that are alone: their body has the drag of the sphere of
@@ -59,9 +74,7 @@ static void find_drag_rates(struct simulation *sim, double *k)
 {
     const int n = sim->particles->n;
 
-#pragma omp parallel for schedule(static) if (n >= TRANSFER_MANY)
-    for (int i = 0; i < n; i++)
-        k[i] = drag_rate(sim, i);
+    PARALLEL_BLOCKS(n, 32, drag_rates, sim, k);
     if (sim->coupling->options.shape != NULL &&
         sim->coupling->options.shape->factor != NULL)
         shape_drag(sim, k);
