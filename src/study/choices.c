@@ -234,7 +234,9 @@ static const char *short_key(const struct choices *c, const char *key)
     return last_part(key);
 }
 
-char *choices_label(const struct choices *c, int variant, int but)
+/* The values of a variant, with their keys or in words; but for one choice. */
+static char *entries_of(const struct choices *c, int variant, int but,
+                        int with_keys)
 {
     char *text = NULL;
     size_t length;
@@ -245,13 +247,28 @@ char *choices_label(const struct choices *c, int variant, int but)
         const struct choice *const of = &c->of[i];
         const int entry = choices_entry(c, variant, i);
 
-        if (of->n < 2 || i == but) continue;
-        for (int k = 0; k < of->key.n; k++, between = ", ")
-            fprintf(out, "%s%s=%s", between, short_key(c, of->key.text[k]),
-                    choices_in_entry(of, entry, k));
+        for (int k = 0; k < of->key.n && of->n > 1 && i != but; k++) {
+            const char *const value = choices_in_entry(of, entry, k);
+            fputs(between, out);
+            if (with_keys)
+                fprintf(out, "%s=%s", short_key(c, of->key.text[k]), value);
+            else
+                fputs(strcmp(value, as_is) == 0 ? "as it stands" : value, out);
+            between = ", ";
+        }
     }
     fclose(out);
     return text;
+}
+
+char *choices_label(const struct choices *c, int variant, int but)
+{
+    return entries_of(c, variant, but, 1);
+}
+
+char *words_variant(const struct choices *c, int variant, int but)
+{
+    return entries_of(c, variant, but, 0);
 }
 
 /* The components of a value: a number or [number, ...]. 0 for a word. */

@@ -56,9 +56,7 @@ struct curve curve_mean(int n, const struct curve *of);
 double curve_changes(const struct curve *a, const struct curve *b,
                      const struct curve *c);
 
-/* The mean of n samples, and its standard error if they are independent; 0 of
- * one. */
-double curve_average(int n, const double *x);
+/* The standard error of the mean of n independent samples; 0 of one. */
 double curve_scatter(int n, const double *x);
 
 /* Standard error of the mean of a time series. Its samples follow each other

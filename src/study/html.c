@@ -160,10 +160,7 @@ static void put_study(const struct outcomes *o, FILE *out)
     put_data("case", p->case_file, out);
     fprintf(out, " data-runs=\"%d\" data-ended=\"%d\" data-seeds=\"%d\"",
             o->n_runs, ended, p->seeds);
-    put_made("cost",
-             plan_cost_is_processor(p) ? strdup("processor time of a run [s]")
-                                       : words_measure(&p->cost),
-             out);
+    put_made("cost", words_cost(p), out);
     if (plan_cost_is_processor(p)) fputs(" data-processor=\"1\"", out);
     if (o->axis >= 0)
         put_made("along", words_choice(&p->choices.of[o->axis]), out);

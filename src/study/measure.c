@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/statistics.h"
 #include "record/history.h"
 #include "base/text.h"
 #include "record/recorder_part.h"
@@ -411,7 +412,7 @@ static struct curve reduced(const struct measure *m, const struct curve *c)
     int at = 0;
 
     if (m->how == MEASURE_MEAN)
-        return point(NAN, curve_average(c->n, c->value),
+        return point(NAN, moments_mean(c->n, c->value),
                      curve_block_error(c->n, c->value));
     if (m->how == MEASURE_LAST && isfinite(m->from)) {
         const int beyond = /* one row, of another time */

@@ -2,6 +2,7 @@
 #include "study/outcome.h"
 
 #include "base/alloc.h"
+#include "base/statistics.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -45,7 +46,7 @@ static double outcome_cost_of(const struct outcomes *o, int v,
 
     for (int k = 0; k < n; k++)
         least[k] = least_cost(o, v, k, m);
-    const double mean = curve_average(n, least);
+    const double mean = moments_mean(n, least);
     *scatter = fmax(curve_scatter(n, least),
                     is_time(m) ? scatter_of_time * mean : 0.0);
     free(least);

@@ -99,12 +99,12 @@ int outcome_is_chance(const struct finding *a, const struct finding *b);
  * errors of the difference, and times up to a tenth. */
 int outcome_costs_the_same(const struct outcome *a, const struct outcome *b);
 
-/* Words for pictures and pages, to be freed: what the keys of a choice mean;
- * the values of a variant but for one choice (-1: all), "pcm, 1e-3"; a measure,
- * "mean height, mean from 0.2 s on"; and what it is compared with. */
+/* Words for pictures and pages, to be freed: what the keys of a choice mean; a
+ * measure, "mean height, mean from 0.2 s on", or what a run costs; and what a
+ * measure is compared with. */
 char *words_choice(const struct choice *c);
-char *words_variant(const struct choices *c, int variant, int but);
 char *words_measure(const struct measure *m);
+char *words_cost(const struct plan *p);
 char *words_truth(const struct outcomes *o, int m);
 
 /* Between models there are differences, and errors from what is right. */

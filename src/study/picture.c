@@ -339,11 +339,7 @@ static void put_variables(const struct outcomes *o, int n,
     longest = put_meanings(o, longest, out);
     fprintf(out, "most = %d; longest = %d\n", most, longest);
     picture_put_words("title", 0, strdup(p->title), out);
-    picture_put_words("cost", 0,
-                      plan_cost_is_processor(p)
-                          ? strdup("processor time of a run [s]")
-                          : words_measure(&p->cost),
-                      out);
+    picture_put_words("cost", 0, words_cost(p), out);
 }
 
 /* Non-zero after a message; *panels is how many there are. */

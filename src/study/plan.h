@@ -113,9 +113,10 @@ const char *choices_value(const struct choices *c, int variant,
 void choices_overrides(const struct choices *c, int variant, struct texts *set);
 
 /* What tells a variant from others, "step=1e-3, method=pcm", without the choice
- * `but` (-1: with all); a key as short as it can be, "" if nothing is left. To
- * be freed. */
+ * `but` (-1: with all); a key as short as it can be, "" if nothing is left. Its
+ * values alone, "1e-3, pcm". To be freed. */
 char *choices_label(const struct choices *c, int variant, int but);
+char *words_variant(const struct choices *c, int variant, int but);
 
 /* A number that falls from entry to entry as they get finer: the value of the
  * first key, or one over it if the values rise; of a vector the geometric mean

@@ -4,6 +4,7 @@
 #include "study/curve.h"
 
 #include "base/alloc.h"
+#include "base/statistics.h"
 #include "tell/check.h"
 #include "fluid/inlet_profile.h"
 #include "study/plan.h"
@@ -17,15 +18,6 @@
 /* --- statistics ----------------------------------------------------------- */
 
 enum { FEWEST_BLOCKS = 8 };
-
-double curve_average(int n, const double *x)
-{
-    double sum = 0.0;
-
-    for (int i = 0; i < n; i++)
-        sum += x[i];
-    return sum / n;
-}
 
 /* The standard error of the mean of n independent samples. */
 double curve_scatter(int n, const double *x)
@@ -138,7 +130,7 @@ struct curve curve_mean(int n, const struct curve *of)
             squares += same ? of[k].error[i] * of[k].error[i] : 0.0;
         }
         mean.x[i] = of[0].x[i];
-        mean.value[i] = curve_average(n, q);
+        mean.value[i] = moments_mean(n, q);
         mean.error[i] = fmax(sqrt(squares) / n, curve_scatter(n, q));
     }
     free(q);

@@ -52,28 +52,6 @@ char *words_choice(const struct choice *c)
     return text;
 }
 
-char *words_variant(const struct choices *c, int variant, int but)
-{
-    char *text = NULL;
-    size_t length;
-    FILE *const out = open_memstream(&text, &length);
-    const char *between = "";
-
-    for (int i = 0; i < c->n; i++) {
-        const struct choice *const of = &c->of[i];
-
-        for (int k = 0; k < of->key.n && of->n > 1 && i != but; k++) {
-            const char *const value =
-                choices_in_entry(of, choices_entry(c, variant, i), k);
-            fprintf(out, "%s%s", between,
-                    strcmp(value, "as-is") == 0 ? "as it stands" : value);
-            between = ", ";
-        }
-    }
-    fclose(out);
-    return text;
-}
-
 static void put_quantity(const struct measure *m, FILE *out)
 {
     static const struct {
@@ -118,6 +96,12 @@ char *words_measure(const struct measure *m)
                 m->from, unit);
     fclose(out);
     return text;
+}
+
+char *words_cost(const struct plan *p)
+{
+    return plan_cost_is_processor(p) ? strdup("processor time of a run [s]")
+                                     : words_measure(&p->cost);
 }
 
 const char *words_error(const struct truth *t)
