@@ -78,8 +78,7 @@ static void store_series(const config_setting_t *from,
     points->value = points->at + points->n;
     if (!is_list) points->value[0] = source_number(from);
     for (int i = 0; i < points->n && is_list; i++) {
-        const config_setting_t *const one =
-            config_setting_get_elem(from, (unsigned)i);
+        const config_setting_t *const one = source_element(from, i);
         points->at[i] = source_number(config_setting_get_elem(one, 0));
         points->value[i] = source_number(config_setting_get_elem(one, 1));
     }
@@ -97,7 +96,7 @@ static void fill_store(const struct key *key, const config_setting_t *from,
     if (key->type == KEY_BOOL) *whole = config_setting_get_bool(from);
     for (int k = 0; k < 3; k++) {
         if (key->type == KEY_VECTOR)
-            real[k] = source_number(config_setting_get_elem(from, (unsigned)k));
+            real[k] = source_number(source_element(from, k));
         if (key->type == KEY_COUNTS)
             whole[k] = config_setting_get_int_elem(from, k);
         if (key->type == KEY_FLAGS)

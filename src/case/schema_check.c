@@ -63,8 +63,7 @@ static int is_series(const struct key *key, const config_setting_t *s)
     if (!config_setting_is_list(s) || config_setting_length(s) == 0)
         return schema_check_is_real(key, s);
     for (int i = 0; i < config_setting_length(s); i++) {
-        const config_setting_t *const point =
-            config_setting_get_elem(s, (unsigned)i);
+        const config_setting_t *const point = source_element(s, i);
         const config_setting_t *time;
 
         if (config_setting_is_scalar(point) ||
@@ -90,7 +89,7 @@ static int schema_check_is_patch(const struct key *key,
 
     if (!config_setting_is_group(s)) return is_word(key, s);
     for (int i = 0; i < n && i < MAX_PATCH_KEYS; i++)
-        name[i] = config_setting_name(config_setting_get_elem(s, (unsigned)i));
+        name[i] = config_setting_name(source_element(s, i));
     return n <= MAX_PATCH_KEYS && models_make_patch(n, name);
 }
 
@@ -134,8 +133,7 @@ static int is_count_as_real(const struct key *key, const config_setting_t *s)
 {
     if (key->type == KEY_COUNTS)
         for (int i = 0; i < config_setting_length(s); i++)
-            if (config_setting_type(config_setting_get_elem(s, (unsigned)i)) ==
-                CONFIG_TYPE_FLOAT)
+            if (config_setting_type(source_element(s, i)) == CONFIG_TYPE_FLOAT)
                 return 1;
     return key->type == KEY_INT && config_setting_type(s) == CONFIG_TYPE_FLOAT;
 }
@@ -235,7 +233,7 @@ static double extreme(const struct key *key, const config_setting_t *s)
     for (int i = key->type == KEY_SERIES && n == 2 &&
                  config_setting_is_number(config_setting_get_elem(s, 0));
          i < n && x == 0.0; i++)
-        x = extreme(key, config_setting_get_elem(s, (unsigned)i));
+        x = extreme(key, source_element(s, i));
     return x;
 }
 
@@ -329,8 +327,7 @@ static int check_setting(const struct key *const *tables, const char *path,
         return report_misfit(key, path, s);
     if (key->type == KEY_LIST)
         for (int i = 0; i < config_setting_length(s) && code == 0; i++) {
-            const config_setting_t *const one =
-                config_setting_get_elem(s, (unsigned)i);
+            const config_setting_t *const one = source_element(s, i);
             code = config_setting_is_group(one) ? check_group(tables, path, one)
                                                 : report_misfit(key, path, one);
         }
@@ -344,10 +341,8 @@ static int check_group(const struct key *const *tables, const char *path,
     int code = 0;
 
     for (int i = 0; i < config_setting_length(group) && code == 0; i++) {
-        const config_setting_t *const s =
-            config_setting_get_elem(group, (unsigned)i);
-        snprintf(child, sizeof child, "%s%s%s", path,
-                 path[0] != '\0' ? "." : "", config_setting_name(s));
+        const config_setting_t *const s = source_element(group, i);
+        source_path(child, path, s);
         code = check_setting(tables, child, s);
     }
     return code != 0 ? code : check_required(tables, path, group);
@@ -365,12 +360,8 @@ static int check_texts(const char *path, const config_setting_t *s)
                             "control character %d in it",
                             path, (unsigned char)*text_control(text));
     for (int i = 0; i < config_setting_length(s) && code == 0; i++) {
-        const config_setting_t *const one =
-            config_setting_get_elem(s, (unsigned)i);
-        const char *const name = config_setting_name(one);
-        snprintf(child, sizeof child, "%s%s%s", path,
-                 path[0] != '\0' && name != NULL ? "." : "",
-                 name != NULL ? name : "");
+        const config_setting_t *const one = source_element(s, i);
+        source_path(child, path, one);
         code = check_texts(child, one);
     }
     return code;
@@ -408,12 +399,9 @@ static void schema_check_fill_group(const struct key *const *tables,
     char child[SCHEMA_TEXT];
 
     for (int i = 0; i < config_setting_length(s); i++) {
-        config_setting_t *const one = config_setting_get_elem(s, (unsigned)i);
-        const char *const name = config_setting_name(one);
+        config_setting_t *const one = source_element(s, i);
 
-        snprintf(child, sizeof child, "%s%s%s", path,
-                 path[0] != '\0' && name != NULL ? "." : "",
-                 name != NULL ? name : "");
+        source_path(child, path, one);
         if (config_setting_is_group(one) || config_setting_is_list(one))
             schema_check_fill_group(tables, child, one);
     }

@@ -136,18 +136,24 @@ void source_place(const config_setting_t *at, char text[SOURCE_TEXT])
                 (unsigned)config_setting_source_line(at));
 }
 
+void source_path(char below[SOURCE_TEXT], const char *path,
+                 const config_setting_t *member)
+{
+    const char *const name = config_setting_name(member); /* not in a list */
+
+    snprintf(below, SOURCE_TEXT, "%.*s%s%s", SOURCE_TEXT / 2, path,
+             path[0] != '\0' && name != NULL ? "." : "",
+             name != NULL ? name : "");
+}
+
 char *source_place_of(const config_setting_t *in, const char *path,
                       const char *text)
 {
     char of[SOURCE_TEXT], place[SOURCE_TEXT], *found = NULL;
 
     for (int i = 0; i < config_setting_length(in) && found == NULL; i++) {
-        const config_setting_t *const s =
-            config_setting_get_elem(in, (unsigned)i);
-        const char *const name = config_setting_name(s);
-        snprintf(of, sizeof of, "%.*s%s%s", SOURCE_TEXT / 2, path,
-                 path[0] != '\0' && name != NULL ? "." : "",
-                 name != NULL ? name : "");
+        const config_setting_t *const s = source_element(in, i);
+        source_path(of, path, s);
         if (config_setting_is_aggregate(s)) {
             found = source_place_of(s, of, text);
         } else if (config_setting_get_string(s) == text) {
@@ -241,7 +247,7 @@ void source_value(const config_setting_t *s, char text[SOURCE_TEXT])
     }
     for (int i = 0; i < config_setting_length(s) && i < 4; i++) {
         source_append(text, i == 0 ? "[" : ", ");
-        append_pair(text, config_setting_get_elem(s, (unsigned)i));
+        append_pair(text, source_element(s, i));
     }
     source_append(text, config_setting_length(s) > 4 ? ", ...]" : "]");
 }
@@ -269,8 +275,7 @@ static config_setting_t *override_copy(config_setting_t *parent,
         config_setting_set_int64(to, config_setting_get_int64(from));
     else
         for (int i = 0; i < config_setting_length(from); i++) {
-            const config_setting_t *const one =
-                config_setting_get_elem(from, (unsigned)i);
+            const config_setting_t *const one = source_element(from, i);
             override_copy(to, config_setting_name(one), one);
         }
     return to;

@@ -25,6 +25,14 @@ int source_is_default(const config_setting_t *setting);
 /* A number, whole or real; 0 for a word that stands in its place. */
 double source_number(const config_setting_t *setting);
 
+/* A member, by its number; and its path within the group of that path. */
+static inline config_setting_t *source_element(const config_setting_t *s, int i)
+{
+    return config_setting_get_elem(s, (unsigned)i);
+}
+void source_path(char below[SOURCE_TEXT], const char *path,
+                 const config_setting_t *member);
+
 /* The place of a setting: its override, or its file and line. */
 void source_place(const config_setting_t *setting, char text[SOURCE_TEXT]);
 

@@ -49,7 +49,7 @@ static void put_value(FILE *out, const config_setting_t *s)
         fputc(ends[0], out);
         for (int i = 0; i < config_setting_length(s); i++) {
             fputs(i > 0 ? ", " : "", out);
-            put_value(out, config_setting_get_elem(s, (unsigned)i));
+            put_value(out, source_element(s, i));
         }
         fputc(ends[1], out);
     }
@@ -119,8 +119,7 @@ static void case_text_put_lines(FILE *out, const struct settings *s,
                                 const config_setting_t *at, const char *path)
 {
     for (int i = 0; i < config_setting_length(at); i++) {
-        const config_setting_t *const one =
-            config_setting_get_elem(at, (unsigned)i);
+        const config_setting_t *const one = source_element(at, i);
         const char *const name = config_setting_name(one);
         char below[PATH], number[16];
 
@@ -346,7 +345,7 @@ static void put_setting(struct case_copy *c, const config_setting_t *s,
         fputc('(', c->out);
         for (int i = 0; i < config_setting_length(s); i++) {
             fputs(i > 0 ? ", " : "", c->out);
-            put_group(c, config_setting_get_elem(s, (unsigned)i), path, depth);
+            put_group(c, source_element(s, i), path, depth);
         }
         fputc(')', c->out);
     } else if (is_file(row)) {
@@ -362,14 +361,12 @@ static void put_members(struct case_copy *c, const config_setting_t *at,
                         const char *path, int depth)
 {
     for (int i = 0; i < config_setting_length(at); i++) {
-        const config_setting_t *const one =
-            config_setting_get_elem(at, (unsigned)i);
+        const config_setting_t *const one = source_element(at, i);
         const char *const name = config_setting_name(one);
-        char below[PATH];
+        char below[SOURCE_TEXT];
 
         if (source_is_default(one)) continue;
-        snprintf(below, sizeof below, "%s%s%s", path,
-                 path[0] != '\0' ? "." : "", name);
+        source_path(below, path, one);
         fprintf(c->out, "%*s%s = ", 4 * depth, "", name);
         put_setting(c, one, below, depth);
         fputs(";\n", c->out);
