@@ -53,6 +53,24 @@ EQUATION_OF_4(body_numbers_reynolds)
 EQUATION_OF_3(body_numbers_inverse_froude)
 EQUATION_OF_2(body_numbers_density_ratio)
 EQUATION_OF_2(body_numbers_stokes)
+EQUATION_OF_5(basset_force)
+EQUATION_OF_3(saffman_reynolds)
+EQUATION_OF_4(saffman_force)
+EQUATION_OF_4(spin_force)
+EQUATION_OF_1(averaging_sigma)
+EQUATION_OF_2(images_kernel)
+EQUATION_OF_6(fluidization_velocity)
+EQUATION_OF_5(coefficient_of_force)
+EQUATION_OF_5(coefficient_reynolds)
+EQUATION_OF_4(stochastic_drag_step)
+EQUATION_OF_3(stochastic_drag_mean)
+EQUATION_OF_3(stochastic_drag_variance)
+EQUATION_OF_2(stochastic_drag_time)
+EQUATION_OF_5(drag_di_felice_force)
+EQUATION_OF_1(drag_di_felice_exponent)
+EQUATION_OF_5(drag_beetstra_force)
+EQUATION_OF_2(drag_beetstra_factor)
+EQUATION_OF_6(kernel_gradient_row)
 
 static double syamlal_b(const double *x)
 {
@@ -119,7 +137,13 @@ static double gidaspow_beta(const double *x)
                      x[4]);
 }
 
-static const struct equation others[] = {
+static double sphere_cd(const double *x)
+{
+    return drag_wen_yu_cd(1.0, x[0]);
+}
+
+/* In the order of the documents; the further forces are of LS 5.1. */
+static const struct equation rows[] = {
     {"XS11:2.10", "drag of a particle over eps_f and slip, Syamlal-O'Brien",
      "B = V_p beta / (eps_s eps_f), V_p = pi d^3 / 6",
      "eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "B", "kg/s",
@@ -217,16 +241,6 @@ static const struct equation others[] = {
      "= 0.8; (3/4) C_d eps_s alpha rho_f u_r alpha^-2.65 / d above",
      "alpha [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "beta",
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
-    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
-
-/* The further forces of LS 5.1. */
-
-EQUATION_OF_5(basset_force)
-EQUATION_OF_3(saffman_reynolds)
-EQUATION_OF_4(saffman_force)
-EQUATION_OF_4(spin_force)
-
-static const struct equation equations_forces[] = {
     {"LS:5.4", "Basset's history force at a constant rate of the slip",
      "F = 3 d^2 sqrt(pi rho_f mu t) dw/dt, from w = 0 on",
      "rho_f [kg/m^3], mu [Pa s], d [m], t [s], rate [m/s^2]", "F", "N",
@@ -240,31 +254,6 @@ static const struct equation equations_forces[] = {
      "F = rho_f (pi d^2 / 4) C_LR |u_r| u_r / 2",
      "rho_f [kg/m^3], C_LR [-], d [m], u_r [m/s]", "F", "N",
      EQUATION_BY(spin_force)},
-    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
-
-/* EW18. */
-
-EQUATION_OF_1(averaging_sigma)
-EQUATION_OF_2(images_kernel)
-EQUATION_OF_6(fluidization_velocity)
-EQUATION_OF_5(coefficient_of_force)
-EQUATION_OF_5(coefficient_reynolds)
-EQUATION_OF_4(stochastic_drag_step)
-EQUATION_OF_3(stochastic_drag_mean)
-EQUATION_OF_3(stochastic_drag_variance)
-EQUATION_OF_2(stochastic_drag_time)
-EQUATION_OF_5(drag_di_felice_force)
-EQUATION_OF_1(drag_di_felice_exponent)
-EQUATION_OF_5(drag_beetstra_force)
-EQUATION_OF_2(drag_beetstra_factor)
-EQUATION_OF_6(kernel_gradient_row)
-
-static double sphere_cd(const double *x)
-{
-    return drag_wen_yu_cd(1.0, x[0]);
-}
-
-static const struct equation equations_ew18[] = {
     {"EW18:6", "Reynolds number of the inlet", "Re_in = rho_f V L / mu",
      "rho_f [kg/m^3], V [m/s], L [m], mu [Pa s]", "Re_in", "-",
      EQUATION_BY(body_numbers_reynolds)},
@@ -333,8 +322,7 @@ static const struct equation equations_ew18[] = {
      "X = sum w r (phi - phi_i) / sum w r^2, r = {-h, 0, h} - x, w = exp(-r^2 "
      "/ b^2), phi_i = sum w phi / sum w",
      "h [m], b [m], x [m], phi_1 [-], phi_2 [-], phi_3 [-]", "X", "1/m",
-     EQUATION_BY(kernel_gradient_row)},
-    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
+     EQUATION_BY(kernel_gradient_row)}};
 
 /* Every drag law by its name. */
 
@@ -382,18 +370,13 @@ static double equations_drag_value(const struct equation *e, const double *x)
            (18.0 * x[0]);
 }
 
-static const struct equation *const tables[] = {others, equations_forces,
-                                                equations_ew18, NULL};
-
 int equations_at(int i, struct equation *e)
 {
-    for (int t = 0; tables[t] != NULL; t++)
-        for (const struct equation *row = tables[t]; row->what != NULL; row++)
-            if (i-- == 0) {
-                *e = *row;
-                return 1;
-            }
-    return equations_drag(i, e);
+    const int n = sizeof rows / sizeof *rows;
+
+    if (i >= n) return equations_drag(i - n, e);
+    *e = rows[i];
+    return 1;
 }
 
 int equations_named(const char *key, struct equation *e)
@@ -418,20 +401,8 @@ int equations_inputs(const struct equation *e)
     return n;
 }
 
-int equations_input(const struct equation *e, const char *name, size_t length)
-{
-    const char *input = e->inputs;
-
-    for (int i = 0; i < equations_inputs(e); i++) {
-        if (strcspn(input, " ") == length && strncmp(input, name, length) == 0)
-            return i;
-        input = strchr(input, ']') + 1;
-        input += strspn(input, ", ");
-    }
-    return -1;
-}
-
-void equations_name(const struct equation *e, int i, char name[EQUATIONS_TEXT])
+/* The i-th of its inputs, "Re [-], ...". */
+static const char *input_at(const struct equation *e, int i)
 {
     const char *input = e->inputs;
 
@@ -439,5 +410,21 @@ void equations_name(const struct equation *e, int i, char name[EQUATIONS_TEXT])
         input = strchr(input, ']') + 1;
         input += strspn(input, ", ");
     }
+    return input;
+}
+
+int equations_input(const struct equation *e, const char *name, size_t length)
+{
+    for (int i = 0; i < equations_inputs(e); i++)
+        if (strcspn(input_at(e, i), " ") == length &&
+            strncmp(input_at(e, i), name, length) == 0)
+            return i;
+    return -1;
+}
+
+void equations_name(const struct equation *e, int i, char name[EQUATIONS_TEXT])
+{
+    const char *const input = input_at(e, i);
+
     snprintf(name, EQUATIONS_TEXT, "%.*s", (int)strcspn(input, " "), input);
 }
