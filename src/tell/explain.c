@@ -154,24 +154,12 @@ static int list_document(const char *document)
 
         if (r->kind != EQUATION_INDEX_SAYS || left == NULL || left[0] != ' ')
             continue;
-        printf("%-18s %s%s%s\n", r->key, r->name,
-               r[1].kind == EQUATION_INDEX_AS       ? "; as "
-               : r[1].kind == EQUATION_INDEX_STATUS ? "; "
-                                                    : "",
-               r[1].kind == EQUATION_INDEX_AS ||
-                       r[1].kind == EQUATION_INDEX_STATUS
-                   ? r[1].name
-                   : "");
+        const char *const behind = r[1].kind == EQUATION_INDEX_AS ? "; as "
+                                   : r[1].kind == EQUATION_INDEX_STATUS ? "; "
+                                                                        : "";
+        printf("%-18s %s%s%s\n", r->key, r->name, behind,
+               behind[0] != '\0' ? r[1].name : "");
     }
-    return 0;
-}
-
-static int equation_index_has_function(const char *name)
-{
-    for (const struct equation_index_row *r = equation_index_rows;
-         r->key != NULL; r++)
-        if (r->kind == EQUATION_INDEX_FUNCTION && strcmp(r->name, name) == 0)
-            return 1;
     return 0;
 }
 
@@ -182,8 +170,8 @@ static void equation_index_offer_functions(struct nearest *n)
         if (r->kind == EQUATION_INDEX_FUNCTION) nearest_offer(n, r->name);
 }
 
-/* Where a function stands, and the equations that it computes. */
-static void equation_index_explain_function(const char *name)
+/* Where a function stands, and the equations that it computes; how many. */
+static int equation_index_explain_function(const char *name)
 {
     const char *file = "";
     int found = 0;
@@ -198,6 +186,7 @@ static void equation_index_explain_function(const char *name)
                equation_index_row_of(r->key)->name);
         print_formula(r->key, 18);
     }
+    return found;
 }
 
 /* What is no equation of the documents may be one of eval: a drag law. */
@@ -267,13 +256,19 @@ static void print_line(const char *source, const char *function,
            kind[0] != '\0' ? ": " : "", what);
 }
 
+static void print_parts(const struct settings *s, int named)
+{
+    for (const struct part *p = parts; p->group != NULL; p++)
+        if (!is_named(s, p) == !named)
+            print_line(p->source, p->function, "", p->what);
+}
+
 static void print_on(const struct settings *s)
 {
     struct model m;
 
     puts("On");
-    for (const struct part *p = parts; p->group != NULL; p++)
-        if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
+    print_parts(s, 1);
     for (const struct kind *k = models_kinds; k->name != NULL; k++)
         for (int i = 0; models_at(k, i, &m); i++)
             if (model_choice_is_on(s, k, &m)) {
@@ -288,8 +283,7 @@ static void print_off(const struct settings *s)
     struct model m;
 
     puts("Off: nothing is allocated and nothing called");
-    for (const struct part *p = parts; p->group != NULL; p++)
-        if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
+    print_parts(s, 0);
     for (const struct kind *k = models_kinds; k->name != NULL; k++) {
         int n = 0;
 
@@ -302,12 +296,11 @@ static void print_off(const struct settings *s)
     }
 }
 
-static int explain_case(const struct settings *s)
+static void explain_case(const struct settings *s)
 {
     printf("%s\n", s->title);
     print_on(s);
     print_off(s);
-    return 0;
 }
 
 /* The rows of a key of a case, and the models between which it chooses. */
@@ -414,12 +407,9 @@ static int explain_word(const char *word)
     if (is_case_key(word)) return explain_case_key(word);
     if (models_kind(word) != NULL) return list_models(word);
     const int n = explain_models(word);
-    if (equation_index_has_function(word))
-        equation_index_explain_function(word);
-    else if (n == 0 && command != NULL)
-        printf("winnow %s %s\n  %s\n", word, command->arguments, command->what);
-    else if (n == 0)
-        return explain_unknown(word);
+    if (equation_index_explain_function(word) + n > 0) return 0;
+    if (command == NULL) return explain_unknown(word);
+    printf("winnow %s %s\n  %s\n", word, command->arguments, command->what);
     return 0;
 }
 
@@ -440,11 +430,9 @@ static int explain_act(const struct command_line *l)
 
     if (equation_index_is_key(word)) return equation_index_explain(word);
     if (!explain_is_file_name(word)) return explain_word(word);
-
     struct settings *const s =
-        case_file_read(l->words[0], l->n_overrides, l->overrides, &code);
-
-    if (s != NULL) code = explain_case(s);
+        case_file_read(word, l->n_overrides, l->overrides, &code);
+    if (s != NULL) explain_case(s);
     settings_free(s);
     return code;
 }

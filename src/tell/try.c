@@ -36,7 +36,7 @@ extern char **environ; /* POSIX: the program declares it itself */
  * changed. */
 static const double tried_from = 0.005, changed = 0.9;
 
-enum { WORDS = 256, WORD = 512, NAME = 64 };
+enum { WORD = 512, NAME = 64 };
 
 struct attempt {
     const struct command_line *line;
@@ -88,11 +88,12 @@ static int try_spawn(struct attempt *a, const char *program,
 }
 
 /* Runs this program. */
-static int try_start(struct attempt *a, const char *const *words)
+static int try_start(struct attempt *a, const struct texts *words)
 {
     while (a->stopped)
         pause();
-    const int code = try_spawn(a, "/proc/self/exe", words);
+    const int code =
+        try_spawn(a, "/proc/self/exe", (const char *const *)words->text);
     while (a->stopped)
         pause();
     return code;
@@ -113,60 +114,31 @@ static void try_clean_up(void *data)
     if (a->dir[0] != '\0') try_spawn(a, "rm", words);
 }
 
-/* The words of a command line, one after the other. */
-struct words {
-    int n;
-    const char *word[WORDS];
-    char text[WORDS][WORD];
-};
-
-static void try_add(struct words *w, const char *option, const char *text)
-{
-    if (w->n + 3 > WORDS) return;
-    if (option[0] != '\0') w->word[w->n++] = option;
-    snprintf(w->text[w->n], WORD, "%s", text);
-    w->word[w->n] = w->text[w->n];
-    w->word[++w->n] = NULL;
-}
-
-static void try_override(struct words *w, const char *key, const char *value)
-{
-    char text[WORD];
-
-    snprintf(text, sizeof text, "%s=%s", key, value);
-    try_add(w, "-s", text);
-}
-
 /* What the user has said, and what all runs have. */
-static void try_begin(const struct attempt *a, const char *command,
-                      struct words *w)
+static struct texts try_begin(const struct attempt *a, const char *command)
 {
-    char text[WORD];
+    struct texts w = {0};
 
-    w->n = 0;
-    try_add(w, "", "winnow");
-    try_add(w, "", command);
-    try_add(w, "", a->line->words[0]);
+    texts_add(&w, "winnow");
+    texts_add(&w, "%s", command);
+    texts_add(&w, "%s", a->line->words[0]);
     for (int i = 0; i < a->line->n_overrides; i++)
-        try_add(w, "-s", a->line->overrides[i]);
-    snprintf(text, sizeof text, "%.17g", a->seconds);
-    try_override(w, "output.end", text);
-    try_override(w, "output.every", text);
-    try_override(w, "output.picture", "false");
-    try_override(w, "output.animation", "false");
-    if (a->has_file) try_override(w, "particles.bed.file", "off");
+        texts_add(&w, "-s%s", a->line->overrides[i]);
+    texts_add(&w, "-soutput.end=%.17g", a->seconds);
+    texts_add(&w, "-soutput.every=%.17g", a->seconds);
+    texts_add(&w, "-soutput.picture=false");
+    texts_add(&w, "-soutput.animation=false");
+    if (a->has_file) texts_add(&w, "-sparticles.bed.file=off");
+    return w;
 }
 
 /* Puts on what is tried, but for one; -1: none is left out. */
-static void try_choose(const struct attempt *a, int without, struct words *w)
+static void try_choose(const struct attempt *a, int without, struct texts *w)
 {
     for (int i = 0; i < a->n; i++) {
-        char key[WORD];
-        snprintf(key, sizeof key, "effects.%s", a->row[i].effect->name);
-        if (i == without)
-            try_override(w, key, "off");
-        else if (a->on[i][0] != '\0')
-            try_override(w, key, a->on[i]);
+        const char *const group = i == without ? "off" : a->on[i];
+        if (group[0] != '\0')
+            texts_add(w, "-seffects.%s=%s", a->row[i].effect->name, group);
     }
 }
 
@@ -174,21 +146,19 @@ static void try_choose(const struct attempt *a, int without, struct words *w)
 static struct outcome try_run(struct attempt *a, int without,
                               const struct texts *more)
 {
-    struct words *const w = malloc(sizeof *w);
+    struct texts w = try_begin(a, "run");
     char dir[2 * NAME], path[WORD];
-    struct outcome o = {.code = 4};
+    struct outcome o;
 
-    if (w == NULL) return o;
     snprintf(dir, sizeof dir, "%s/run", a->dir);
-    try_begin(a, "run", w);
-    try_choose(a, without, w);
+    try_choose(a, without, &w);
     for (int i = 0; more != NULL && i < more->n; i++)
-        try_add(w, "-s", more->text[i]);
-    snprintf(path, sizeof path, "%d", a->line->threads);
-    try_add(w, "-j", a->line->threads > 0 ? path : "1");
-    try_add(w, "-o", dir);
-    try_add(w, "", "--quiet");
-    o.code = try_start(a, w->word);
+        texts_add(&w, "-s%s", more->text[i]);
+    texts_add(&w, "-j%d", a->line->threads > 0 ? a->line->threads : 1);
+    texts_add(&w, "-o%s", dir);
+    texts_add(&w, "--quiet");
+    o.code = try_start(a, &w);
+    texts_free(&w);
     o.speed = read_summary_number(dir, "second_half.particle_velocity_rms");
     o.drop = read_summary_number(dir, "second_half.mean_pressure_drop");
     o.drop_of = fmax(fabs(o.drop), a->jet);
@@ -198,7 +168,6 @@ static struct outcome try_run(struct attempt *a, int without,
                  a->row[i].effect->name);
         o.share[i] = read_summary_number(dir, path);
     }
-    free(w);
     return o;
 }
 
@@ -218,15 +187,11 @@ static void try_repeat(const struct attempt *a)
 static int try_is_allowed(struct attempt *a, const struct effect_row *r,
                           const char *group)
 {
-    struct words *const w = malloc(sizeof *w);
-    char key[WORD];
+    struct texts w = try_begin(a, "check");
 
-    if (w == NULL) return 0;
-    try_begin(a, "check", w);
-    snprintf(key, sizeof key, "effects.%s", r->effect->name);
-    try_override(w, key, group);
-    const int code = try_start(a, w->word);
-    free(w);
+    texts_add(&w, "-seffects.%s=%s", r->effect->name, group);
+    const int code = try_start(a, &w);
+    texts_free(&w);
     return code == 0;
 }
 
