@@ -2,7 +2,8 @@
 /* commands.c -- what the program can do. */
 #include "case/command.h"
 
-#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
 const struct command *const commands[] = {&run_command,
                                           &study_command,
@@ -15,3 +16,20 @@ const struct command *const commands[] = {&run_command,
                                           &command_status,
                                           &report_command,
                                           NULL};
+
+const struct command *command_named(const char *name)
+{
+    const struct command *const *c = commands;
+
+    while (*c != NULL && strcmp((*c)->name, name) != 0)
+        c++;
+    return *c;
+}
+
+int command_count(const char *text)
+{
+    char *end;
+    const long n = strtol(text, &end, 10);
+
+    return end != text && *end == '\0' && n >= 1 && n <= 1024 ? (int)n : 0;
+}

@@ -22,20 +22,18 @@ static void usage(FILE *out)
           out);
 }
 
-static const struct command *main_command_named(const char *name)
+static int unknown_command(const char *name)
 {
     struct nearest n;
     char hint[NEAREST_HINT];
 
     nearest_init(&n, name);
-    for (const struct command *const *c = commands; *c != NULL; c++) {
-        if (strcmp((*c)->name, name) == 0) return *c;
+    for (const struct command *const *c = commands; *c != NULL; c++)
         nearest_offer(&n, (*c)->name);
-    }
     fprintf(
         stderr, "winnow: no command %s%s\n", name,
         nearest_hint(nearest_best(&n), "; winnow --help names them all", hint));
-    return NULL;
+    return 2;
 }
 
 /* One message, and how the command is called. */
@@ -82,15 +80,6 @@ static int wrong_option(const struct command *c, const char *option)
     return 2;
 }
 
-/* A whole number of threads, 1 to 1024, or 0. */
-static int threads_of(const char *text)
-{
-    char *end;
-    const long n = strtol(text, &end, 10);
-
-    return end != text && *end == '\0' && n >= 1 && n <= 1024 ? (int)n : 0;
-}
-
 /* Reads an option and its value, "-o DIR" or "-oDIR"; *i moves to the last word
  * used. */
 static int read_option(const struct command *c, int argc, char **argv, int *i,
@@ -113,7 +102,7 @@ static int read_option(const struct command *c, int argc, char **argv, int *i,
         l->dir = value;
     else if (option[1] == 's')
         l->overrides[l->n_overrides++] = value;
-    else if ((l->threads = threads_of(value)) == 0)
+    else if ((l->threads = command_count(value)) == 0)
         return main_wrong(c, "-j needs a number of threads, 1 to 1024, not ",
                           value);
     return 0;
@@ -191,19 +180,19 @@ int main(int argc, char **argv)
 
     const char **const texts = alloc_zeroed(2 * (size_t)argc, sizeof *texts);
     struct command_line l = {.words = texts, .overrides = texts + argc};
-    const struct command *c = NULL;
+    const int helps = strcmp(first, "help") == 0;
+    const char *const name = helps && argc > 2 ? argv[2] : first;
+    const struct command *const c = command_named(name);
     int code = 0;
 
-    if (is_help(first) || (strcmp(first, "help") == 0 && argc == 2))
+    if (is_help(first) || (helps && argc == 2))
         usage(stdout);
-    else if (strcmp(first, "help") == 0)
-        code = (c = main_command_named(argv[2])) == NULL ? 2 : main_help(c);
     else if (strcmp(first, "--version") == 0)
         puts("winnow " VERSION_TEXT);
-    else if (argc < 2 || (c = main_command_named(first)) == NULL)
-        code = 2;
+    else if (c == NULL)
+        code = argc < 2 ? 2 : unknown_command(name);
     else
-        code = main_act(c, argc, argv, &l);
+        code = helps ? main_help(c) : main_act(c, argc, argv, &l);
     if (argc < 2) usage(stderr);
     free(texts);
     if (fflush(stdout) != 0 || ferror(stdout)) {

@@ -133,6 +133,15 @@ int file_commit(struct file *f)
     return reason != 0;
 }
 
+int file_write(const char *path, const char *bytes, size_t n)
+{
+    struct file *const f = file_create(path);
+
+    if (f == NULL) return 1;
+    fwrite(bytes, 1, n, f->stream);
+    return file_commit(f);
+}
+
 void file_discard(struct file *f)
 {
     if (f == NULL) return;

@@ -25,6 +25,9 @@ FILE *file_stream(struct file *f);
  * failed since file_create: a message, no PATH.partial, non-zero. */
 int file_commit(struct file *f);
 
+/* A whole file of so many bytes; non-zero after a message. */
+int file_write(const char *path, const char *bytes, size_t n);
+
 /* Discards the file: removes PATH.partial and releases f. file_discard(NULL) is
  * fine. */
 void file_discard(struct file *f);

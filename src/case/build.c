@@ -32,14 +32,6 @@ struct averaging_options build_averaging_options(const struct settings *s)
     return o;
 }
 
-static int create_averaging(const struct settings *s, struct simulation *sim)
-{
-    const struct averaging_options o = build_averaging_options(s);
-
-    sim->averaging = averaging_create(o.method, sim->mesh, sim->particles, &o);
-    return sim->averaging == NULL ? 2 : 0;
-}
-
 struct drag_law build_drag_law(const struct settings *s)
 {
     struct drag_law law = *s->exchange.law;
@@ -246,7 +238,10 @@ struct simulation *build_for_run(const struct settings *s, int with_bed,
     if (s->has.particles) *code = build_particles(s, sim, with_bed, saver);
     if (*code == 0 && s->has.fluid) *code = build_fluid(s, sim);
     if (*code == 0 && s->has.exchange) {
-        *code = create_averaging(s, sim);
+        const struct averaging_options o = build_averaging_options(s);
+        sim->averaging =
+            averaging_create(o.method, sim->mesh, sim->particles, &o);
+        *code = sim->averaging == NULL ? 2 : 0;
         if (*code == 0) build_coupling(s, sim);
     }
     if (*code == 0) {

@@ -35,5 +35,10 @@ extern const struct command run_command, study_command, export_command,
     check_command, explain_command, list_command, list_new_command,
     eval_command, command_status, report_command;
 extern const struct command *const commands[];
+/* The one of that name, or NULL. */
+const struct command *command_named(const char *name);
+
+/* A whole number from 1 to 1024, as of threads or runs; 0 if it is none. */
+int command_count(const char *text);
 
 #endif

@@ -141,13 +141,6 @@ static const struct key *fill_list_of(const struct key *const *tables,
     return NULL;
 }
 
-static void create_list(const struct settings *s, const struct key *key,
-                        struct key_list *list)
-{
-    list->n = settings_length(s, key->path);
-    list->item = list->n > 0 ? alloc_zeroed((size_t)list->n, key->size) : NULL;
-}
-
 static void store_in_list(const struct settings *s, const struct key *key,
                           const struct key *of, const struct key_list *list)
 {
@@ -227,9 +220,13 @@ void fill_settings(struct settings *s, const struct key *const *tables)
                 settings_has(s, groups[g].name);
     if (schema_find(tables, "fluid") != NULL) create_sides(s);
     SCHEMA_EACH (k, tables)
-        if (k->size > 0)
-            create_list(s, k,
-                        (struct key_list *)(fill_base_of(s, k) + k->at - 1));
+        if (k->size > 0) {
+            struct key_list *const list =
+                (struct key_list *)(fill_base_of(s, k) + k->at - 1);
+            list->n = settings_length(s, k->path);
+            if (list->n > 0)
+                list->item = alloc_zeroed((size_t)list->n, k->size);
+        }
     SCHEMA_EACH (k, tables) {
         const struct key *const list =
             k->at == 0 && k->given == 0 ? NULL : fill_list_of(tables, k);

@@ -38,12 +38,6 @@ static int is_word(const struct key *key, const config_setting_t *s)
            schema_allow_word(key, config_setting_get_string(s));
 }
 
-static int schema_check_is_file_name(const config_setting_t *s)
-{
-    return config_setting_type(s) == CONFIG_TYPE_STRING &&
-           config_setting_get_string(s)[0] != '\0';
-}
-
 static int is_triple(const struct key *key, const config_setting_t *s,
                      int (*is)(const struct key *, const config_setting_t *))
 {
@@ -111,7 +105,8 @@ static int fits(const struct key *key, const config_setting_t *s)
     case KEY_TEXT:
         return config_setting_type(s) == CONFIG_TYPE_STRING;
     case KEY_FILE:
-        return schema_check_is_file_name(s);
+        return config_setting_type(s) == CONFIG_TYPE_STRING &&
+               config_setting_get_string(s)[0] != '\0';
     case KEY_VECTOR:
         return is_triple(key, s, schema_check_is_real);
     case KEY_COUNTS:

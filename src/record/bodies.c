@@ -347,14 +347,6 @@ static int body_triangles(const struct body_shape *shape)
                                   : block_triangles_count(shape);
 }
 
-static void outlines_count(struct outlines *r)
-{
-    for (int i = 0; i < r->bodies->ps->n; i++) {
-        r->n_balls += balls_of(&r->bodies->shape[i]);
-        r->n_triangles += body_triangles(&r->bodies->shape[i]);
-    }
-}
-
 static void outlines_make_room(struct outlines *r)
 {
     for (int k = 0; k < 3; k++)
@@ -377,7 +369,10 @@ static void *outlines_create(const struct recorder_view *v, int *failed)
     if (b == NULL) return NULL;
     struct outlines *const r = alloc_zeroed(1, sizeof *r);
     r->bodies = b;
-    outlines_count(r);
+    for (int i = 0; i < b->ps->n; i++) {
+        r->n_balls += balls_of(&b->shape[i]);
+        r->n_triangles += body_triangles(&b->shape[i]);
+    }
     outlines_make_room(r);
     if (r->n_balls > 0) r->clumps = recorder_series(v, "body_clumps");
     if (r->n_triangles > 0) r->surfaces = recorder_series(v, "body_surfaces");

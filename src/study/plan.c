@@ -3,6 +3,7 @@
 
 #include "base/number.h"
 #include "case/case_file.h"
+#include "case/command.h"
 #include "base/text.h"
 #include "case/source.h"
 
@@ -44,15 +45,6 @@ int plan_wrong(const char *format, ...)
 static int words_wrong(const char *what, const char *why)
 {
     return plan_wrong("%s%s\nwinnow study " PLAN_ARGUMENTS, what, why);
-}
-
-/* A whole number from 1 to 1024, or 0 if it is none. */
-static int count_in(const char *text)
-{
-    char *end;
-    const long n = strtol(text, &end, 10);
-
-    return end == text || *end != '\0' || n < 1 || n > 1024 ? 0 : (int)n;
 }
 
 /* A choice of the same keys as one of the file takes its place. */
@@ -118,7 +110,7 @@ static int take_option(struct words *w, const char *option, const char *value)
         if (options[i].take != NULL) return options[i].take(w, value);
         if (options[i].text != NULL)
             *options[i].text = value;
-        else if ((*options[i].count = count_in(value)) == 0)
+        else if ((*options[i].count = command_count(value)) == 0)
             return words_wrong(option, " asks for a number, 1 to 1024");
         return 0;
     }
@@ -348,7 +340,7 @@ static int add_choices(struct words *w)
     if ((double)n * p->seeds * p->times > MOST_RUNS)
         return plan_wrong("more than %d runs", MOST_RUNS);
     for (int v = 0; v < n && threads; v++)
-        if (count_in(choices_value(c, v, PLAN_THREADS)) == 0)
+        if (command_count(choices_value(c, v, PLAN_THREADS)) == 0)
             return plan_wrong(PLAN_THREADS " asks for numbers from 1 to 1024");
     return 0;
 }

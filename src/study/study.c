@@ -76,27 +76,20 @@ static int leads_elsewhere(const struct plan *p, int n, const struct run *runs)
     return link != NULL;
 }
 
-static int tell(const struct plan *p, int n, const struct run *runs)
+/* With a signal only the page, of those that have ended before it. */
+static int tell(const struct plan *p, int n, const struct run *runs, int all)
 {
     struct outcomes o = outcomes_create(p, n, runs);
-    const int failed = report_write(&o) != 0 || outcome_draw(&o) != 0;
+    const int failed = all ? report_write(&o) != 0 || outcome_draw(&o) != 0
+                           : html_write(&o) != 0;
 
-    if (!failed && !p->quiet) {
+    if (all && !failed && !p->quiet) {
         report_advice(&o, stdout);
         printf("see %s/study.html, study.md, study.csv and study.svg\n",
                p->dir);
     }
     outcomes_free(&o);
     return failed ? RUN_NOT_WRITTEN : 0;
-}
-
-/* Those that have ended before a signal came. */
-static void tell_of_some(const struct plan *p, int n, const struct run *runs)
-{
-    struct outcomes o = outcomes_create(p, n, runs);
-
-    html_write(&o);
-    outcomes_free(&o);
 }
 
 /* What is there: runs of this study, or what another one has told. */
@@ -126,9 +119,9 @@ static int perform(const struct plan *p, int n, struct run *runs)
     tell_before(p, n, runs_find_ended(n, runs));
     code = runs_perform(p, n, runs);
     if (code == 0)
-        code = tell(p, n, runs);
+        code = tell(p, n, runs, 1);
     else if (code == INTERRUPT_CODE)
-        tell_of_some(p, n, runs);
+        tell(p, n, runs, 0);
     close(file);
     return code;
 }

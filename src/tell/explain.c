@@ -163,13 +163,6 @@ static int list_document(const char *document)
     return 0;
 }
 
-static void equation_index_offer_functions(struct nearest *n)
-{
-    for (const struct equation_index_row *r = equation_index_rows;
-         r->key != NULL; r++)
-        if (r->kind == EQUATION_INDEX_FUNCTION) nearest_offer(n, r->name);
-}
-
 /* Where a function stands, and the equations that it computes; how many. */
 static int equation_index_explain_function(const char *name)
 {
@@ -342,13 +335,6 @@ static int explain_models(const char *word)
 static const char accepted[] =
     "CASE [-s path.to.key=value]... | KEY | MODEL | FUNCTION | COMMAND";
 
-static const struct command *explain_command_named(const char *word)
-{
-    for (const struct command *const *c = commands; *c != NULL; c++)
-        if (strcmp((*c)->name, word) == 0) return *c;
-    return NULL;
-}
-
 /* Offers the words that explain knows: the paths of keys, or only the last
  * names of these; commands, functions and models. */
 static void offer_paths(struct nearest *n, const struct key *const *tables)
@@ -362,7 +348,9 @@ static void offer_paths(struct nearest *n, const struct key *const *tables)
             nearest_offer(n, m.name);
             nearest_offer(n, m.function);
         }
-    equation_index_offer_functions(n);
+    for (const struct equation_index_row *r = equation_index_rows;
+         r->key != NULL; r++)
+        if (r->kind == EQUATION_INDEX_FUNCTION) nearest_offer(n, r->name);
     SCHEMA_EACH (key, tables)
         nearest_offer(n, key->path);
 }
@@ -402,7 +390,7 @@ static int explain_unknown(const char *word)
 /* A word that names no file. */
 static int explain_word(const char *word)
 {
-    const struct command *const command = explain_command_named(word);
+    const struct command *const command = command_named(word);
 
     if (is_case_key(word)) return explain_case_key(word);
     if (models_kind(word) != NULL) return list_models(word);

@@ -22,7 +22,7 @@
 #define FIRST "small-bed"
 static const char look_at[] = "What to look at: ";
 
-enum { PATH_TEXT = 4096, CASE_TEXT = 1 << 16, LINE_TEXT = 200 };
+enum { PATH_TEXT = 4096, LINE_TEXT = 200 };
 
 /* The cases that are installed with the program, or lie beside its build, or
  * here. Non-zero if there are none. */
@@ -61,23 +61,6 @@ static void shipped_name_of(const char *path, char name[LINE_TEXT])
     if (strrchr(name, '.') != NULL) *strrchr(name, '.') = '\0';
 }
 
-/* The text of a file, a string; -1 after a message. */
-static int shipped_read_text(const char *path, char text[CASE_TEXT])
-{
-    FILE *const f = fopen(path, "r");
-    size_t n = 0;
-
-    if (f != NULL) n = fread(text, 1, CASE_TEXT - 1, f);
-    text[n] = '\0';
-    if (f == NULL || ferror(f) || !feof(f)) {
-        fprintf(stderr, "winnow: %s: cannot read: %s\n", path,
-                errno != 0 ? strerror(errno) : "too long");
-        n = 0;
-    }
-    if (f != NULL) fclose(f);
-    return n > 0 ? 0 : -1;
-}
-
 /* What the comment at the head says to look at, to the end of a clause. */
 static void purpose(const char *text, char line[LINE_TEXT])
 {
@@ -96,21 +79,19 @@ static void purpose(const char *text, char line[LINE_TEXT])
     line[n] = '\0';
 }
 
-static void shipped_print_case(const char *path, const struct settings *s,
-                               const char *text)
+static void shipped_print_case(const char *path, const struct settings *s)
 {
     const struct case_scales k = case_scales_of(s);
     char name[LINE_TEXT], line[LINE_TEXT];
 
     shipped_name_of(path, name);
-    purpose(text, line);
+    purpose(input_kept(settings_files(s), s->file)->text, line);
     printf("%-22s %6d cells %6d particles  %s%s%s\n", name, k.cells,
            k.particles, s->title, line[0] != '\0' ? ". Look at: " : "", line);
 }
 
 int list_cases(void)
 {
-    char text[CASE_TEXT];
     glob_t found;
     int code = 0;
 
@@ -119,8 +100,7 @@ int list_cases(void)
         const char *const path = found.gl_pathv[i];
         struct settings *const s = case_file_read(path, 0, NULL, &code);
 
-        if (s != NULL && shipped_read_text(path, text) == 0)
-            shipped_print_case(path, s, text);
+        if (s != NULL) shipped_print_case(path, s);
         settings_free(s);
     }
     globfree(&found);
@@ -234,10 +214,7 @@ static int parts_write(const struct parts *p, int i)
         *strrchr(folder, '/') = '\0';
         if (file_make_dirs(folder) != 0) return 1;
     }
-    struct file *const f = file_create(p->path[i]);
-    if (f == NULL) return 1;
-    fwrite(p->in[i].text, 1, p->in[i].length, file_stream(f));
-    return file_commit(f) != 0;
+    return file_write(p->path[i], p->in[i].text, p->in[i].length);
 }
 
 /* All or none, the case last. The exit code. */

@@ -171,12 +171,6 @@ static int check_bed_fits(const struct settings *s)
     return 0;
 }
 
-static int check_bed(const struct settings *s)
-{
-    const int code = check_bed_sizes(s);
-    return code != 0 ? code : check_bed_fits(s);
-}
-
 static int validate_check_place(const struct settings *s)
 {
     double lo[3], hi[3];
@@ -288,7 +282,8 @@ static int validate_check_particles(struct settings *s)
     if (bed == place && (bed || !s->particles.has_insert))
         return settings_wrong(s, "particles", "give either bed or place%s",
                               bed ? ", not both" : ", or insert");
-    code = bed ? check_bed(s) : validate_check_place(s);
+    code = bed ? check_bed_sizes(s) : validate_check_place(s);
+    if (code == 0 && bed) code = check_bed_fits(s);
     return code != 0 ? code : case_materials_check_pairs(s);
 }
 

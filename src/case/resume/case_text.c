@@ -406,20 +406,11 @@ void case_text_free_copy(struct case_copy *c)
 
 /* --- and writing ---------------------------------------------------------- */
 
-static int write_at(const char *path, const char *text, size_t length)
-{
-    struct file *const f = file_create(path);
-
-    if (f == NULL) return 1;
-    fwrite(text, 1, length, file_stream(f));
-    return file_commit(f);
-}
-
 static int write_text(struct folder *folder, const char *name, const char *text,
                       size_t length)
 {
     char *const path = folder_file(folder, name);
-    const int failed = path == NULL || write_at(path, text, length) != 0;
+    const int failed = path == NULL || file_write(path, text, length) != 0;
 
     free(path);
     return failed;
@@ -471,11 +462,11 @@ int case_text_restore_copy(struct case_copy *c, const char *dir)
         char *const path = file_join(dir, c->file[i].name);
         const struct input *const in = c->file[i].in;
         if (in->text != NULL && !is_there(path, NULL))
-            failed = write_at(path, in->text, in->length);
+            failed = file_write(path, in->text, in->length);
         free(path);
     }
     if (!failed && !is_there(of_case, c->case_text))
-        failed = write_at(of_case, c->case_text, strlen(c->case_text));
+        failed = file_write(of_case, c->case_text, strlen(c->case_text));
     free(of_case);
     return failed;
 }
