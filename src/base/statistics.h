@@ -56,9 +56,7 @@ double correlation_time(int lags, double dt, const double *I, double from,
 double density_of(int n, const double *x, double low, double high, int n_bins,
                   double *p);
 
-/* --- filter: a finely resolved field as the averaged model sees it.
- *
- */
+/* --- filter: a finely resolved field as the averaged model sees it. */
 
 /* Mean over the fluid in each coarse box,
  *
@@ -73,7 +71,6 @@ void filter_boxes(int n_fine, const double *V, const double *chi,
                   double *mean, double *chi_mean);
 
 /* --- sample: a quantity at one Reynolds number and one fluid fraction.
- *
  *
  * EW18 collects drag coefficients [EW18 26] of grains whose Re_p [EW18 27] and
  * eps are within 1 % of given ones, and takes their mean and spread.
@@ -92,9 +89,7 @@ struct sample_moments sample_near(int n, const double *value, const double *Re,
                                   const double *eps, double Re_0, double eps_0,
                                   double tolerance, double *room);
 
-/* --- temperature: how grains fluctuate, and how high they stand.
- *
- */
+/* --- temperature: how grains fluctuate, and how high they stand. */
 
 /* Mean square of the deviation of a component of the velocity from its mean
  * over all grains at this time [m^2/s^2]. EW18 does not say which mean it

@@ -57,9 +57,7 @@ const char *texts_add(struct texts *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void texts_free(struct texts *t);
 
-/* --- nearest -------------------------------------------------------------- */
-
-/* The known word nearest to a misspelt one.
+/* --- nearest: the known word nearest to a misspelt one.
  *
  * Near means few edits: a letter inserted, left out, replaced, or two
  * neighbours swapped; capitals do not count. A word that merely begins the

@@ -28,9 +28,7 @@ void case_file_add_seeds(const struct settings *s, int more, struct texts *set);
 struct settings *case_file_read(const char *file, int n_overrides,
                                 const char *const *overrides, int *code);
 
-/* --- case steps ----------------------------------------------------------- */
-
-/* How a case divides its time.
+/* --- case steps: how a case divides its time.
  *
  * The steps of the loop are the fluid's, which the particles divide. Without a
  * fluid they are 20 particle steps where particles are inserted or removed,

@@ -140,9 +140,7 @@ int settings_wrong(const struct settings *s, const char *path,
                    const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* --- fill ----------------------------------------------------------------- */
-
-/* From the keys of a case to the members of its structs. */
+/* --- fill: from the keys of a case to the members of its structs. */
 
 /* Stores the value of each key that has a place (KEY_AT) in the struct of its
  * group. What the case leaves out without a default stays 0. */

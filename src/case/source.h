@@ -58,9 +58,7 @@ int source_override(config_t *tree, const char *text);
 void source_add_default(config_setting_t *group, const char *name,
                         const char *value);
 
-/* --- scan ----------------------------------------------------------------- */
-
-/* The text of a case, looked at before libconfig reads it.
+/* --- scan: the text of a case, looked at before libconfig reads it.
  *
  * libconfig ends the program where an included file is a folder, and waits for
  * ever where it is a pipe. It holds a whole number without a point in an int

@@ -268,9 +268,8 @@ int bed_create(struct particles *ps, const struct bed_options *bed,
                        : BED_CREATED;
 }
 
-/* --- bed state ------------------------------------------------------------ */
-
-/* A settled bed as a state, to be kept in a file. Chapter "Nothing is lost". */
+/* --- bed state: a settled bed as a state, to be kept in a file. Chapter
+ * "Nothing is lost". */
 
 /* "name a b c" with numbers that read back exactly. */
 static void fact(FILE *out, const char *name, int n, const double *value)

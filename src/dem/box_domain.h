@@ -54,9 +54,8 @@ static inline double box_domain_gap(const struct box_domain *box, int w,
     return w % 2 ? box->hi[k] - x[k] : x[k] - box->lo[k];
 }
 
-/* --- link cells ----------------------------------------------------------- */
-
-/* Particles in cells, to find those that are near. Chapter "Neighbours".
+/* --- link cells: particles in cells, to find those that are near. Chapter
+ * "Neighbours".
  *
  * The box is divided into cells that are at least as wide as the distance
  * looked for. A particle nearer than that to another one is in the same cell

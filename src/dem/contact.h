@@ -100,9 +100,8 @@ const struct contact_law *contact_law_named(const char *name);
  */
 double contact_damping_ratio(double e);
 
-/* --- rolling -------------------------------------------------------------- */
-
-/* Rolling friction of a contact. Chapter "Materials, rolling and cohesion".
+/* --- rolling: rolling friction of a contact. Chapter "Materials, rolling and
+ * cohesion".
  *
  * The elastic-plastic model with a dashpot, type C of [Ai11]: a spring whose
  * angle theta grows by the relative rotation of the two, and which slips like
@@ -150,9 +149,7 @@ static inline void rolling_moment(double M[3], double theta[3],
     }
 }
 
-/* --- limits --------------------------------------------------------------- */
-
-/* Limits of the particle step. Chapter "Time steps".
+/* --- limits: limits of the particle step. Chapter "Time steps".
  *
  * Two measures of the response time of a grain: the duration of an impact, and
  * the Rayleigh time in which a surface wave travels over a sphere [LS 5.11]. A

@@ -24,10 +24,8 @@
 #include "dem/materials.h"
 #include "dem/particles.h"
 
-/* --- crossing ------------------------------------------------------------- */
-
-/* Two spheres that are past each other before they have met. Chapter "Time
- * steps".
+/* --- crossing: two spheres that are past each other before they have met.
+ * Chapter "Time steps".
  *
  * A contact is found at the places after a step. Where a sphere moves by more
  * than its radius in one, it can be beyond another one by then, and no force
@@ -55,9 +53,8 @@ static inline int crossing(const double x[3], const double way[3], double reach)
     return turned < 0.0 && old2 - along * along / way2 < reach * reach;
 }
 
-/* --- dem ------------------------------------------------------------------ */
-
-/* The options. One that a case does not set is 0 here and has no effect. */
+/* --- dem: the options. One that a case does not set is 0 here and has no
+ * effect. */
 
 struct dem_method;
 struct surface;

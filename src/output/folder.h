@@ -72,9 +72,7 @@ long folder_process(const char *dir);
 /* The path of the folder as the user gave it. */
 const char *folder_name(const struct folder *f);
 
-/* --- manifest ------------------------------------------------------------- */
-
-/* The list of the files that a run has put into its folder.
+/* --- manifest: the list of the files that a run has put into its folder.
  *
  * A head line, then a name a line: "history.csv", "fluid/" for a folder in it,
  * "fluid/fluid_000000.vtr" for a file in that. A name is listed before its

@@ -32,9 +32,7 @@ void summary_end(struct summary *s);
  * after a message, also for NULL. */
 int summary_commit(struct summary *s);
 
-/* --- read summary --------------------------------------------------------- */
-
-/* Reads back what summary.json says (output/summary.h). */
+/* --- read summary: reads back what summary.json says (output/summary.h). */
 
 /* A number of the summary.json in a folder by its path, "seconds.cfd"; nan if
  * it is not there or null. */

@@ -135,9 +135,7 @@ int vtk_write_polygons(struct vtk_file *f, const char *path,
                        n_arrays, arrays);
 }
 
-/* --- vtk cells ------------------------------------------------------------ */
-
-/* Hexahedra, tetrahedra and polyhedra.
+/* --- vtk cells: hexahedra, tetrahedra and polyhedra.
  *
  * In VTK a cell is a list of points. The list of a hexahedron has the points
  * of one face, in the order that gives an inward normal by the right-hand

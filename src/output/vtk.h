@@ -16,9 +16,7 @@
 
 #include "mesh/mesh.h"
 
-/* --- vtk file ------------------------------------------------------------- */
-
-/* The frame of a VTK XML file: text first, then the data.
+/* --- vtk file: the frame of a VTK XML file: text first, then the data.
  *
  * The XML says of each array only where its bytes begin, counted from behind
  * the "_" of <AppendedData>. These offsets are not known when the XML is

@@ -70,9 +70,7 @@ static void vtk_array_copy(const struct vtk_array *a, size_t first, size_t n,
             wide[v] = real_at(a, first + v);
 }
 
-/* --- its bytes ------------------------------------------------------------ */
-
-/* The bytes of one array, compressed by zlib in blocks.
+/* --- the bytes of one array, compressed by zlib in blocks.
  *
  * The format that VTK reads after <AppendedData> (every word a UInt64):
  *

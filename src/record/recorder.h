@@ -52,9 +52,7 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code);
 /* Prints a summary on stdout. */
 void recorder_print(const struct recorder *r);
 
-/* --- progress ------------------------------------------------------------- */
-
-/* Progress messages of a run.
+/* --- progress: messages of a run.
  *
  * On a terminal one line that is drawn over and over, a bar with the simulated
  * time and the time left; elsewhere a line at every tenth; quiet: nothing. All

@@ -75,9 +75,7 @@ void *second_half_create(const struct simulation *sim, double end);
 void second_half_free(void *second_half);
 int second_half_add(void *second_half); /* a sample, if there is a fluid */
 
-/* --- profiles ------------------------------------------------------------- */
-
-/* How what a case asks for is called in the files. */
+/* --- profiles: how what a case asks for is called in the files. */
 
 /* Where the line of a profile is; `across` is -1 where the case does not say
  * it. */

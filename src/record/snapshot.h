@@ -63,9 +63,7 @@ void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
 /* From now on the particles are in the order of their ids. */
 void snapshot_order_by_id(struct snapshot *s);
 
-/* --- field output --------------------------------------------------------- */
-
-/* The files that ParaView shows, written from a snapshot. */
+/* --- field output: the files that ParaView shows, written from a snapshot. */
 
 struct field_output;
 

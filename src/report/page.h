@@ -51,9 +51,7 @@ extern const char *const page_html[],
 /* Writes one of these parts. */
 void page_put_program(FILE *out, const char *const *line);
 
-/* --- vtk read ------------------------------------------------------------- */
-
-/* Reads back the files of output/vtk.h, whoever wrote them.
+/* --- vtk read: reads back the files of output/vtk.h, whoever wrote them.
  *
  * A folder may come from a stranger: nothing outside of it is opened, no link
  * is followed, and every size is checked before memory is taken. What is
@@ -88,9 +86,7 @@ void vtk_read_shapes_free(struct vtk_shapes *s);
 /* Corner q of shape i; NULL if it has no more. */
 const double *vtk_read_corner(const struct vtk_shapes *s, size_t i, size_t q);
 
-/* --- plane ---------------------------------------------------------------- */
-
-/* Slices through the middle of a mesh, from its file.
+/* --- plane: slices through the middle of a mesh, from its file.
  *
  * A slice is a raster: each point of it shows the cell whose box contains it,
  * of several the one with the nearest centre. */

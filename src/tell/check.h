@@ -7,9 +7,7 @@
 #include "case/checks/checks.h"
 #include "coupling/effect.h"
 
-/* --- check ---------------------------------------------------------------- */
-
-/* `winnow check`: a case in derived numbers, before it is run. */
+/* --- check: `winnow check`: a case in derived numbers, before it is run. */
 
 struct command_line;
 struct effect;
@@ -67,9 +65,7 @@ int check_effect_rows(const struct settings *s, struct effect_scales *k,
                       const struct case_scales *in,
                       struct effect_row row[CHECK_EFFECTS]);
 
-/* --- list ----------------------------------------------------------------- */
-
-/* `winnow list`: what there is to choose from. */
+/* --- list: `winnow list`: what there is to choose from. */
 
 /* Prints the kinds of models on stdout. */
 void list_kinds(void);
@@ -90,9 +86,7 @@ int list_cases(void);
  * exit code, 2 after a message if there is no such part. */
 int list_keys(const char *part);
 
-/* --- equations ------------------------------------------------------------ */
-
-/* Every equation that stands alone, by its key.
+/* --- equations: every equation that stands alone, by its key.
  *
  * A row carries an equation of the documents to the function that the solver
  * itself calls, so that what `winnow eval` prints is what a run computes. */

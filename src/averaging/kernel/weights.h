@@ -15,9 +15,7 @@
 #include "averaging/cell_of_particle.h"
 #include "mesh/mesh.h"
 
-/* --- stencil -------------------------------------------------------------- */
-
-/* For each cell, the cells near it.
+/* --- stencil: for each cell, the cells near it.
  *
  * Near means: some point of the cell is closer than b to the centre of the
  * other cell, or to some point of it. The stencils are found once, by a walk

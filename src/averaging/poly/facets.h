@@ -56,9 +56,7 @@ double facets_in_sphere(const struct facets *f, int c, const double o[3],
 double facets_in_box(const struct facets *f, int c, const double lo[3],
                      const double hi[3]);
 
-/* --- wall images ---------------------------------------------------------- */
-
-/* The images of cells behind the walls of any mesh.
+/* --- wall images: the images of cells behind the walls of any mesh.
  *
  * A wall (any boundary face) acts as a mirror: the part of a particle's kernel
  * behind the wall is added to the cell that is mirrored there [EW18 21].
@@ -90,9 +88,7 @@ struct wall_images {
 struct wall_images *wall_images_create(const struct facets *f, double reach);
 void wall_images_free(struct wall_images *m);
 
-/* --- gaussian moments ----------------------------------------------------- */
-
-/* Cells, and their images, as normal densities.
+/* --- gaussian moments: cells, and their images, as normal densities.
  *
  * The integral of a Gaussian of bandwidth b over a cell is, to fourth order in
  * the width of the cell over b (to third where it is not its own image about

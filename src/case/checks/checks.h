@@ -5,9 +5,7 @@
 #include "case/models.h"
 #include "case/settings.h"
 
-/* --- validate ------------------------------------------------------------- */
-
-/* Checks of a case as a whole.
+/* --- validate: a case as a whole.
  *
  * Each key alone has been checked against its row; here a case is checked as a
  * whole: something to compute, every side of the box described once, an outlet
@@ -17,16 +15,12 @@
 /* 0, or 2 after one message. */
 int validate_case(struct settings *s);
 
-/* --- output check --------------------------------------------------------- */
-
-/* What a case says in the group output, checked. */
+/* --- output check: what a case says in the group output, checked. */
 
 /* 0 if the case asks for what there is; else 2 after a message. */
 int output_check(const struct settings *s);
 
-/* --- model choice --------------------------------------------------------- */
-
-/* Which models a case chooses, and what these ask for. */
+/* --- model choice: which models a case chooses, and what these ask for. */
 
 /* 1 if the case chooses this model, by a word, a group or in a list. Of a kind
  * whose key belongs to other models one of these must be chosen. */
@@ -42,9 +36,7 @@ int model_choice_refuse_unread(const struct settings *s, const char *kind,
  * after one message. */
 int model_choice_check(const struct settings *s);
 
-/* --- case memory ---------------------------------------------------------- */
-
-/* The memory that a case needs, and whether the machine has it.
+/* --- case memory: what a case needs, and whether the machine has it.
  *
  * It is counted before anything is made, from the numbers of cells and of
  * particles: a case that cannot fit is refused at once, before the machine
@@ -62,9 +54,7 @@ int case_memory_check(const struct settings *s, double more);
 int case_memory_check_pairs(const struct settings *s, const char *key,
                             double pairs);
 
-/* --- case scales ---------------------------------------------------------- */
-
-/* Lengths, times and speeds that follow from a case.
+/* --- case scales: lengths, times and speeds that follow from a case.
  *
  * `winnow check` prints them, and a run is refused if its step does not
  * resolve the impacts of its particles. */

@@ -55,9 +55,7 @@ int resume_after_step(struct resume *r);
  * is no state to save; non-zero after a message. */
 int resume_end(struct resume *r, int broke_down);
 
-/* --- bed cache ------------------------------------------------------------ */
-
-/* Large beds that were settled once. */
+/* --- bed cache: large beds that were settled once. */
 
 /* The bed of this case, if it is kept, is settled anew. */
 void bed_cache_forget(const struct settings *s);
@@ -76,9 +74,7 @@ int bed_cache_create(struct inputs **files, const char *path,
                      const struct bed_options *bed,
                      const struct dem_options *dem, struct bed_report *r);
 
-/* --- case text ------------------------------------------------------------ */
-
-/* A case as text: all that it says, with its overrides. */
+/* --- case text: all that a case says, with its overrides. */
 
 /* One line for each value, "fluid.density = 1.2", defaults too; a file that the
  * case names stands for its contents, by their checksum; and the step of the

@@ -86,9 +86,7 @@ long insertion_count_due(struct insertion *in, double t);
 void insertion_move(struct insertion_sphere *list, long n, const double by[3],
                     const struct box_domain *box);
 
-/* --- overlaps ------------------------------------------------------------- */
-
-/* Spheres that overlap before time 0.
+/* --- overlaps: spheres that overlap before time 0.
  *
  * A contact stores k delta^2 / 2, so spheres that overlap strongly at the
  * start separate at high speed. Such a case is either refused, or the spheres
@@ -114,9 +112,7 @@ struct overlap overlaps_deepest(const struct particles *ps,
 int overlaps_relax(struct particles *ps, const struct box_domain *box,
                    int most);
 
-/* --- grain table ---------------------------------------------------------- */
-
-/* Grains from files, of other programs too.
+/* --- grain table: grains from files, of other programs too.
  *
  * A dump of LAMMPS or LIGGGHTS: of several snapshots the last. Or a data file
  * of theirs, with atoms of the style sphere. Or a table with a line of names

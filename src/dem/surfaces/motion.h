@@ -13,9 +13,7 @@
 
 #include "base/csv.h"
 
-/* --- motion table --------------------------------------------------------- */
-
-/* A motion that is given by a table of times.
+/* --- motion table: a motion that is given by a table of times.
  *
  * A file has a column t [s], from 0 on, and places x, y, z [m] or velocities
  * v_x, v_y, v_z [m/s]; of either, those that are left out are 0. Both are

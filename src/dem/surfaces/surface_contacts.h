@@ -18,9 +18,7 @@
 #include "dem/fast/chunk.h"
 #include "dem/surfaces/surface.h"
 
-/* --- near faces ----------------------------------------------------------- */
-
-/* The faces of surfaces near each particle.
+/* --- near faces: the faces of surfaces near each particle.
  *
  * As with pairs (chunk.h) there are two lists for the particles of a chunk:
  * the neighbour list, with all faces of gap <= skin, and from it, chosen every

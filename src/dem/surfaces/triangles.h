@@ -48,9 +48,7 @@ struct triangle_list {
 void triangles_near(const struct triangles *t, const double y[3], double reach,
                     struct triangle_list *found);
 
-/* --- stl ------------------------------------------------------------------ */
-
-/* Triangles from an STL file.
+/* --- stl: triangles from an STL file.
  *
  * Text ("solid ... facet ... endsolid", any number of solids) or binary (80
  * bytes of anything, the number of triangles, 50 bytes each). The length tells

@@ -215,9 +215,7 @@ static int engine_check(const struct settings *s)
     return code;
 }
 
-/* --- engine summary ------------------------------------------------------- */
-
-/* What differs from one machine stands in the summary. */
+/* --- engine summary: what differs from one machine stands in the summary. */
 
 /* Lists the files of the three slots. */
 static void *engine_summary_create(const struct recorder_view *v, int *failed)

@@ -232,9 +232,7 @@ void pieces_gather(const struct part *part, const struct snapshot *s,
     if (whole != NULL) whole->t = s->t;
 }
 
-/* --- visit ---------------------------------------------------------------- */
-
-/* The cells of all ranks in one file, in the order of the box. */
+/* --- visit: the cells of all ranks in one file, in the order of the box. */
 
 enum { NAME = 64 };
 

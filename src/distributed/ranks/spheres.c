@@ -374,9 +374,7 @@ const struct dem_method spheres_method = {.name = "lammps",
                                           .changed = spheres_changed,
                                           .limit_overlap = spheres_changed};
 
-/* --- settle --------------------------------------------------------------- */
-
-/* A bed comes to rest on all ranks.
+/* --- settle: a bed comes to rest on all ranks.
  *
  * As in dem/bed_settling.h: first with a viscous drag, without which rolling
  * spheres would not stop, then without it, until the spheres have as little

@@ -5,9 +5,7 @@
 #include "base/state.h"
 #include "mesh/mesh.h"
 
-/* --- mean ----------------------------------------------------------------- */
-
-/* Running means over time of many numbers at once.
+/* --- mean: running means over time of many numbers at once.
  *
  * With a weight w_k for each sample x_k (its interval of time, and for phase
  * averages the amount of the phase present):
@@ -67,9 +65,7 @@ double mean_blocks_error(const struct mean_blocks *b, int i);
 /* The blocks so far (state.h). */
 void mean_blocks_state(struct mean_blocks *b, struct state *s);
 
-/* --- probe ---------------------------------------------------------------- */
-
-/* The value of a field at a point.
+/* --- probe: the value of a field at a point.
  *
  * In a box: linear between the centres of the cells along each direction;
  * beyond the last centre the value of the last cell. In any other mesh: the
@@ -106,9 +102,7 @@ double probe_value(const struct probe *p, const double *values, int components,
 double probe_amount(const struct probe *p, const double *values, int components,
                     int component, const double *weight, double *whole);
 
-/* --- profile -------------------------------------------------------------- */
-
-/* Averages in time on a line through the box.
+/* --- profile: averages in time on a line through the box.
  *
  * The line runs along one direction (x) at a given place in a second (y); the
  * third (z), the depth, is averaged over. Between the rows of cell centres the

@@ -86,9 +86,7 @@ int picture_write(struct folder *folder, const struct picture *p);
 int picture_draw(struct folder *folder, const char *below, const char *png,
                  int *drawn);
 
-/* --- slice ---------------------------------------------------------------- */
-
-/* A plane through the middle of a mesh, as a grid of points.
+/* --- slice: a plane through the middle of a mesh, as a grid of points.
  *
  * The plane is normal to the direction in which there is least to see: one
  * with a single cell, else the shortest. Its axes are x and y where that is z,
@@ -117,9 +115,7 @@ int slice_velocity(const struct slice *s, const double x[2], double w[2]);
 void slice_streamlines(const struct slice *s, double apart,
                        void (*put)(void *of, const double *x), void *of);
 
-/* --- outline -------------------------------------------------------------- */
-
-/* Surfaces as polygons for display.
+/* --- outline: surfaces as polygons for display.
  *
  * A plane is drawn within the box, a cylinder as 64 flat sides as long as the
  * box, triangles as they are, any other shape as a net of its points. */
@@ -144,9 +140,7 @@ void outline_draw(struct outline *o, const struct surface *list, int n,
 void outline_section(FILE *out, const struct outline *o, const int axis[3],
                      double z);
 
-/* --- gnuplot -------------------------------------------------------------- */
-
-/* Runs a gnuplot script.
+/* --- gnuplot: runs a script of it.
  *
  * gnuplot takes "<name" and "|name" for commands to be run by a shell,
  * wherever it expects the name of a file. So no name that a user has chosen is
