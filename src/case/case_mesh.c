@@ -16,8 +16,7 @@
 #include "mesh/measures.h"
 #include "mesh/poly/poly.h"
 
-/* --- the keys of its patches ------------------------------------------------
- */
+/* --- the keys of its patches ---------------------------------------------- */
 
 /* The length of all paths with their closing zeros [byte]. */
 static size_t text_length(const struct key *table, int n,
@@ -243,9 +242,6 @@ int case_mesh_holds(const struct settings *s, const double x[3])
         if (!(x[k] >= lo[k] && x[k] <= hi[k])) return 0;
     return 1;
 }
-
-/* --- checks ------------------------------------------------------------------
- */
 
 /* --- its keys ------------------------------------------------------------- */
 

@@ -62,11 +62,11 @@ const struct key *schema_nearest(const struct key *const *tables,
 int schema_nearest_word(const struct key *key, const char *word,
                         char nearest[SCHEMA_TEXT]);
 
-/* --- schema_check.c: a tree against the tables of keys ----------------------
- * * Every setting must have a row, the type of the row and a value it allows;
+/* --- schema_check.c: a tree against the tables of keys.
+ *
+ * Every setting must have a row, the type of the row and a value it allows;
  * every required key of a group that the case has must be given, and the case
- * must have the groups that a row needs. Then the defaults are filled in.
- */
+ * must have the groups that a row needs. Then the defaults are filled in. */
 
 /* 0, or 2 after a message for the first text, of whatever key, with a control
  * character in it: texts end in scripts, pages and terminals. */

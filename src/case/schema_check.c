@@ -170,8 +170,7 @@ static int schema_check_report_unknown(const struct key *const *tables,
                         nearest, expected);
 }
 
-/* --- magnitudes -------------------------------------------------------------
- */
+/* --- magnitudes ----------------------------------------------------------- */
 
 /* Which magnitudes a number can have, by its unit [unit], unless it is 0. One
  * that no physical quantity of its unit has is a slip, or it would overflow
@@ -245,8 +244,7 @@ static int unit_range_check(const struct key *key, const char *path,
         path, r->least, r->most, key->unit, x);
 }
 
-/* --- the tree ---------------------------------------------------------------
- */
+/* --- the tree ------------------------------------------------------------- */
 
 /* 2 after a message for the first required key that the group leaves out. */
 static int check_required(const struct key *const *tables, const char *path,

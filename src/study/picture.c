@@ -151,8 +151,7 @@ static void find_ranges(const struct outcomes *o, struct panel *p)
     }
 }
 
-/* --- labels beside the points ----------------------------------------------
- */
+/* --- labels beside the points --------------------------------------------- */
 
 /* [px] A panel's plot, a letter, a point, about: letters may be narrower. */
 static const double plot_wide = 480.0, plot_high = 255.0;

@@ -247,8 +247,7 @@ static void put_fitted(const struct outcomes *o, FILE *out)
 static const double limits[] = {0.05, 0.01, 0.001};
 enum { LIMITS = 3 };
 
-/* --- the advice: which variant ---------------------------------------------
- */
+/* --- the advice: which variant -------------------------------------------- */
 
 enum { COST = -1 };
 

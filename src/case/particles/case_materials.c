@@ -150,8 +150,7 @@ struct materials *case_materials_create(const struct settings *s)
     return all;
 }
 
-/* --- checks ------------------------------------------------------------------
- */
+/* --- checks --------------------------------------------------------------- */
 
 int case_materials_check_name(const struct settings *s, const char *path,
                               const char *name)
@@ -237,8 +236,7 @@ int case_materials_check(const struct settings *s)
                                                  s->particles.walls);
 }
 
-/* --- attractions -------------------------------------------------------------
- */
+/* --- attractions ---------------------------------------------------------- */
 
 /* charge: room for one of each material. */
 static struct attraction_scene scene_of(const struct settings *s,

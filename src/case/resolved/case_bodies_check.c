@@ -365,8 +365,7 @@ static int check_all(const struct settings *s)
     return code != 0 ? code : case_bodies_check_stiffness(s);
 }
 
-/* --- where they start ------------------------------------------------------
- */
+/* --- where they start ----------------------------------------------------- */
 
 /* Non-zero after a message. */
 static int case_bodies_overlap(const struct settings *s,

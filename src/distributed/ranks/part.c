@@ -305,8 +305,7 @@ static void find_own(struct part *part)
     memcpy(part->ends + 3, part->p.size_m, sizeof part->p.size_m);
 }
 
-/* --- all -------------------------------------------------------------------
- */
+/* --- all ------------------------------------------------------------------ */
 
 /* Cells, fluid and coupling, where the spheres are. */
 static int part_add_fields(struct part *part, const struct settings *s,

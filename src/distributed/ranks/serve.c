@@ -139,8 +139,7 @@ long engine_visit_part(struct engine *e, const char *dir, int slot,
     return engine_agree(averaging_bind(sim->averaging)) == 0 ? checksum : -1;
 }
 
-/* --- the other ranks -------------------------------------------------------
- */
+/* --- the other ranks ------------------------------------------------------ */
 
 /* The case that the command line names, which the first rank has checked. */
 static struct settings *read_case(int argc, char **argv)
