@@ -83,8 +83,8 @@ modules() {
 # An exported name begins with a file of its module, or with a part of one ("--- magnus").
 names() {
     # shellcheck disable=SC2086
-    parts=$(awk '/^\/[*] --- [a-z ]* -/ {
-        gsub(/^.* --- | -+ .*$/, ""); gsub(/ /, "_"); print FILENAME "/" $0 ".part" }' \
+    parts=$(awk '/^\/[*] --- [a-z ]*(:| -)/ {
+        gsub(/^.* --- |(:| -+ ).*$/, ""); gsub(/ /, "_"); print FILENAME "/" $0 ".part" }' \
         $units $headers)
     # shellcheck disable=SC2086
     nm -A -g --defined-only $objects | awk -v files="$headers
