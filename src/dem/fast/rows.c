@@ -149,7 +149,8 @@ void rows_advance(struct rows *b, int begin, int end,
         double *restrict const v = (double *)&b->motion[i];
         const double *restrict const a = b->acceleration[i];
         const double *restrict const f = (const double *)&load[i - begin];
-        const double per_mass = kick * b->motion[i].per_m, per_R = v[3];
+        const double per_mass = kick * b->motion[i].per_m;
+        const double per_R = v[3], R = x[3];
 
 #pragma omp simd
         for (int k = 0; k < 8; k++)
@@ -162,7 +163,8 @@ void rows_advance(struct rows *b, int begin, int end,
 #pragma omp simd
         for (int k = 0; k < 4; k++)
             top[k] = fabs(v[k]) > top[k] ? fabs(v[k]) : top[k];
-        v[3] = per_R; /* to which a number of the next one was added */
+        v[3] = per_R; /* to which a number of the next one was added, */
+        x[3] = R;     /* and 0 times that, which may not be a number */
     }
     for (int k = 0; k < 3; k++)
         fastest[k] = top[k];
