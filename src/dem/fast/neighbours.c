@@ -383,16 +383,21 @@ static void choose_contacts(struct neighbours *nb, int rebuilt, double least)
     }
 }
 
+/* Lost particles are looked for before a list is made, which one that leaves
+ * demands, and at the end of a run; and those that have passed a surface with
+ * each choice. */
 double neighbours_refresh(struct neighbours *nb, double least, double time)
 {
     const double of_surfaces = fmin(least, 0.125 * nb->skin);
     double margin = HUGE_VAL;
 
-    neighbours_check_lost(nb);
     set_margins(nb, least, time);
-    const int lost = is_any_lost(nb), narrow = list_is_narrow(nb, of_surfaces);
-    if (lost || narrow) neighbours_barrier(nb);
-    if (lost) return -1.0;
+    const int narrow = list_is_narrow(nb, of_surfaces);
+    if (narrow || nb->surfaces != NULL) {
+        neighbours_check_lost(nb);
+        neighbours_barrier(nb);
+        if (is_any_lost(nb)) return -1.0;
+    }
     if (narrow) {
         rebuild(nb);
         set_margins(nb, least, time);
