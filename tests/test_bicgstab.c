@@ -30,6 +30,7 @@ static struct setting convection(int nx, int ny, int nz, double flux)
     }
     s.faces = (struct faces){.n_inner = s.b.n_links,
                              .n = s.b.n_links,
+                             .n_cells = n,
                              .owner = s.b.owner,
                              .neighbour = s.b.neighbour};
     faces_divide(&s.faces);

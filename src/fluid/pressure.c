@@ -224,7 +224,7 @@ static void predicted_fluxes(struct fluid *fl)
     struct pressure_system *const pressure = fl->pressure;
 
     if (faces_aligned(fl->faces))
-        PARALLEL_RANGES(m->n_internal, 8, aligned_fluxes, fl);
+        PARALLEL_BLOCKS(m->n_cells, 8, aligned_fluxes, fl);
     else
         FOR_EACH_FACE(fl->faces, 8, pressure_inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);

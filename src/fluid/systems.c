@@ -161,6 +161,7 @@ static struct faces *systems_faces_of(const struct mesh *m)
 
     *f = (struct faces){.n_inner = m->n_internal,
                         .n = m->n_faces,
+                        .n_cells = m->n_cells,
                         .owner = m->owner,
                         .neighbour = m->neighbour,
                         .cell_start = m->cell_start,

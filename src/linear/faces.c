@@ -10,7 +10,8 @@
 int faces_next(const struct faces *f, int first, int last, struct face_piece *p)
 {
     if (f->pieces != NULL)
-        return faces_next_of_faces(f->pieces, first, last, p);
+        return faces_next_of_owners(f->pieces, first, last, p) &&
+               p->face < f->n_inner;
     if (p->n > 0 || first >= last) return 0;
     *p = (struct face_piece){.face = first,
                              .n = last - first,
@@ -183,15 +184,22 @@ static int faces_add_face(struct face_pieces *r, int *n_runs, int f, int owner,
     return 1;
 }
 
-/* The first range of [begin, end) that reaches beyond an owner or a face. */
+/* The first range of [begin, end) that reaches beyond a cell. It is where equal
+ * ranges have it, or it is searched. */
 static int first_beyond(const struct contiguous_range *run, int begin, int end,
-                        int at, int by_face)
+                        int at)
 {
+    const int o = run[begin].owner, span = run[end - 1].owner - o;
+    const int way = at < o ? 0 : at - o < span ? at - o : span;
+    const int guess =
+        begin + (int)((long)way * (end - 1 - begin) / (span > 0 ? span : 1));
+
+    if (run[guess].owner <= at) begin = guess;
+    if (run[begin].owner + run[begin].n > at) end = begin;
     while (begin < end) {
         const int middle = begin + (end - begin) / 2;
-        const struct contiguous_range *const m = &run[middle];
 
-        if ((by_face ? m->face : m->owner) + m->n > at)
+        if (run[middle].owner + run[middle].n > at)
             end = middle;
         else
             begin = middle + 1;
@@ -199,22 +207,35 @@ static int first_beyond(const struct contiguous_range *run, int begin, int end,
     return begin;
 }
 
-/* The part of the range whose faces (by_face) or owners lie within [first,
- * last). */
+/* The part of the range whose owners lie within [first, last). */
 static void faces_cut(const struct contiguous_range *run, int first, int last,
-                      int by_face, struct face_piece *p)
+                      struct face_piece *p)
 {
-    const int begin = by_face ? run->face : run->owner;
-    const int skip = first > begin ? first - begin : 0;
-    const int end = begin + run->n < last ? begin + run->n : last;
+    const int skip = first > run->owner ? first - run->owner : 0;
+    const int end = run->owner + run->n < last ? run->owner + run->n : last;
 
     p->face = run->face + skip;
     p->cell = run->owner + skip;
-    p->n = end - begin - skip;
+    p->n = end - p->cell;
+}
+
+/* The next piece of group g whose owners lie within [first, last); 0 if there
+ * is none. p->range is the range of the next piece, 0 until it is known. */
+static int next_of_group(const struct face_pieces *r, int g, int first,
+                         int last, struct face_piece *p)
+{
+    if (p->range == 0)
+        p->range =
+            first_beyond(r->range, r->group[g].first, r->group[g].end, first);
+    if (p->range == r->group[g].end || r->range[p->range].owner >= last)
+        return 0;
+    faces_cut(&r->range[p->range++], first, last, p);
+    p->axis = r->group[g].axis;
+    return 1;
 }
 
 /* p->group counts the sides of the groups: 2 g from the owner, 2 g + 1 from the
- * neighbour; p->range is the range of the next piece, 0 until it is known. */
+ * neighbour. */
 int faces_next_of_cells(const struct face_pieces *r, int first, int last,
                         struct face_piece *p)
 {
@@ -223,37 +244,22 @@ int faces_next_of_cells(const struct face_pieces *r, int first, int last,
         const int d = r->group[g].distance, shift = inward ? d : 0;
 
         if (inward && r->group[g].boundary) continue;
-        if (p->range == 0)
-            p->range = first_beyond(r->range, r->group[g].first,
-                                    r->group[g].end, first - shift, 0);
-        if (p->range == r->group[g].end ||
-            r->range[p->range].owner >= last - shift)
-            continue;
-        faces_cut(&r->range[p->range++], first - shift, last - shift, 0, p);
+        if (!next_of_group(r, g, first - shift, last - shift, p)) continue;
         p->cell += shift;
         p->other = inward ? p->cell - d : p->cell + d;
         p->out = inward ? -1.0 : 1.0;
-        p->axis = r->group[g].axis;
         return 1;
     }
     return 0;
 }
 
-int faces_next_of_faces(const struct face_pieces *r, int first, int last,
-                        struct face_piece *p)
+int faces_next_of_owners(const struct face_pieces *r, int first, int last,
+                         struct face_piece *p)
 {
     for (; p->group < r->n_groups; p->group++, p->range = 0) {
-        const int g = p->group;
-
-        if (p->range == 0)
-            p->range = first_beyond(r->range, r->group[g].first,
-                                    r->group[g].end, first, 1);
-        if (p->range == r->group[g].end || r->range[p->range].face >= last)
-            continue;
-        faces_cut(&r->range[p->range++], first, last, 1, p);
-        p->other = p->cell + r->group[g].distance;
+        if (!next_of_group(r, p->group, first, last, p)) continue;
+        p->other = p->cell + r->group[p->group].distance;
         p->out = 1.0;
-        p->axis = r->group[g].axis;
         return 1;
     }
     return 0;
@@ -317,7 +323,7 @@ static void find_areas(struct faces *f)
             if (!normal_to(&run[i], f->S, r->group[g].axis)) return;
     }
     f->area = alloc_doubles(f->n);
-    for (struct face_piece p = {0}; faces_next_of_faces(r, 0, f->n, &p);)
+    for (struct face_piece p = {0}; faces_next_of_owners(r, 0, f->n_cells, &p);)
         for (int i = p.face; i < p.face + p.n; i++)
             f->area[i] = f->S[3L * i + p.axis];
 }

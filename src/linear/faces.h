@@ -32,14 +32,14 @@ struct face_piece {
     int group, range;             /* where the next piece is searched */
 };
 
-/* The faces as contiguous pieces. Both functions iterate from a piece {0} and
- * return 0 after the last piece: faces_next_of_faces over the inner and
- * boundary faces first .. last - 1 from their owners, faces_next_of_cells over
- * all faces of the cells first .. last - 1. The order of the faces of a cell
- * does not depend on first and last. */
+/* The faces as contiguous pieces. Both functions iterate from a piece {0} over
+ * faces of the cells first .. last - 1 and return 0 after the last piece:
+ * faces_next_of_owners over those that the cells own, first the inner faces,
+ * then those of the boundary; faces_next_of_cells over all. The order of the
+ * faces of a cell does not depend on first and last. */
 struct face_pieces;
-int faces_next_of_faces(const struct face_pieces *r, int first, int last,
-                        struct face_piece *p);
+int faces_next_of_owners(const struct face_pieces *r, int first, int last,
+                         struct face_piece *p);
 int faces_next_of_cells(const struct face_pieces *r, int first, int last,
                         struct face_piece *p);
 
@@ -52,6 +52,7 @@ void faces_free_pieces(struct face_pieces *r);
 /* The faces of a mesh; all arrays are borrowed. */
 struct faces {
     int n_inner, n; /* faces between two cells; with those of the boundary */
+    int n_cells;
     const int *owner, *neighbour;      /* [-] n, n_inner */
     const int *cell_start, *cell_face; /* [-] the faces of each cell */
     const signed char *out;     /* [-] 1: cell_face[a] leaves the cell, or -1 */
@@ -67,8 +68,15 @@ static inline int faces_aligned(const struct faces *f)
     return f->pieces != NULL && f->area != NULL;
 }
 
-/* The next piece of the inner faces first .. last - 1, as next_of_faces:
- * without pieces all of them are one, a list. */
+/* What a loop over the inner faces divides into ranges: cells, whose numbers
+ * all their faces then read from the cache; without pieces the faces. */
+static inline int faces_parts(const struct faces *f)
+{
+    return f->pieces != NULL ? f->n_cells : f->n_inner;
+}
+
+/* The next piece of the inner faces of the parts first .. last - 1: as
+ * faces_next_of_owners, or all of these faces as one list. */
 int faces_next(const struct faces *f, int first, int last,
                struct face_piece *p);
 
@@ -96,9 +104,9 @@ void faces_sum_vectors(const struct faces *f, int first, int last, int n,
 /* Calls each(f, owner, neighbour, with) for all inner faces; m is how many
  * numbers the loop reads and writes for each face. */
 #define FOR_EACH_FACE(of, m, each, with)                                       \
-    PARALLEL_RANGES((of)->n_inner, m, face_loops_each, of, each, with)
+    PARALLEL_BLOCKS(faces_parts(of), m, face_loops_each, of, each, with)
 
-/* The same for the inner faces first .. last - 1. */
+/* The same for the parts first .. last - 1. */
 FACE_KERNEL face_loops_each(int first, int last, const struct faces *of,
                             void (*each)(int f, int o, int n, const void *with),
                             const void *with)
