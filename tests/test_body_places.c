@@ -673,6 +673,51 @@ FACT(fixed_bodies_in_each_other_displace_nothing)
     pool_free(&p);
 }
 
+/* A step on the floor that is `deep` m of a block, of which the rest is beyond
+ * the wall, and a sphere that is free or moves on as it does. */
+static void step_at_wall(struct pool *p, double deep, enum body_motion motion)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 0.5},
+                                   .cells = {20, 20, 10},
+                                   .walls = {0, 1, 0},
+                                   .rho = 1.0,
+                                   .mu = 0.05,
+                                   .dt = 0.01,
+                                   .gradient = {-1.0, 0.0, 0.0},
+                                   .n = 2};
+    const double size[3] = {0.4, deep, 0.5};
+    const struct body_shape sphere = body_shape_sphere(0.2),
+                            block = body_shape_box(size);
+
+    pool_create(p, &o);
+    solid_bodies_add(p->bodies, &block,
+                     (double[3]){0.5, 0.2 - 0.5 * deep, 0.25}, 1.0, BODY_FIXED);
+    solid_bodies_add(p->bodies, &sphere, (double[3]){0.3, 0.7, 0.25}, 2.0,
+                     motion);
+    p->bodies->ps->vx[1] = 0.1;
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
+    pool_run(p, 5);
+    ck_assert_int_eq(p->bodies->dem_report.lost, 0);
+}
+
+/* The centre of a fixed body may be beyond a wall. */
+FACT_FOR_EACH(a_body_half_outside_is_one_that_ends_at_the_wall, 2)
+{
+    const enum body_motion motion = _i == 0 ? BODY_FREE : BODY_PRESCRIBED;
+    struct pool half, whole;
+
+    step_at_wall(&half, 0.6, motion);
+    step_at_wall(&whole, 0.2, motion);
+    ck_assert_double_gt(whole.bodies->force[0], 0.01);
+    for (int e = 0; e < 6; e++) /* but for what the solver leaves */
+        ck_assert_double_eq_tol(half.bodies->force[e], whole.bodies->force[e],
+                                1e-8 * whole.bodies->force[0]);
+    ck_assert_double_eq_tol(half.bodies->ps->vx[1], whole.bodies->ps->vx[1],
+                            1e-8);
+    pool_free(&half);
+    pool_free(&whole);
+}
+
 /* A rod turns beside an outlet until an end of it is outside, while its weight
  * draws it in: it is moved by what acts on it, and does not stay there. */
 FACT(ew18_2_a_body_that_only_turns_out_of_an_outlet_comes_back)

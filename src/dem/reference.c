@@ -434,13 +434,13 @@ void reference_kick_clumps(struct reference *r, double dt)
 /* --- lost ----------------------------------------------------------------- */
 
 /* A particle is lost when it is wholly outside or not finite; a comparison with
- * NaN is false. */
+ * NaN is false. What cannot move is where it was placed. */
 static int reference_is_lost(const struct reference *r, const struct sphere *s)
 {
     for (int w = 0; w < 6; w++) {
         const double gap = box_domain_gap(&r->box, w, s->x);
-        const int periodic = r->box.periodic[w / 2];
-        if (!(periodic ? fabs(gap) < HUGE_VAL : gap >= -s->R)) return 1;
+        const int may = r->box.periodic[w / 2] || s->m > immovable;
+        if (!(may ? fabs(gap) < HUGE_VAL : gap >= -s->R)) return 1;
     }
     return !(vector_length(s->v) + vector_length(s->w) < HUGE_VAL);
 }

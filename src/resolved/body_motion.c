@@ -175,7 +175,8 @@ static void clear(struct solid_bodies *b)
     memset(b->angular, 0, size);
 }
 
-/* Without contacts: on as prescribed. Non-zero if a centre leaves the box. */
+/* Without contacts: on as prescribed. Non-zero if a centre leaves the box; that
+ * of one that is fixed may be beyond a wall. */
 static int body_motion_drift(struct solid_bodies *b, double dt)
 {
     const struct dem_options *const o = &b->contacts;
@@ -185,7 +186,7 @@ static int body_motion_drift(struct solid_bodies *b, double dt)
     for (int i = 0; i < ps->n; i++) {
         double *const x[3] = {&ps->x[i], &ps->y[i], &ps->z[i]};
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < 3 && b->motion[i] != BODY_FIXED; k++) {
             *x[k] = box_domain_inside(&box, k, *x[k] + dt * v[k]);
             b->dem_report.lost += *x[k] < o->lo[k] || *x[k] > o->hi[k];
         }
