@@ -9,10 +9,10 @@
 #include "dem/fast/sweep.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "base/root.h"
-#include "dem/clumps.h"
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
 
@@ -91,21 +91,6 @@ SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
         sweep_spare_rows(c, p);
 }
 
-SWEEP_STAGE void sweep_prescribed(struct sweep_buffers *restrict c,
-                                  const struct chunk *s, const struct rows *b,
-                                  int first, int count)
-{
-    const int pairs = sweep_pairs(s, first, count);
-    double per_mass[2];
-
-    for (int p = 0; p < count; p++) {
-        sweep_inverse_masses(b, s->contacts.owner[first + p],
-                             p < pairs ? s->contacts.partner[first + p] : -1,
-                             per_mass);
-        c->between[p].per_m = per_mass[0] + per_mass[1];
-    }
-}
-
 SWEEP_STAGE void sweep_into_columns(struct sweep_buffers *restrict c)
 {
     const double(*const place)[4] = (void *)c->separation;
@@ -152,27 +137,6 @@ SWEEP_STAGE void sweep_scatter(const struct sweep_buffers *restrict c,
     }
     for (int p = pairs; p < count; p++)
         sweep_add(chunk_load(s, i[p] - s->begin), own, &c->load[p]);
-}
-
-/* The materials of contacts first ... first + count - 1. A wall has its own. */
-SWEEP_STAGE void sweep_material_pairs(struct sweep_buffers *restrict c,
-                                      const struct chunk *s,
-                                      const struct rows *b, int first,
-                                      int count)
-{
-    const int *const i = s->contacts.owner + first;
-    const int *const j = s->contacts.partner + first;
-    const int *const material = b->material;
-    const int pairs = sweep_pairs(s, first, count), n = b->n_materials;
-
-    memset(c->material_pair, 0, sizeof c->material_pair);
-    for (int p = pairs; p < count; p++)
-        c->material_pair[p] = b->wall_material;
-    if (material == NULL) return; /* all are of material 0 */
-    for (int p = 0; p < pairs; p++)
-        c->material_pair[p] = material[i[p]] * n + material[j[p]];
-    for (int p = pairs; p < count; p++)
-        c->material_pair[p] += material[i[p]] * n;
 }
 
 /* 1 if all lanes are alike, as in a bed of equal spheres: then one division or
@@ -244,29 +208,6 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
         c->n[2][p] = dz * per_r;
         c->delta[p] = c->reach[p] - r;
         c->arm[p] = r * per_reach[p];
-    }
-}
-
-/* 1/m_eff of the balls of clumps: for the ball's 1/m stands what its clump has
- * in the direction of n, 1/M + w . I^-1 w with w = arm x n. */
-SWEEP_STAGE void sweep_clumps(struct sweep_buffers *restrict c,
-                              const struct chunk *s, const struct rows *b,
-                              int first, int count)
-{
-    const int pairs = sweep_pairs(s, first, count);
-
-    for (int p = 0; p < count; p++) {
-        const double n[3] = {c->n[0][p], c->n[1][p], c->n[2][p]};
-        const int both[2] = {s->contacts.owner[first + p],
-                             s->contacts.partner[first + p]};
-        if (c->delta[p] <= 0.0) continue;
-        for (int k = 0; k < 1 + (p < pairs); k++) {
-            const struct row_ball *const ball = &b->ball[both[k]];
-            if (ball->of < 0) continue;
-            const struct row_clump *const of = &b->clump[ball->of];
-            c->per_m[p] += of->per_m - b->motion[both[k]].per_m +
-                           clumps_turning(of->per_I, ball->arm, n);
-        }
     }
 }
 
@@ -348,37 +289,65 @@ static inline void sweep_fetch(struct chunk *s, const struct rows *b)
     }
 }
 
-/* Coulomb's limit [LS 4.8]. Where the surfaces slide, xi is reduced until the
- * spring force is no larger than the limit. It is never increased by the limit,
- * because the spring would return energy that no slip stored in it. Then the
- * loads; zero where the pair does not touch. */
-SWEEP_INLINE void sweep_cap(struct sweep_buffers *restrict c,
-                            double *restrict xi_x, double *restrict xi_y,
-                            double *restrict xi_z,
-                            const struct contact_constants *k, int many)
+/* Lanes that ask together whether one of them slides. */
+enum { SLIDE_LANES = 8 };
+
+/* 1 for lanes that slide: the squares of the forces say so without a root. */
+SWEEP_INLINE void sweep_slides(const struct sweep_buffers *restrict c,
+                               const struct contact_constants *k, int many,
+                               unsigned char *restrict slides)
 {
     const double mu = k->friction;
 
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const double tx = c->F_t[0][p], ty = c->F_t[1][p], tz = c->F_t[2][p];
+        const double most =
+            (many ? k[c->material_pair[p]].friction : mu) * c->F_n[p];
+
+        slides[p] =
+            (tx * tx + ty * ty + tz * tz > most * most) & (c->delta[p] > 0.0);
+    }
+}
+
+/* Coulomb's limit [LS 4.8]. Where the surfaces slide, xi is reduced until the
+ * spring force is no larger than the limit. It is never increased by the limit,
+ * because the spring would return energy that no slip stored in it. Then the
+ * loads; zero where the pair does not touch. Where no lane slides, nothing is
+ * to be limited: `sliding` is 0. */
+SWEEP_INLINE void sweep_cap(struct sweep_buffers *restrict c,
+                            double *restrict xi_x, double *restrict xi_y,
+                            double *restrict xi_z,
+                            const struct contact_constants *k, int many,
+                            int first, int sliding)
+{
+    const double mu = k->friction;
+
+#pragma omp simd
+    for (int p = first; p < first + SLIDE_LANES; p++) {
+        const double tx = c->F_t[0][p], ty = c->F_t[1][p], tz = c->F_t[2][p];
         const double nx = c->n[0][p], ny = c->n[1][p], nz = c->n[2][p];
         const double F_n = c->F_n[p], a = c->arm[p];
-        const double F_t = sqrt(tx * tx + ty * ty + tz * tz);
-        const double most =
-            (many ? k[c->material_pair[p]].friction : mu) * fabs(F_n);
-        const double k_t = c->k_t[p];
-        const int slides = F_t > most, touch = c->delta[p] > 0.0;
-        const double cut = slides ? most / F_t : 1.0;
-        const double Fx = cut * tx, Fy = cut * ty, Fz = cut * tz;
-        const double xi2 =
-            xi_x[p] * xi_x[p] + xi_y[p] * xi_y[p] + xi_z[p] * xi_z[p];
-        const int gives = slides & (k_t * k_t * xi2 > most * most);
-        const double per_k = -1.0 / k_t;
-        const double x = gives ? per_k * Fx : xi_x[p];
-        const double y = gives ? per_k * Fy : xi_y[p];
-        const double z = gives ? per_k * Fz : xi_z[p];
+        const int touch = c->delta[p] > 0.0;
+        double Fx = tx, Fy = ty, Fz = tz;
+        double x = xi_x[p], y = xi_y[p], z = xi_z[p];
 
+        if (sliding) {
+            const double F_t2 = tx * tx + ty * ty + tz * tz;
+            const double most =
+                (many ? k[c->material_pair[p]].friction : mu) * fabs(F_n);
+            const double k_t = c->k_t[p];
+            const int slides = F_t2 > most * most;
+            const double cut = slides ? most / sqrt(F_t2) : 1.0;
+            const double xi2 = x * x + y * y + z * z;
+            const int gives = slides & (k_t * k_t * xi2 > most * most);
+            const double per_k = -1.0 / k_t;
+
+            Fx = cut * tx, Fy = cut * ty, Fz = cut * tz;
+            x = gives ? per_k * Fx : x;
+            y = gives ? per_k * Fy : y;
+            z = gives ? per_k * Fz : z;
+        }
         xi_x[p] = touch ? x : 0.0;
         xi_y[p] = touch ? y : 0.0;
         xi_z[p] = touch ? z : 0.0;
@@ -394,12 +363,31 @@ SWEEP_INLINE void sweep_cap(struct sweep_buffers *restrict c,
     }
 }
 
+SWEEP_INLINE void sweep_limit(struct sweep_buffers *restrict c,
+                              double *restrict xi_x, double *restrict xi_y,
+                              double *restrict xi_z,
+                              const struct contact_constants *k, int many)
+{
+    unsigned char slides[SWEEP_LANES];
+    uint64_t any;
+
+    _Static_assert(sizeof any == SLIDE_LANES, "eight lanes at a time");
+    sweep_slides(c, k, many, slides);
+    for (int p = 0; p < SWEEP_LANES; p += SLIDE_LANES) {
+        memcpy(&any, slides + p, sizeof any);
+        if (any != 0)
+            sweep_cap(c, xi_x, xi_y, xi_z, k, many, p, 1);
+        else
+            sweep_cap(c, xi_x, xi_y, xi_z, k, many, p, 0);
+    }
+}
+
 SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
                              double *restrict xi_x, double *restrict xi_y,
                              double *restrict xi_z,
                              const struct contact_constants *k)
 {
-    sweep_cap(c, xi_x, xi_y, xi_z, k, 0);
+    sweep_limit(c, xi_x, xi_y, xi_z, k, 0);
 }
 
 SWEEP_STAGE void sweep_loads_multi_material(struct sweep_buffers *restrict c,
@@ -408,7 +396,7 @@ SWEEP_STAGE void sweep_loads_multi_material(struct sweep_buffers *restrict c,
                                             double *restrict xi_z,
                                             const struct contact_constants *k)
 {
-    sweep_cap(c, xi_x, xi_y, xi_z, k, 1);
+    sweep_limit(c, xi_x, xi_y, xi_z, k, 1);
 }
 
 static inline void sweep_copy(double *to, const double *from, int n)

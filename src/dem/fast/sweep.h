@@ -86,6 +86,15 @@ static inline void sweep_inverse_masses(const struct rows *b, int i, int j,
     per_mass[1] = j < 0 ? 0.0 : fixed ? own[j] : b->motion[j].per_m;
 }
 
+/* The stages of prescribed particles, of several materials and of clumps
+ * (sweep_more.c). */
+void sweep_prescribed(struct sweep_buffers *c, const struct chunk *s,
+                      const struct rows *b, int first, int count);
+void sweep_material_pairs(struct sweep_buffers *c, const struct chunk *s,
+                          const struct rows *b, int first, int count);
+void sweep_clumps(struct sweep_buffers *c, const struct chunk *s,
+                  const struct rows *b, int first, int count);
+
 /* The stages of the budget and of rolling friction (sweep_more.c): contacts
  * first ... first + count - 1, before and after their loads are limited. */
 void sweep_budget(struct chunk *s, const struct sweep_buffers *c,

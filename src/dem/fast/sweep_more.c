@@ -1,13 +1,72 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep_more.c -- two stages of the contact loop that few cases have.
+/* sweep_more.c -- the stages of the contact loop that few cases have.
  * Chapters "Insertion, removal and energy" and "Materials, rolling and
  * cohesion". */
 #include "dem/fast/sweep.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <string.h>
 
+#include "dem/clumps.h"
 #include "dem/contact.h"
+
+/* --- what the two of a contact are ---------------------------------------- */
+
+void sweep_prescribed(struct sweep_buffers *c, const struct chunk *s,
+                      const struct rows *b, int first, int count)
+{
+    const int pairs = sweep_pairs(s, first, count);
+    double per_mass[2];
+
+    for (int p = 0; p < count; p++) {
+        sweep_inverse_masses(b, s->contacts.owner[first + p],
+                             p < pairs ? s->contacts.partner[first + p] : -1,
+                             per_mass);
+        c->between[p].per_m = per_mass[0] + per_mass[1];
+    }
+}
+
+/* The materials of contacts first ... first + count - 1. A wall has its own. */
+void sweep_material_pairs(struct sweep_buffers *c, const struct chunk *s,
+                          const struct rows *b, int first, int count)
+{
+    const int *const i = s->contacts.owner + first;
+    const int *const j = s->contacts.partner + first;
+    const int *const material = b->material;
+    const int pairs = sweep_pairs(s, first, count), n = b->n_materials;
+
+    memset(c->material_pair, 0, sizeof c->material_pair);
+    for (int p = pairs; p < count; p++)
+        c->material_pair[p] = b->wall_material;
+    if (material == NULL) return; /* all are of material 0 */
+    for (int p = 0; p < pairs; p++)
+        c->material_pair[p] = material[i[p]] * n + material[j[p]];
+    for (int p = pairs; p < count; p++)
+        c->material_pair[p] += material[i[p]] * n;
+}
+
+/* 1/m_eff of the balls of clumps: for the ball's 1/m stands what its clump has
+ * in the direction of n, 1/M + w . I^-1 w with w = arm x n. */
+void sweep_clumps(struct sweep_buffers *c, const struct chunk *s,
+                  const struct rows *b, int first, int count)
+{
+    const int pairs = sweep_pairs(s, first, count);
+
+    for (int p = 0; p < count; p++) {
+        const double n[3] = {c->n[0][p], c->n[1][p], c->n[2][p]};
+        const int both[2] = {s->contacts.owner[first + p],
+                             s->contacts.partner[first + p]};
+        if (c->delta[p] <= 0.0) continue;
+        for (int k = 0; k < 1 + (p < pairs); k++) {
+            const struct row_ball *const ball = &b->ball[both[k]];
+            if (ball->of < 0) continue;
+            const struct row_clump *const of = &b->clump[ball->of];
+            c->per_m[p] += of->per_m - b->motion[both[k]].per_m +
+                           clumps_turning(of->per_I, ball->arm, n);
+        }
+    }
+}
 
 /* --- the energy budget of the contacts ------------------------------------
  *
