@@ -31,15 +31,16 @@ struct cell_window cell_window_around(const struct mesh *m, const double x[3],
 int cell_window_cell(const struct mesh *m, const int at[3], const double x[3],
                      double r[3]);
 
-/* 1 if the box goes on beyond cell c on this side: 2 k the lower, 2 k + 1 the
- * upper one of direction k. */
-static inline int box_goes_on(const struct box *b, int c, int side)
+/* The cell beside cell c on this side: 2 k the lower, 2 k + 1 the upper one of
+ * direction k. Negative where the box ends. */
+static inline int box_beside(const struct box *b, int c, int side)
 {
     const int k = side / 2, n = b->n[k];
-    const int at = (k > 0 ? c / (k > 1 ? b->n[0] * b->n[1] : b->n[0]) : c) % n;
+    const int way = k > 0 ? b->n[0] * (k > 1 ? b->n[1] : 1) : 1;
+    const int at = c / way % n, up = side % 2;
 
-    if (b->periodic[k]) return n > 1;
-    return side % 2 ? at < n - 1 : at > 0;
+    if (up ? at < n - 1 : at > 0) return up ? c + way : c - way;
+    return b->periodic[k] && n > 1 ? c + (up ? 1 - n : n - 1) * way : -1;
 }
 
 /* 1 if cell c touches no end of the box, so that the six beside it are c +- 1,
@@ -53,27 +54,35 @@ static inline int box_is_amid(const struct box *b, int c)
            z < b->n[2] - 1;
 }
 
-/* 1 if one of the six cells beside cell c, which is amid others, has a mark
- * that is neither 0 nor the same. */
-static inline int box_meets_other(const struct box *b, const int *mark, int c)
+/* 1 if one of the cells beside cell c has a mark that is neither 0 nor the
+ * same, or the box ends there; amid: c is amid others. */
+static inline int box_meets_other(const struct box *b, int amid,
+                                  const int *mark, int c)
 {
     const int row = b->n[0], layer = row * b->n[1];
-    const int beside[] = {c - layer, c - row, c - 1, c + 1, c + row, c + layer};
+    const int beside[] = {c - 1, c + 1, c - row, c + row, c - layer, c + layer};
     int meets = 0;
 
-    for (int e = 0; e < 6; e++)
-        meets |= mark[beside[e]] != 0 && mark[beside[e]] != mark[c];
+    for (int e = 0; e < 6; e++) {
+        const int at = amid ? beside[e] : box_beside(b, c, e);
+        meets |= at < 0 || (mark[at] != 0 && mark[at] != mark[c]);
+    }
     return meets;
 }
 
-/* 1 if cell c, which is amid others, is between two that have marks. */
-static inline int box_is_between(const struct box *b, const int *mark, int c)
+/* 1 if cell c is between two that have marks, or one and an end of the box. */
+static inline int box_is_between(const struct box *b, int amid, const int *mark,
+                                 int c)
 {
-    const int row = b->n[0], layer = row * b->n[1];
+    const int way[] = {1, b->n[0], b->n[0] * b->n[1]};
+    int is = 0;
 
-    return (mark[c - 1] != 0 && mark[c + 1] != 0) ||
-           (mark[c - row] != 0 && mark[c + row] != 0) ||
-           (mark[c - layer] != 0 && mark[c + layer] != 0);
+    for (int k = 0; k < 3; k++) {
+        const int low = amid ? c - way[k] : box_beside(b, c, 2 * k);
+        const int up = amid ? c + way[k] : box_beside(b, c, 2 * k + 1);
+        is |= (low < 0 || mark[low] != 0) && (up < 0 || mark[up] != 0);
+    }
+    return is;
 }
 
 /* What is done in cell c, whose centre is at r [m] from that of body i and at

@@ -142,8 +142,7 @@ static int close_cells(const struct closing *by)
 
     for (int c = 0; c < by->fl->mesh->n_cells; c++) {
         if (b->body_of[c] != 0 ||
-            (b->amid[c] &&
-             !box_is_between(&by->fl->mesh->box, b->body_of, c)) ||
+            !box_is_between(&by->fl->mesh->box, b->amid[c], b->body_of, c) ||
             gaps_at(by, c, &g) < 1 + by->corners)
             continue;
         const int changes = mark_gap_changes(b, g.i, g.j, g.S);
@@ -279,7 +278,7 @@ static void look_at_body(const struct search *s, int c, struct body_seal *found)
     const struct mesh *const m = s->fl->mesh;
     const int i = (abs(s->b->body_of[c]) - 1) % s->b->ps->n;
 
-    if (s->b->amid[c] && !box_meets_other(&m->box, s->b->body_of, c)) return;
+    if (!box_meets_other(&m->box, s->b->amid[c], s->b->body_of, c)) return;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         if (closed_gap_of(s->b, c) < 0)
@@ -371,7 +370,7 @@ static double sum_swept(const struct search *s, const int *part, int n)
     memset(s->here, 0, (size_t)s->b->ps->n * sizeof *s->here);
     for (int e = 0; e < n; e++) {
         const int c = part[e];
-        if (s->b->amid[c] && !box_meets_other(&m->box, s->b->body_of, c))
+        if (!box_meets_other(&m->box, s->b->amid[c], s->b->body_of, c))
             continue;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const int f = m->cell_face[a];

@@ -76,30 +76,23 @@ static double marking_inside(const struct marking *by, int c)
                                                     : by->inside;
 }
 
-/* 1 if no body is around the cell on that side of cell c. */
-static int is_clear(const struct solid_bodies *b, const struct box *box, int c,
-                    int side)
-{
-    const int row = box->n[0], way[3] = {1, row, row * box->n[1]};
-
-    if (!b->amid[c]) return !box_goes_on(box, c, side);
-    return b->body_of[side % 2 ? c + way[side / 2] : c - way[side / 2]] == 0;
-}
-
 /* Outside at the distance s: the missing part of the neighbours inside; not
  * more than inside. */
 static double friction_outside(const struct marking *by,
                                const struct body_shape *shape, int c,
                                const double r[3], double s)
 {
+    const struct solid_bodies *const b = by->b;
+    const struct box *const box = &by->fl->mesh->box;
+    const int way[] = {1, box->n[0], box->n[0] * box->n[1]};
     double sum = 0.0;
 
     for (int side = 0; side < 6; side++) {
-        const int k = side / 2;
+        const int k = side / 2, on = side % 2 ? way[k] : -way[k];
+        const int next = b->amid[c] ? c + on : box_beside(box, c, side);
         double beyond[3] = {r[0], r[1], r[2]};
         beyond[k] += side % 2 ? by->width[k] : -by->width[k];
-        if (s > by->width[k] || is_clear(by->b, &by->fl->mesh->box, c, side))
-            continue;
+        if (s > by->width[k] || next < 0 || b->body_of[next] == 0) continue;
         const double inside = -body_shape_distance(shape, beyond);
         if (inside > 0.0) sum += by->exchange[k] * inside;
     }
@@ -186,7 +179,7 @@ int mark_gap_changes(const struct solid_bodies *b, int i, int j,
 static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
                        int c, int i)
 {
-    if (b->amid[c] && !box_meets_other(&m->box, b->body_of, c)) return 0;
+    if (!box_meets_other(&m->box, b->amid[c], b->body_of, c)) return 0;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         const int wall = f >= m->n_internal;
