@@ -109,34 +109,24 @@ double history_buoyant_weight(const struct simulation *sim)
            sim->fluid->options.rho * processes_total(sim, volume) * g * section;
 }
 
-/* Kinetic energy of the particles [J]. */
-static double particle_energy(const struct simulation *sim)
+/* Kinetic energy of the particles, or of their spin, with I = (2/5) m R^2 =
+ * m d^2 / 10 [J]. */
+static double energy(const struct simulation *sim, int of_spin)
 {
     const struct particles *const ps = sim->particles;
-    double sum, turning;
+    const double *const u = of_spin ? ps->wx : ps->vx,
+                        *const v = of_spin ? ps->wy : ps->vy,
+                        *const w = of_spin ? ps->wz : ps->vz;
+    double moving, turning;
 
-    clumps_energy(ps->clumps, &sum, &turning);
-    sum *= 2.0;
-    for (int i = 0; i < ps->n; i++)
+    clumps_energy(ps->clumps, &moving, &turning);
+    double sum = 2.0 * (of_spin ? turning : moving);
+    for (int i = 0; i < ps->n; i++) {
+        const double m =
+            of_spin ? 0.1 * ps->m[i] * ps->d[i] * ps->d[i] : ps->m[i];
         if (!clumps_own(ps, i))
-            sum += ps->m[i] * (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
-                               ps->vz[i] * ps->vz[i]);
-    return 0.5 * processes_total(sim, sum);
-}
-
-/* I = (2/5) m R^2 = m d^2 / 10. */
-static double spin_energy(const struct simulation *sim)
-{
-    const struct particles *const ps = sim->particles;
-    double sum, moving;
-
-    clumps_energy(ps->clumps, &moving, &sum);
-    sum *= 2.0;
-    for (int i = 0; i < ps->n; i++)
-        if (!clumps_own(ps, i))
-            sum += 0.1 * ps->m[i] * ps->d[i] * ps->d[i] *
-                   (ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
-                    ps->wz[i] * ps->wz[i]);
+            sum += m * (u[i] * u[i] + v[i] * v[i] + w[i] * w[i]);
+    }
     return 0.5 * processes_total(sim, sum);
 }
 
