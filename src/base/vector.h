@@ -16,6 +16,15 @@ static inline double vector_length(const double a[3])
     return sqrt(vector_dot(a, a));
 }
 
+/* e = a over its length; 0 of no length. */
+static inline void vector_unit(const double a[3], double e[3])
+{
+    const double length = vector_length(a);
+
+    for (int k = 0; k < 3; k++)
+        e[k] = length > 0.0 ? a[k] / length : a[k];
+}
+
 /* c = a x b; c is another array than a and b. */
 static inline void vector_cross(const double a[3], const double b[3],
                                 double c[3])

@@ -344,8 +344,7 @@ int case_mesh_check_cells(const struct settings *s)
 
 /* --- its patches ---------------------------------------------------------- */
 
-/* The area of a patch [m^2]. */
-static double mesh_check_area_of(const struct mesh *m, const struct patch *p)
+double case_mesh_area(const struct mesh *m, const struct patch *p)
 {
     double area = 0.0;
 
@@ -365,7 +364,7 @@ static int check_patch(const struct settings *s, const struct mesh *m,
         return settings_wrong(s, "fluid",
                               "the patch %s, %d faces with %.3g m^2, has no "
                               "boundary condition: give fluid.%s",
-                              p->name, p->n, mesh_check_area_of(m, p), p->name);
+                              p->name, p->n, case_mesh_area(m, p), p->name);
     if (o->profile != &inlet_profile_parabola) return 0;
     snprintf(path, sizeof path, "%s.profile", o->key);
     return settings_wrong(s, path,

@@ -40,6 +40,7 @@ void case_mesh_periodic(const struct settings *s, int periodic[3]);
  * is inside [m]. */
 double case_mesh_cells(const struct settings *s);
 double case_mesh_volume(const struct settings *s);
+double case_mesh_area(const struct mesh *m, const struct patch *p); /* [m^2] */
 int case_mesh_holds(const struct settings *s, const double x[3]);
 
 /* What a case says of its mesh. All return 0, or 2 after a message. */

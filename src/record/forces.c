@@ -204,15 +204,6 @@ void recorder_forces_name(const struct output_force *o,
 
 /* --- what the case says --------------------------------------------------- */
 
-/* A direction of the case, its length made 1. */
-static void forces_direction(const double given[3], double e[3])
-{
-    const double length = vector_length(given);
-
-    for (int k = 0; k < 3; k++)
-        e[k] = length > 0.0 ? given[k] / length : given[k];
-}
-
 /* All walls, if neither patches nor surfaces are named. */
 static void mark_patches(const struct fluid *fl, const char *patches,
                          struct body *b)
@@ -234,9 +225,9 @@ static void create_body(const struct output_force *o,
     b->surfaces = surface_loads_create(sim, o->surfaces, b->centre);
     if (o->patches == NULL && o->surfaces != NULL) return;
     mark_patches(fl, o->patches, b);
-    forces_direction(o->drag, b->drag);
-    forces_direction(o->lift, b->lift);
-    forces_direction(o->axis, b->axis);
+    vector_unit(o->drag, b->drag);
+    vector_unit(o->lift, b->lift);
+    vector_unit(o->axis, b->axis);
     const double force =
         0.5 * fl->options.rho * o->velocity * o->velocity * o->area;
     b->per_force = force > 0.0 ? 1.0 / force : 0.0;

@@ -64,9 +64,7 @@ void case_scales_inward(const struct mesh *m, const struct patch *p,
         if (mesh_patch(m, mesh_sides[i]) == p) e[i / 2] = i % 2 ? -1.0 : 1.0;
     for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
         vector_along(e, -1.0, &m->S[3 * f], e);
-    const double length = vector_length(e);
-    for (int k = 0; k < 3 && length > 0.0; k++)
-        e[k] /= length;
+    vector_unit(e, e);
 }
 
 /* The section of the mesh across gravity, in the mean [m^2]. */
@@ -85,12 +83,8 @@ static double mean_section(const struct settings *s, const struct mesh *m)
 static double share_of_section(const struct settings *s, const struct mesh *m,
                                const struct patch *p)
 {
-    double area = 0.0;
-
     if (m->face_centre == NULL) return 1.0;
-    for (int f = p->first; f < p->first + p->n; f++)
-        area += vector_length(&m->S[3 * f]);
-    return area / mean_section(s, m);
+    return case_mesh_area(m, p) / mean_section(s, m);
 }
 
 /* A stream of U [m/s] along e, with length 1: its part against the fall of the
@@ -164,8 +158,7 @@ static void stream_scales(const struct settings *s, const struct mesh *m,
         }
     }
     const double U = vector_length(s->fluid.mean_flow);
-    for (int i = 0; i < 3 && U > 0.0; i++)
-        e[i] = s->fluid.mean_flow[i] / U;
+    vector_unit(s->fluid.mean_flow, e);
     if (U > 0.0) add_stream(s, U, 1.0, e, k);
     if (U > 0.0) k->square = 1.0;
     k->changes = fmax(k->changes, U); /* it is there from the first step on */
