@@ -294,8 +294,7 @@ void folder_state(struct folder *f, struct state *s)
     f->resumes = 0;
 }
 
-/* Lists a name before its file is made; non-zero after a message. */
-static int folder_put_name(struct folder *f, const char *name)
+int folder_add(struct folder *f, const char *name)
 {
     if (f->resumes && manifest_has(&f->old, name)) return 0;
     const size_t length = strlen(name);
@@ -320,15 +319,14 @@ static int folder_put_name(struct folder *f, const char *name)
 
 char *folder_file(struct folder *f, const char *name)
 {
-    return folder_put_name(f, name) == 0 ? file_join(f->dir, name) : NULL;
+    return folder_add(f, name) == 0 ? file_join(f->dir, name) : NULL;
 }
 
 int folder_make(struct folder *f, const char *name)
 {
     char *const entry = file_join(name, "");
     char *const path = file_join(f->dir, name);
-    const int failed =
-        folder_put_name(f, entry) != 0 || file_make_dirs(path) != 0;
+    const int failed = folder_add(f, entry) != 0 || file_make_dirs(path) != 0;
 
     free(entry);
     free(path);
@@ -337,7 +335,7 @@ int folder_make(struct folder *f, const char *name)
 
 int folder_list(struct folder *f, const char *path)
 {
-    return folder_put_name(f, path + strlen(f->dir) + 1);
+    return folder_add(f, path + strlen(f->dir) + 1);
 }
 
 struct table *folder_table(struct folder *f, const char *name,

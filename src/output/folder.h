@@ -58,7 +58,9 @@ char *folder_file(struct folder *f, const char *name);
 /* Makes the folder DIR/NAME for files of the run; non-zero after a message. */
 int folder_make(struct folder *f, const char *name);
 
-/* Lists a path that begins with DIR/; non-zero after a message. */
+/* Lists a name before its file is made, or a path that begins with DIR/;
+ * non-zero after a message. */
+int folder_add(struct folder *f, const char *name);
 int folder_list(struct folder *f, const char *path);
 
 /* A new table in the folder, or the table of a resumed run (table.h); NULL

@@ -361,11 +361,9 @@ static int recorder_begin_summary(struct recorder *r, int resume)
         folder_resume(r->folder);
     else if (folder_begin(r->folder) != 0)
         return 1;
-    char *const path = folder_file(r->folder, "summary.json");
-    char *const page = folder_file(r->folder, "report.html"); /* by command */
-    free(path);
-    free(page);
-    return path == NULL || page == NULL || (!resume && recorder_begin(r) != 0);
+    return folder_add(r->folder, "summary.json") != 0 ||
+           folder_add(r->folder, "report.html") != 0 || /* by command */
+           (!resume && recorder_begin(r) != 0);
 }
 
 /* What writes from the start; non-zero after a message. */

@@ -384,13 +384,8 @@ int outcome_draw(const struct outcomes *o)
     if (write_script(o, &panels) != 0) return 1;
     if (panels == 0) say_why_there_is_none(o);
     for (int i = 0; i < 2 && panels > 0; i++) {
-        const struct gnuplot g = {.folder = o->plan->dir,
-                                  .script = script,
-                                  .above = kinds[i][0],
-                                  .png = kinds[i][1],
-                                  .log = "gnuplot.log"};
-        if (gnuplot_draw(&g) != 0)
-            fprintf(stderr, "winnow: no %s/%s\n", g.folder, g.png);
+        if (gnuplot_draw(o->plan->dir, script, kinds[i][0], kinds[i][1]) != 0)
+            fprintf(stderr, "winnow: no %s/%s\n", o->plan->dir, kinds[i][1]);
     }
     return 0;
 }

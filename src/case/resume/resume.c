@@ -372,15 +372,6 @@ static int resume_load(struct resume *r)
     return recorder_begin(r->recorder) != 0 ? NOT_WRITTEN : 0;
 }
 
-/* Lists a file before it is written. */
-static int resume_list(const struct resume *r, const char *name)
-{
-    char *const path = folder_file(r->folder, name);
-
-    free(path);
-    return path == NULL;
-}
-
 int resume_begin(struct resume *r, struct simulation *sim,
                  struct recorder *recorder)
 {
@@ -396,8 +387,8 @@ int resume_begin(struct resume *r, struct simulation *sim,
             ? case_text_restore_copy(r->copy, folder_name(r->folder)) != 0 ||
                   copy_state(r) != 0
             : case_text_write_copy(r->copy, r->folder) != 0 ||
-                  resume_list(r, RESUME_FILE) != 0 ||
-                  resume_list(r, RESUME_FILE_BEFORE) != 0 ||
+                  folder_add(r->folder, RESUME_FILE) != 0 ||
+                  folder_add(r->folder, RESUME_FILE_BEFORE) != 0 ||
                   resume_save(r) != 0;
     if (failed) return NOT_WRITTEN;
     unlink(r->ahead);

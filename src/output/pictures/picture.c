@@ -280,20 +280,11 @@ int picture_draw(struct folder *folder, const char *below, const char *png,
 
     snprintf(above, sizeof above, "../%s", png);
     snprintf(log, sizeof log, "%s/gnuplot.log", below);
-    char *const listed = folder_file(folder, png);
-    char *const also = listed != NULL ? folder_file(folder, log) : NULL;
-    const int failed = also == NULL;
+    if (folder_add(folder, png) != 0 || folder_add(folder, log) != 0) return 1;
     char *const path = file_join(folder_name(folder), below);
-    if (!failed)
-        *drawn = gnuplot_draw(&(struct gnuplot){.folder = path,
-                                                .script = "bed.gp",
-                                                .above = "..",
-                                                .png = above,
-                                                .log = "gnuplot.log"}) == 0;
-    free(listed);
-    free(also);
+    *drawn = gnuplot_draw(path, "bed.gp", "..", above) == 0;
     free(path);
-    return failed;
+    return 0;
 }
 
 /* --- gnuplot -------------------------------------------------------------- */
@@ -364,40 +355,43 @@ static int command_result(char *const arguments[], const char *log)
     return result;
 }
 
-static int gnuplot_complaint(const struct gnuplot *g, int result, int reason)
+static int gnuplot_complaint(const char *folder, const char *script, int result,
+                             int reason)
 {
     if ((result < 0 && reason == ENOENT) || result == NO_PROGRAM)
         fprintf(stderr,
                 "winnow: no picture, for there is no gnuplot here; install it "
                 "(Debian, Ubuntu: apt-get install gnuplot-nox) and run gnuplot "
                 "%s in %s\n",
-                g->script, g->folder);
+                script, folder);
     else if (result < 0)
-        fprintf(stderr, "winnow: no picture: gnuplot in %s: %s\n", g->folder,
+        fprintf(stderr, "winnow: no picture: gnuplot in %s: %s\n", folder,
                 strerror(reason));
     else
         fprintf(stderr,
-                "winnow: no picture: gnuplot failed; it says why in %s/%s\n",
-                g->folder, g->log);
+                "winnow: no picture: gnuplot failed; it says why in "
+                "%s/gnuplot.log\n",
+                folder);
     return 1;
 }
 
 /* The same, within the folder. */
-static int drawn(const struct gnuplot *g)
+static int drawn(const char *folder, const char *script, const char *above,
+                 const char *png)
 {
-    char *const partial = alloc_zeroed(strlen(g->png) + 9, 1);
+    char *const partial = alloc_zeroed(strlen(png) + 9, 1);
 
-    strcat(strcpy(partial, g->png), ".partial");
-    char *const arguments[] = {"gnuplot",        "-c",    (char *)g->script,
-                               (char *)g->above, partial, NULL};
+    strcat(strcpy(partial, png), ".partial");
+    char *const arguments[] = {"gnuplot",     "-c",    (char *)script,
+                               (char *)above, partial, NULL};
     unlink(partial); /* which might be a link */
-    const int result = command_result(arguments, g->log);
+    const int result = command_result(arguments, "gnuplot.log");
     int failed = 0;
 
     if (result != 0)
-        failed = gnuplot_complaint(g, result, errno);
-    else if (rename(partial, g->png) != 0)
-        failed = gnuplot_complaint(g, -1, errno);
+        failed = gnuplot_complaint(folder, script, result, errno);
+    else if (rename(partial, png) != 0)
+        failed = gnuplot_complaint(folder, script, -1, errno);
     if (failed) remove(partial);
     free(partial);
     return failed;
@@ -405,17 +399,19 @@ static int drawn(const struct gnuplot *g)
 
 /* gnuplot is given plain names only, so the folder is the working directory for
  * the time of the call. */
-int gnuplot_draw(const struct gnuplot *g)
+int gnuplot_draw(const char *folder, const char *script, const char *above,
+                 const char *png)
 {
     const int home = open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 
-    if (home < 0 || chdir(g->folder) != 0) {
-        gnuplot_complaint(g, -1, errno == ENOENT ? EIO : errno);
+    if (home < 0 || chdir(folder) != 0) {
+        gnuplot_complaint(folder, script, -1, errno == ENOENT ? EIO : errno);
         if (home >= 0) close(home);
         return 1;
     }
-    int failed = drawn(g);
-    if (fchdir(home) != 0) failed = gnuplot_complaint(g, -1, errno);
+    int failed = drawn(folder, script, above, png);
+    if (fchdir(home) != 0)
+        failed = gnuplot_complaint(folder, script, -1, errno);
     close(home);
     return failed;
 }

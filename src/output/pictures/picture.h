@@ -149,18 +149,11 @@ void outline_section(FILE *out, const struct outline *o, const int axis[3],
 /* The first line of the log, by which it is known. */
 #define GNUPLOT_SAYS "What gnuplot says:\n"
 
-struct gnuplot {
-    const char *folder; /* folder to run in */
-    /* Plain names, relative to the folder. */
-    const char *script; /* name of the script */
-    const char *above;  /* name of DIR in the script */
-    const char *png;    /* name of the picture */
-    const char *log;    /* file for its messages */
-};
-
-/* Runs `gnuplot -c SCRIPT ABOVE FILE` there; FILE is renamed to PNG when it is
- * complete. Non-zero after a message that says what to do, also if gnuplot is
- * not installed. */
-int gnuplot_draw(const struct gnuplot *g);
+/* Runs `gnuplot -c SCRIPT ABOVE FILE` in the folder, by plain names, ABOVE
+ * being that of DIR; what it says goes to gnuplot.log, and FILE is renamed to
+ * PNG when it is complete. Non-zero after a message that says what to do, also
+ * if gnuplot is not installed. */
+int gnuplot_draw(const char *folder, const char *script, const char *above,
+                 const char *png);
 
 #endif
