@@ -461,11 +461,6 @@ void report_advice(const struct outcomes *o, FILE *out)
 
 /* --- the page ------------------------------------------------------------- */
 
-/* Which costs the advice takes for the same. */
-static const char same_costs[] =
-    "Costs that two standard errors over the seeds explain count as the same, "
-    "and so do times that differ by less than a tenth.";
-
 static int write_page(const struct outcomes *o)
 {
     const struct plan *const p = o->plan;
@@ -479,8 +474,11 @@ static int write_page(const struct outcomes *o)
         fputs(m > 0 ? "; " : "", out);
         put_compared(o, m, out);
     }
-    fprintf(out, ".\nSeeds: %d; repetitions: %d, the least counts. %s\n\n",
-            p->seeds, p->times, same_costs);
+    fprintf(out,
+            ".\nSeeds: %d; repetitions: %d, the least counts. Costs that two "
+            "standard errors over the seeds explain count as the same, and so "
+            "do times that differ by less than a tenth.\n\n",
+            p->seeds, p->times);
     put_table(o, out);
     fputc('\n', out);
     put_fitted(o, out);

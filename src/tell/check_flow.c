@@ -113,12 +113,6 @@ static void add_patch(const struct settings *s, const struct mesh *m,
     if (o->condition->moves != NULL) add_wall(o, m, p, r);
 }
 
-/* How many directions have more than one cell [-]. */
-static int case_flow_directions_of(const struct box *b)
-{
-    return (b->n[0] > 1) + (b->n[1] > 1) + (b->n[2] > 1);
-}
-
 static struct rates rates_of(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);
@@ -132,9 +126,9 @@ static struct rates rates_of(const struct settings *s)
         r.mean = vector_length(u);
         r.courant = fmax(r.courant, fill_rate(m, u));
     }
-    const int directions =
-        case_flow_directions_of(&m->box); /* 0 of polyhedra */
-    if (directions != 1)                  /* nothing is split in one */
+    const int *const n = m->box.n; /* 0 of polyhedra */
+    const int directions = (n[0] > 1) + (n[1] > 1) + (n[2] > 1);
+    if (directions != 1) /* nothing is split in one */
         r.viscous = s->fluid.mu / s->fluid.rho * mesh_diffusion_rate(m) /
                     (directions > 0 ? 2.0 * directions : 6.0);
     mesh_free(m);

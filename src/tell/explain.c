@@ -306,14 +306,6 @@ static int explain_case_key(const char *key)
     return code;
 }
 
-static int is_case_key(const char *word)
-{
-    const struct key *tables[CASE_FILE_TABLES];
-
-    case_file_tables(tables);
-    return schema_find(tables, word) != NULL;
-}
-
 /* The models of that name, or that this function computes; how many. */
 static int explain_models(const char *word)
 {
@@ -391,8 +383,10 @@ static int explain_unknown(const char *word)
 static int explain_word(const char *word)
 {
     const struct command *const command = command_named(word);
+    const struct key *tables[CASE_FILE_TABLES];
 
-    if (is_case_key(word)) return explain_case_key(word);
+    case_file_tables(tables);
+    if (schema_find(tables, word) != NULL) return explain_case_key(word);
     if (models_kind(word) != NULL) return list_models(word);
     const int n = explain_models(word);
     if (equation_index_explain_function(word) + n > 0) return 0;

@@ -298,12 +298,8 @@ static void add_file(void *of, const struct input *in)
     for (int i = 0; i < c->n; i++)
         if (c->file[i].in == in) return;
     if (c->n == c->capacity) {
-        struct named_file *const more =
-            alloc_zeroed(2 * (size_t)c->n + 8, sizeof *more);
-        if (c->n > 0) memcpy(more, c->file, (size_t)c->n * sizeof *more);
-        free(c->file);
-        c->file = more;
         c->capacity = 2 * c->n + 8;
+        c->file = alloc_grown(c->file, c->n, c->capacity, sizeof *c->file);
     }
     char *const name = unused_name(c, in->path);
     c->file[c->n++] = (struct named_file){in, name};
