@@ -235,21 +235,3 @@ FACT(columns_are_named_with_units)
     profile_free(p);
     mesh_free(m);
 }
-
-FACT(a_line_outside_the_box_is_refused)
-{
-    struct mesh *const m = graded_box();
-    double f[6 * 9 * 5] = {0.0};
-    const double heights[3] = {-1e-9, 1.2001, NAN};
-
-    scratch_listen(dir);
-    for (int i = 0; i < 3; i++)
-        ck_assert_ptr_null(
-            profile_create(m, &(struct profile_line){0, 1, heights[i], 0.0},
-                           &(struct profile_field){"f", "-", f, 1, 0, NULL}));
-    char *const said = scratch_heard(dir);
-    ck_assert_ptr_nonnull(strstr(said, "y = 1.2001 m is outside the box"));
-    free(said);
-    profile_free(NULL);
-    mesh_free(m);
-}

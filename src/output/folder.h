@@ -1,10 +1,5 @@
 /* folder.h -- the folder of a run.
  *
- *     struct folder *f = folder_open("out/bed");   before the work
- *     if (folder_begin(f) != 0) ...         before the first file
- *     char *path = folder_file(f, "history.csv");  before each file
- *     folder_free(f);
- *
  * A run takes its folder by a lock on DIR/manifest.txt, which the system
  * releases however the run ends: a second run is refused, and a run that was
  * killed leaves no lock. The manifest lists every file before it is made. The

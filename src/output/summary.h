@@ -1,14 +1,6 @@
 /* summary.h -- the summary of a run as JSON.
  *
- * Entries appear in the order in which they are added, groups in braces:
- *
- *     struct summary *s = summary_create("out/summary.json");
- *     summary_text(s, "exit_reason", "done");
- *     summary_begin(s, "seconds");
- *     summary_number(s, "cfd", 12.5);
- *     summary_end(s);
- *     if (summary_commit(s) != 0) ...
- *
+ * Entries appear in the order in which they are added, groups in braces.
  * Numbers read back to the same bits; nan and inf are written as null, because
  * JSON has no notation for them.
  */

@@ -105,6 +105,7 @@ static void *profiles_create(const struct recorder_view *v, int *failed)
 {
     const struct output_options *const o = v->of->output;
 
+    (void)failed;
     if (o->profiles.n == 0) return NULL;
     struct profiles *const l = alloc_zeroed(1, sizeof *l);
     l->snapshot = v->whole;
@@ -112,7 +113,7 @@ static void *profiles_create(const struct recorder_view *v, int *failed)
     l->dt = (double)v->of->row_every * v->sim->dt;
     l->n = o->profiles.n;
     l->line = alloc_zeroed((size_t)l->n, sizeof *l->line);
-    for (int i = 0; i < l->n && !*failed; i++) {
+    for (int i = 0; i < l->n; i++) {
         const struct profile_line where = profiles_line(&o->profiles.item[i]);
         const struct profile_field field =
             field_named(v->whole, o->profiles.item[i].field);
@@ -121,7 +122,6 @@ static void *profiles_create(const struct recorder_view *v, int *failed)
         l->line[i].upright = v->sim->gravity[where.along] != 0.0;
         l->line[i].profile = profile_create(v->drawn->mesh, &where, &field);
         profiles_name(o, i, l->line[i].name);
-        *failed = l->line[i].profile == NULL;
     }
     return l;
 }

@@ -4,13 +4,7 @@
  * its unit and a checksum as attributes; texts about the run stand beside them.
  * `h5dump` and every library for HDF5 read it. The file is made in
  * memory, so that a full disk or a signal meets no half-written HDF5; it ends
- * with a line that has the checksum of all before it:
- *
- *     struct state_file *f = state_file_create();
- *     state_file_put_text(f, "program", "winnow 0.1.0");
- *     simulation_state(sim, state_file_state(f));
- *     struct state_image image = state_file_image(f);   releases f
- *     state_file_write(&image, "checkpoint", "checkpoint.before");
+ * with a line that has the checksum of all before it.
  */
 #ifndef OUTPUT_CHECKPOINT_STATE_FILE_H
 #define OUTPUT_CHECKPOINT_STATE_FILE_H

@@ -141,7 +141,7 @@ struct profile_field {
 
 struct profile;
 
-/* NULL after a message if the line is outside the box. */
+/* The line lies within the box. */
 struct profile *profile_create(const struct mesh *m,
                                const struct profile_line *line,
                                const struct profile_field *field);

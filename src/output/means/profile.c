@@ -90,17 +90,9 @@ struct profile *profile_create(const struct mesh *m,
                                const struct profile_line *line,
                                const struct profile_field *field)
 {
-    const double lo = m->lo[line->across], hi = m->hi[line->across];
+    struct profile *const p = alloc_zeroed(1, sizeof *p);
 
     assert(line->along != line->across);
-    if (!(line->at >= lo && line->at <= hi)) {
-        fprintf(stderr,
-                "winnow: a profile at %c = %g m is outside the box, which "
-                "goes from %g to %g m\n",
-                "xyz"[line->across], line -> at, lo, hi);
-        return NULL;
-    }
-    struct profile *const p = alloc_zeroed(1, sizeof *p);
     p->line = *line;
     if (m->face_centre == NULL)
         lay_out(p, &m->box);
