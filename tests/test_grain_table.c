@@ -32,6 +32,15 @@ static void are_the_two(const struct insertion_sphere *list, long n)
     ck_assert_double_eq(list[1].d, 1.0);
 }
 
+static struct insertion_sphere *grain_table_read(const char *path, long *n)
+{
+    struct input in = input_of(path);
+    struct insertion_sphere *const list = grain_table_parse(&in, n);
+
+    input_release(&in);
+    return list;
+}
+
 /* Two snapshots of LIGGGHTS, the columns in its order; the second one counts,
  * and its radius is half a diameter. */
 FACT(the_last_snapshot_of_a_dump_is_read)

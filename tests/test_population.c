@@ -409,7 +409,9 @@ static struct insertion_sphere *read_text(const char *text, long *n)
     FILE *const f = fopen(path, "w");
     fputs(text, f);
     fclose(f);
-    struct insertion_sphere *const list = grain_table_read(path, n);
+    struct input in = input_of(path);
+    struct insertion_sphere *const list = grain_table_parse(&in, n);
+    input_release(&in);
     unlink(path);
     return list;
 }

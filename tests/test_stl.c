@@ -34,7 +34,16 @@ static void leave(void)
     scratch_clear(dir);
 }
 
-/* The message of stl_read for this text, which must be refused. */
+static int stl_read(const char *path, struct stl *s)
+{
+    struct input in = input_of(path);
+    const int failed = stl_parse(&in, s);
+
+    input_release(&in);
+    return failed;
+}
+
+/* The message for this text, which must be refused. */
 static void refused(const char *text, const char *said)
 {
     struct stl s;

@@ -45,11 +45,6 @@ double diffusion_time(double b)
     return b * b / 4.0;
 }
 
-double diffusion_bandwidth(double T)
-{
-    return sqrt(4.0 * T);
-}
-
 /* exp(-T L): directly where that is possible, else by the series. */
 static void diffusion_apply_exponential(struct diffusion *d, int m, double *u,
                                         struct averaging_report *r)

@@ -42,9 +42,8 @@ double diffusion_kernel(double r, double b);
  * dx^2 in two dimensions. Fewer may be sufficient; see the chapter. */
 double diffusion_safe_steps(const struct mesh *m, double b);
 
-/* T [m^2] that belongs to b [m], and b to T. */
+/* T [m^2] that belongs to b [m]. */
 double diffusion_time(double b);
-double diffusion_bandwidth(double T);
 
 /* 0, or the number of steps [-] that the scheme of the options, which are
  * complete, needs to avoid undershoots, if it has fewer. */

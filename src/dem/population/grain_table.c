@@ -251,12 +251,3 @@ struct insertion_sphere *grain_table_parse(const struct input *in, long *n)
     if (list == NULL) input_refuse(in, 0, "%s", wrong);
     return list;
 }
-
-struct insertion_sphere *grain_table_read(const char *path, long *n)
-{
-    struct input in = input_of(path);
-    struct insertion_sphere *const list = grain_table_parse(&in, n);
-
-    input_release(&in);
-    return list;
-}

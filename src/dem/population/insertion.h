@@ -121,7 +121,6 @@ int overlaps_relax(struct particles *ps, const struct box_domain *box,
  * its columns, units and number of grains must agree with its rows. */
 
 /* The list in a file, to be freed; NULL after a message. */
-struct insertion_sphere *grain_table_read(const char *path, long *n);
 struct insertion_sphere *grain_table_parse(const struct input *in, long *n);
 
 #endif

@@ -56,6 +56,31 @@ static struct pose carried_pose(const struct carrier *by, double t)
     return p;
 }
 
+/* Adds its way [m] and its velocity [m/s] a time s [s] after the start. */
+static void motion_table_add(const struct motion_table *t, double s,
+                             double x[3], double v[3])
+{
+    const struct motion_row *const last = &t->row[t->n - 1];
+    const double times = t->repeat ? floor(s / last->t) : 0.0;
+    const double in = s - times * last->t;
+    int i = 0, beyond = t->repeat ? t->n - 1 : t->n;
+
+    while (beyond - i > 1) {
+        const int middle = (i + beyond) / 2;
+        if (in >= t->row[middle].t)
+            i = middle;
+        else
+            beyond = middle;
+    }
+    const struct motion_row *const r = &t->row[i];
+    const double since = in - r->t;
+    for (int k = 0; k < 3; k++) {
+        x[k] += times * last->x[k] + r->x[k] +
+                since * (r->v[k] + 0.5 * since * r->a[k]);
+        v[k] += r->v[k] + since * r->a[k];
+    }
+}
+
 struct pose motion_pose(const struct motion *m, double t)
 {
     if (m->carrier != NULL) return carried_pose(m->carrier, t);
@@ -240,28 +265,4 @@ struct motion_table *motion_table_create(const struct input *in, int repeat,
     if (!failed) return m;
     free(m);
     return NULL;
-}
-
-void motion_table_add(const struct motion_table *t, double s, double x[3],
-                      double v[3])
-{
-    const struct motion_row *const last = &t->row[t->n - 1];
-    const double times = t->repeat ? floor(s / last->t) : 0.0;
-    const double in = s - times * last->t;
-    int i = 0, beyond = t->repeat ? t->n - 1 : t->n;
-
-    while (beyond - i > 1) {
-        const int middle = (i + beyond) / 2;
-        if (in >= t->row[middle].t)
-            i = middle;
-        else
-            beyond = middle;
-    }
-    const struct motion_row *const r = &t->row[i];
-    const double since = in - r->t;
-    for (int k = 0; k < 3; k++) {
-        x[k] += times * last->x[k] + r->x[k] +
-                since * (r->v[k] + 0.5 * since * r->a[k]);
-        v[k] += r->v[k] + since * r->a[k];
-    }
 }

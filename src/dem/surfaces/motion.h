@@ -44,10 +44,6 @@ struct motion_course {
 struct motion_table *motion_table_create(const struct input *in, int repeat,
                                          char wrong[CSV_WRONG]);
 
-/* Adds its way [m] and its velocity [m/s] a time s [s] after the start. */
-void motion_table_add(const struct motion_table *t, double s, double x[3],
-                      double v[3]);
-
 /* --- motion --------------------------------------------------------------- */
 
 /* A rigid body at one moment. */

@@ -233,15 +233,6 @@ int stl_parse(const struct input *file, struct stl *s)
     return failed;
 }
 
-int stl_read(const char *path, struct stl *s)
-{
-    struct input in = input_of(path);
-    const int failed = stl_parse(&in, s);
-
-    input_release(&in);
-    return failed;
-}
-
 void stl_release(struct stl *s)
 {
     free(s->corner);

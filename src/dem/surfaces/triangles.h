@@ -64,7 +64,6 @@ struct stl {
 /* Non-zero after one message with the file and the line (or, of a binary file,
  * the number of the triangle): it cannot be read, or is no STL, or has no
  * triangle. Release with stl_release. */
-int stl_read(const char *path, struct stl *s);
 int stl_parse(const struct input *file, struct stl *s);
 void stl_release(struct stl *s);
 

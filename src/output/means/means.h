@@ -82,12 +82,6 @@ struct probe {
     double share[PROBE_CELLS]; /* [-] weight of each; the sum is 1 */
 };
 
-/* Of the cells of a box along direction k: the middle of row i; and the row
- * whose middle is below x, or the first, with the weight of the row above it.
- */
-double probe_middle(const struct box *b, int k, int i);
-int probe_row(const struct box *b, int k, double x, double *upper);
-
 /* Finds the cells around x [m], which lies in the box; none if x is outside a
  * polyhedral mesh. */
 struct probe probe_at(const struct mesh *m, const double x[3]);
@@ -96,11 +90,6 @@ struct probe probe_at(const struct mesh *m, const double x[3]);
  * if that is not NULL, and then 0 where all weights are 0. */
 double probe_value(const struct probe *p, const double *values, int components,
                    int component, const double *weight);
-
-/* The same before the division by the sum of the weights, which is added to
- * *whole. */
-double probe_amount(const struct probe *p, const double *values, int components,
-                    int component, const double *weight, double *whole);
 
 /* --- profile: averages in time on a line through the box.
  *
