@@ -33,6 +33,9 @@ static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
                (size_t)(end - begin) * sizeof *b->before);
     chunk_step_set_prescribed(nb, own, begin, end, load, by);
     rows_advance(b, begin, end, load, by->kick, by->drift, own->max_speed_now);
+    if (by->look)
+        own->margin_left_now =
+            fmin(own->margin_left_now, rows_margin_left(b, begin, end));
 }
 
 /* What the budget counts after all particles of the chunk have moved, in an
@@ -214,12 +217,14 @@ static void load_and_move_chunk(struct neighbours *nb, int s,
     load_others(nb, s, by);
 }
 
-/* Publishes the largest speeds of the chunk after all threads have read the
- * previous ones. */
-static void publish_max_speed(struct chunk *own)
+/* Publishes the largest speeds of the chunk, and its least margin, after all
+ * threads have read the previous ones. */
+static void publish_extremes(struct chunk *own)
 {
     memcpy(own->max_speed, own->max_speed_now, sizeof own->max_speed);
     memset(own->max_speed_now, 0, sizeof own->max_speed_now);
+    own->margin_left = own->margin_left_now;
+    own->margin_left_now = HUGE_VAL;
 }
 
 /* The motion of clumps, and then the budget of all chunks, whose balls have
@@ -252,7 +257,7 @@ void chunk_step_load_and_move(struct neighbours *nb,
     for (int s = mine.first; s < mine.last; s++) {
         load_and_move_chunk(nb, s, by, 1);
         if (nb->ps->clumps == NULL) chunk_step_count(nb, s, by);
-        publish_max_speed(&nb->chunks[s]);
+        publish_extremes(&nb->chunks[s]);
     }
     neighbours_barrier(nb);
     chunk_step_move_clumps(nb, &mine, by);
@@ -266,7 +271,7 @@ void chunk_step_move(struct neighbours *nb, const struct step_parameters *by)
         struct chunk *const own = &nb->chunks[s];
         chunk_step_advance(nb, own, own->begin, own->end, by);
         if (nb->ps->clumps == NULL) chunk_step_count(nb, s, by);
-        publish_max_speed(own);
+        publish_extremes(own);
     }
     neighbours_barrier(nb);
     chunk_step_move_clumps(nb, &mine, by);

@@ -76,6 +76,7 @@ struct contact_margin {
     double next; /* [s] length of the next step, of one that adapts */
     int cut;     /* [-] 1: where a gap closes */
     long parts;  /* [-] steps so far */
+    int looked;  /* [-] 1: the last step has found what is left */
 };
 
 /* The time after k steps of this run, for the prescribed motions. */

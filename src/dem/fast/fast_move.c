@@ -185,7 +185,8 @@ void fast_move_choose(struct dem *dem, struct contact_margin *r, double closer)
     const double steps = own ? by.of_fastest : by.ahead;
 
     r->used = 0.0;
-    r->margin = nb->surfaces == NULL ? neighbours_margin_left(nb) : -1.0;
+    r->margin =
+        nb->surfaces == NULL ? neighbours_margin_left(nb, r->looked) : -1.0;
     if (r->margin >= (dem->options.integrator->predicts ? closer : 0.0)) return;
     r->margin = neighbours_refresh(
         nb, 0.5 * fmax(fast_of(dem)->min_margin, steps * closer),
@@ -232,6 +233,16 @@ static void count_ahead(struct dem *dem)
     neighbours_barrier(nb);
 }
 
+/* 1 if the margins may be used up after a step in which gaps become smaller by
+ * `closer` [m]: then it looks itself, block by block, while they are in the
+ * cache. Balls of clumps move only after it. */
+static int is_to_look(const struct neighbours *nb,
+                      const struct contact_margin *r, double closer)
+{
+    return nb->surfaces == NULL && nb->ps->clumps == NULL &&
+           r->used + closer > r->margin;
+}
+
 /* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
  * kick, each later one a whole kick, and after the last kick velocities and
  * positions are at the same time. Returns the number of steps done. */
@@ -247,6 +258,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
         fast_move_parameters(dem, dt, by->last * dt, 0.0);
 
     first.from = integrator_lag(by) / by->first;
+    r->looked = 0;
     if (steps > 0) chunk_step_move(nb, &first);
     for (int k = 0; k < steps; k++) {
         fast_move_follow_loads(dem, fast_move_time(dem, k));
@@ -258,6 +270,7 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
         if (r->margin < 0.0) return k;
         struct step_parameters now = k + 1 < steps ? whole : last;
         now.passing = k + 1 < steps && !dem->motion_on;
+        now.look = r->looked = k + 1 < steps && is_to_look(nb, r, closer);
         now.t = fast_move_time(dem, k + 1);
         chunk_step_load_and_move(nb, &now);
         if (fast_move_interrupted(dem, k)) return k + 1;
@@ -282,8 +295,8 @@ static int fast_move_move(struct dem *dem, int steps, struct contact_margin *r)
 void fast_move(struct dem *dem, int steps)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
-    struct contact_margin r = {nb->margin, nb->margin_used,
-                               fast_of(dem)->adaptive.next, 0, 0};
+    struct contact_margin r = {
+        nb->margin, nb->margin_used, fast_of(dem)->adaptive.next, 0, 0, 0};
 
     neighbours_load(nb);
     const int done = fast_move_move(dem, steps, &r);

@@ -123,6 +123,7 @@ void neighbours_begin_run(struct neighbours *nb, int team)
     for (int s = 0; s < nb->n_chunks; s++) {
         struct chunk *const own = &nb->chunks[s];
         own->max_overlap = 0.0;
+        own->margin_left_now = HUGE_VAL;
         if (nb->stale) {
             if (!nb->history_given) save_history(nb, s);
             chunk_set_range(own, s, nb->n_chunks, b->n);
@@ -197,16 +198,16 @@ void neighbours_check_lost(struct neighbours *nb)
     }
 }
 
-double neighbours_margin_left(const struct neighbours *nb)
+double neighbours_margin_left(const struct neighbours *nb, int found)
 {
     const struct chunk_range mine = neighbours_static_range(nb);
     double left = HUGE_VAL;
 
-    for (int s = mine.first; s < mine.last; s++) {
+    for (int s = mine.first; s < mine.last && !found; s++) {
         struct chunk *const own = &nb->chunks[s];
         own->margin_left = rows_margin_left(nb->rows, own->begin, own->end);
     }
-    neighbours_barrier(nb);
+    if (!found) neighbours_barrier(nb);
     for (int s = 0; s < nb->n_chunks; s++)
         left = fmin(left, nb->chunks[s].margin_left);
     return left < 0.0 ? -1.0 : 2.0 * left;

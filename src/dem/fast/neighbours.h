@@ -150,8 +150,8 @@ void neighbours_store(struct neighbours *nb);
 double neighbours_speed(const struct neighbours *nb);
 
 /* By how much every gap may still decrease [m]: twice what is left of the least
- * margin; or -1 if one is used up. */
-double neighbours_margin_left(const struct neighbours *nb);
+ * margin; or -1 if one is used up. found = 1: the last step has looked. */
+double neighbours_margin_left(const struct neighbours *nb, int found);
 
 /* Chooses the contacts, with a margin of `least` [m] and `time` |v| for each
  * particle, or what the skin allows, and rebuilds the neighbour list if
@@ -209,6 +209,7 @@ struct step_parameters {
     double from; /* [-] of the kick, from where on the budget counts it */
     int passing; /* [-] 1: another step follows, and no one asks for the loads
                   */
+    int look;    /* [-] 1: what is left of the margins is found, too */
 };
 
 /* Number of particles at the beginning of chunk s that receive loads from
