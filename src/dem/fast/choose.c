@@ -92,7 +92,7 @@ static int choose_pairs(struct chunk *s, const struct rows *b)
         const int count = v->n - q < NEAR_LANES ? v->n - q : NEAR_LANES;
         if (slot + NEAR_LANES > c->capacity)
             chunk_reserve_contacts(
-                s, NEAR_LANES + (int)((double)slot * v->n / (q + 1)), slot);
+                s, NEAR_LANES + (int)((long)slot * v->n / (q + 1)), slot);
         a = name_owners(s, q, count, a, owner);
         if (periodic)
             find_near(b, owner, v->partner + q, count, 1, near);
