@@ -130,7 +130,7 @@ void chunk_reserve_loads(struct chunk *s, size_t bytes, size_t used)
     }
     if (s->has_budget && s->part == NULL)
         s->part = alloc_zeroed((size_t)s->load_capacity, sizeof *s->part);
-    chunk_begin_loads(s, NULL);
+    chunk_begin_loads(s, NULL, 0);
 }
 
 void chunk_reserve_contacts(struct chunk *s, int n, int used)

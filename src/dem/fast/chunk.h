@@ -180,12 +180,11 @@ void chunk_restore_history(struct chunk *s, const struct contact_history *k,
 
 /* --- loads (chunk_loads.c) ------------------------------------------------ */
 
-/* Loads that no one needs after the step are summed in a ring of at most
- * CHUNK_RING, which stays in the cache: the number of a load is taken modulo
- * its size, a power of two and a multiple of CHUNK_BLOCK. The loads that a
- * block reaches for the first time are set to zero there, in the place of those
- * of particles that have moved. */
-enum { CHUNK_BLOCK = 512, CHUNK_RING = 4096 };
+/* Loads that no one needs after the step are summed in a ring, which stays in
+ * the cache: the number of a load is taken modulo its size, a power of two and
+ * a multiple of CHUNK_BLOCK. The loads that a block reaches for the first time
+ * are set to zero there, in the place of those of particles that have moved. */
+enum { CHUNK_BLOCK = 512 };
 
 /* Load number q, that of particle begin + q. */
 static inline struct row_load *chunk_load(const struct chunk *s, int q)
@@ -193,9 +192,9 @@ static inline struct row_load *chunk_load(const struct chunk *s, int q)
     return &s->sum[q & s->round];
 }
 
-/* Before the first block: in `ring`, unless that is NULL or too short. After
- * the last one: those on other chunks go where these will find them. */
-void chunk_begin_loads(struct chunk *s, struct row_load *ring);
+/* Before the first block: in `ring` of `most` loads, unless that is too short.
+ * After the last one: those on other chunks go where these will find them. */
+void chunk_begin_loads(struct chunk *s, struct row_load *ring, int most);
 void chunk_end_loads(struct chunk *s);
 
 /* Sets loads number first ... last - 1 to zero. */

@@ -21,15 +21,15 @@ static int most_in_use(const struct chunk *s)
     return most;
 }
 
-void chunk_begin_loads(struct chunk *s, struct row_load *ring)
+void chunk_begin_loads(struct chunk *s, struct row_load *ring, int most)
 {
-    const int most = ring != NULL ? most_in_use(s) : CHUNK_RING + 1;
+    const int needed = most > 0 ? most_in_use(s) : 0;
     int size = CHUNK_BLOCK;
 
-    while (size < most)
+    while (size < needed && size <= most)
         size *= 2;
-    s->sum = size <= CHUNK_RING ? ring : s->load;
-    s->round = size <= CHUNK_RING ? size - 1 : -1;
+    s->sum = size <= most ? ring : s->load;
+    s->round = size <= most ? size - 1 : -1;
 }
 
 void chunk_zero_loads(struct chunk *s, int first, int last)
@@ -112,14 +112,16 @@ static struct row_load *ring_of_thread(const struct neighbours *nb, int s,
                                        const struct step_parameters *by)
 {
     if (!by->passing || by->budget || nb->ps->clumps != NULL) return NULL;
-    return nb->ring[omp_get_thread_num()][s % 2];
+    return nb->ring + (2 * omp_get_thread_num() + s % 2) * nb->ring_size;
 }
 
 void chunk_loads_begin(const struct neighbours *nb, int s,
                        const struct step_parameters *by)
 {
     const int waits = chunk_loads_shared(nb, s, by) > 0;
-    chunk_begin_loads(&nb->chunks[s], waits ? NULL : ring_of_thread(nb, s, by));
+    struct row_load *const ring = waits ? NULL : ring_of_thread(nb, s, by);
+
+    chunk_begin_loads(&nb->chunks[s], ring, ring != NULL ? nb->ring_size : 0);
 }
 
 /* The loads on other chunks stay in the ring if the next chunk takes them all
@@ -130,7 +132,7 @@ void chunk_loads_end(const struct neighbours *nb, int s,
     const struct chunk_range mine = neighbours_balanced_range(nb);
     struct chunk *const own = &nb->chunks[s];
 
-    if (s > mine.first) chunk_begin_loads(own - 1, NULL);
+    if (s > mine.first) chunk_begin_loads(own - 1, NULL, 0);
     if (s + 1 == mine.last || own->begin + own->window > own[1].end ||
         chunk_loads_shared(nb, s + 1, by) > 0)
         chunk_end_loads(own);

@@ -107,15 +107,28 @@ static void save_history(struct neighbours *nb, int s)
     if (nb->surfaces != NULL) surfaces_save_history(nb->surfaces, s, nb->ps);
 }
 
+/* Most loads of a ring: as many as 1e7 particles need, and 4 MB. */
+enum { LEAST_RING = 4096, MOST_RING = 65536 };
+
+/* A block reaches a few layers of cells: more particles, longer chunks. */
+static void add_rings(struct neighbours *nb, int team)
+{
+    const int longest = nb->ps->capacity / nb->n_chunks;
+
+    nb->ring_size = LEAST_RING;
+    while (nb->ring_size < longest && nb->ring_size < MOST_RING)
+        nb->ring_size *= 2;
+    free(nb->ring);
+    nb->ring = alloc_zeroed(2 * (size_t)team * (size_t)nb->ring_size,
+                            sizeof *nb->ring);
+    nb->n_rings = team;
+}
+
 void neighbours_begin_run(struct neighbours *nb, int team)
 {
     struct rows *const b = nb->rows;
 
-    if (team > nb->n_rings) {
-        free(nb->ring);
-        nb->ring = alloc_zeroed((size_t)team, sizeof *nb->ring);
-        nb->n_rings = team;
-    }
+    if (team > nb->n_rings) add_rings(nb, team);
     b->n = nb->ps->n;
     rows_add_implicit_drag(b, nb->ps);
     b->id = nb->ps->id;

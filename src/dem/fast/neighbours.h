@@ -86,15 +86,16 @@ struct neighbours {
     double (*clump_speed)[3]; /* [m/s] largest |v_x|, |v_y|, |v_z| of balls of a
                                  slice (fast_clumps.c); NULL */
     struct barrier *barrier;
-    struct row_load (*ring)[2][CHUNK_RING]; /* two for each thread */
-    int n_rings;                            /* [-] threads that have them */
-    const int *order; /* [-] of the last sort; borrowed from the grid */
-    int *rank;        /* [-] new index of each particle after a sort */
-    double skin;      /* [m] set by the caller before neighbours_begin_run */
-    double smallest;  /* [m] diameter; 0: not known yet */
-    double range;  /* [m] gap up to which the neighbour list must be complete,
-                      for forces at a distance; 0 without any */
-    double margin; /* [m] by which every gap may decrease */
+    struct row_load *ring; /* two for each thread */
+    int n_rings;           /* [-] threads that have them */
+    int ring_size;         /* [-] loads in one */
+    const int *order;      /* [-] of the last sort; borrowed from the grid */
+    int *rank;             /* [-] new index of each particle after a sort */
+    double skin;     /* [m] set by the caller before neighbours_begin_run */
+    double smallest; /* [m] diameter; 0: not known yet */
+    double range;    /* [m] gap up to which the neighbour list must be complete,
+                        for forces at a distance; 0 without any */
+    double margin;   /* [m] by which every gap may decrease */
     double margin_used; /* [m] of it since it was measured */
     double ahead;       /* [s] of the places of the list */
     int stale;          /* [-] 1: the particles were changed from outside */

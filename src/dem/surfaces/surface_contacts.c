@@ -88,7 +88,7 @@ static void surface_contacts_make_room(struct surface_contacts *c, int n,
     c->ball = alloc_zeroed(two_each, sizeof *c->ball);
     c->material = alloc_ints(2 * c->capacity);
     c->pairs.load = alloc_zeroed(two_each, sizeof *c->pairs.load);
-    chunk_begin_loads(&c->pairs, NULL);
+    chunk_begin_loads(&c->pairs, NULL, 0);
     if (budget) c->pairs.part = alloc_zeroed(two_each, sizeof *c->pairs.part);
     k->capacity = c->capacity + SWEEP_LANES;
     k->owner = alloc_ints(k->capacity);
