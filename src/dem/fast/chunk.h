@@ -115,8 +115,7 @@ struct chunk {
     double max_speed[4];     /* [m/s] largest |v_x|, |v_y|, |v_z| */
     double max_speed_now[4]; /* [m/s] the same in the step at hand */
     struct rows_survey survey;
-    double margin_left;     /* [m] the least of its particles; -1: none */
-    double margin_left_now; /* [m] the same in the step at hand */
+    double margin_left, margin_left_now; /* [m] the least one; -1: none */
     struct rows_margins margins;
     struct chunk_measures measures;
     struct chunk_energy energy;
