@@ -221,12 +221,9 @@ int bed_fill(struct particles *ps, const struct bed_options *bed,
     return bed->region.start_wrong(bed->region.state, ps);
 }
 
-/* Lets ps settle, with a step of contact.h. Positive if a particle is lost,
- * negative after a message if the options do not fit (dem_create). A bed that
- * is not settled in time is not an error here: see r->settled. */
-static int bed_settle(struct particles *ps, const struct bed_options *bed,
-                      const struct dem_options *dem, struct bed_report *r,
-                      struct bed_histories *histories)
+int bed_settle(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_histories *histories)
 {
     int lost = 0;
 

@@ -113,6 +113,13 @@ typedef void bed_put(void *to, int i, const double x[3], double d);
 int bed_each(const struct bed_options *bed, const struct dem_options *dem,
              bed_put *put, void *to);
 
+/* Lets ps settle, with a step of contact.h. Positive if a particle is lost,
+ * negative after a message if the options do not fit (dem_create). A bed that
+ * is not settled in time is not an error here: see r->settled. */
+int bed_settle(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_histories *histories);
+
 /* Height and packing of what is in ps. */
 void bed_measure(const struct particles *ps, const struct bed_options *bed,
                  const struct dem_options *dem, struct bed_report *r);
