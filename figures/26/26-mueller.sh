@@ -29,6 +29,7 @@ collect() { # mesh cells method
         "$(summary "$dir" steps_with_capped_cells) $(summary "$dir" eps_f_lowest)" \
         "$(summary "$dir" mean_pressure_drop)"
     for file in "$dir"/profiles/*.csv; do
+        [ -e "$file" ] || continue
         line=$(basename "$file" .csv) # eps_f_y16.4mm, eps_f_along_y_x11mm
         case $line in
         *_along*) of="up $1 $3 ${line%_along*} ${line##*_x}" ;;
