@@ -71,14 +71,14 @@ double surface_reach(const struct surface *s, const double lo[3],
     return vector_length(far);
 }
 
-static const char *surface_wrong_direction(const struct surface *s)
+const char *surface_wrong_direction(const struct surface *s)
 {
     return fabs(vector_length(s->normal) - 1.0) > 1e-9
                ? "its normal or axis has no direction"
                : NULL;
 }
 
-static const char *surface_wrong_radius(const struct surface *s)
+const char *surface_wrong_radius(const struct surface *s)
 {
     return s->radius > 0.0 ? NULL : "its radius is not > 0";
 }

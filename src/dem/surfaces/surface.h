@@ -60,6 +60,10 @@ extern const struct surface_shape surface_sphere;
 extern const struct key surface_point_keys[], surface_axis_keys[],
     surface_radius_keys[];
 
+/* For `wrong`: of a normal or an axis, and of a radius. */
+const char *surface_wrong_direction(const struct surface *s);
+const char *surface_wrong_radius(const struct surface *s);
+
 struct surface {
     const char *name; /* borrowed */
     const struct surface_shape *shape;
