@@ -15,7 +15,7 @@ enum { NEAR_LANES = 64, OWNED = 8 };
 static struct chunk_contacts set_aside(struct chunk *s)
 {
     const struct chunk_contacts *const c = &s->contacts;
-    const size_t n = (size_t)(c->n_pairs + c->n_walls);
+    const size_t n = (size_t)c->n_pairs + (size_t)c->n_walls;
     const size_t columns = s->has_rolling ? 6 : 3, size = n * sizeof(double);
     struct chunk_contacts old = {.n_pairs = c->n_pairs, .n_walls = c->n_walls};
 
