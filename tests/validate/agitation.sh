@@ -6,7 +6,7 @@
 #   sh tests/validate/agitation.sh build/winnow [liquid|measured|treatments|choices|kernels|gas ...]
 #
 # liquid takes three to eight minutes for each Reynolds number of RE (4 6 8 11),
-# choices half an hour, kernels two hours (the last three rows half an hour each), gas three
+# choices half an hour, kernels an hour and a half (the last row half an hour), gas three
 # quarters of one. END=60 in the environment ends each run at 60, to try
 # the script; what it finds then goes to out/validate-agitation/figures.
 . "$(dirname "$0")/runs.inc"
