@@ -186,6 +186,34 @@ FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks,
     ck_assert_int_gt(compare(&s, 2), 1000);
 }
 
+/* A ring that is shorter than what a block reaches is left alone: the loads are
+ * summed where there is room for all of them, with the same bits. */
+FACT(loads_for_which_a_ring_is_too_short_are_summed_without_it)
+{
+    static const int length[] = {0, 512};
+    const struct scene s = {.n = 2101, .L = 0.9};
+    struct particles *ps[2];
+
+    for (int k = 0; k < 2; k++) {
+        struct attraction pull[3];
+        double charge;
+        const struct dem_options o = options_of(&s, pull, &charge);
+        struct dem_report r;
+
+        ps[k] = swarm(s.n, 0, s.L, 3);
+        struct dem *const dem = dem_create(ps[k], &o);
+        ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+        if (length[k] > 0) fast_of(dem)->neighbours->ring_size = length[k];
+        ck_assert_int_eq(dem_run(dem, STEPS, &r), 0);
+        ck_assert_int_gt(r.contacts, 1000);
+        dem_free(dem);
+    }
+    ck_assert_mem_eq(ps[0]->vx, ps[1]->vx, (size_t)s.n * sizeof(double));
+    ck_assert_mem_eq(ps[0]->wz, ps[1]->wz, (size_t)s.n * sizeof(double));
+    particles_free(ps[0]);
+    particles_free(ps[1]);
+}
+
 /* Of contacts in order of their owners from `first` on, how many belong to
  * particles before `end`, rounded up to whole lanes if there are so many. */
 static int whole_lanes(const struct chunk_contacts *c, int first, int n,
