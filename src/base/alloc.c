@@ -111,6 +111,13 @@ void *alloc_grown(void *old, int used, int n, size_t size)
     return grown;
 }
 
+void *alloc_room(void *list, int n, int *room, size_t size)
+{
+    if (n < *room) return list;
+    *room = 2 * n + 64;
+    return alloc_grown(list, n, *room, size);
+}
+
 double alloc_peak(void)
 {
     struct rusage used;

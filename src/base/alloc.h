@@ -20,6 +20,10 @@ int *alloc_ints(int n);
  * `used` ones of `old`, which is freed; the others are zero. */
 void *alloc_grown(void *old, int used, int n, size_t size);
 
+/* A list with room for one more than its n items of the given size [bytes]:
+ * itself, or a longer one, where *room items fit in. */
+void *alloc_room(void *list, int n, int *room, size_t size);
+
 /* The most memory that this program can have, that of the machine or the limit
  * of the process, and what is left of it at present [byte]. */
 double alloc_most(void);

@@ -161,11 +161,8 @@ static struct history *history_of(struct reference *r, int i, int partner)
     struct histories *const now = &r->now;
     const struct histories *const before = &r->before;
 
-    if (now->n == now->capacity) {
-        now->capacity = 2 * now->capacity + 64;
-        now->list =
-            alloc_grown(now->list, now->n, now->capacity, sizeof *now->list);
-    }
+    now->list =
+        alloc_room(now->list, now->n, &now->capacity, sizeof *now->list);
     struct history *const history = &now->list[now->n++];
     *history = (struct history){.partner = partner};
     for (int q = before->start[i]; q < before->start[i + 1]; q++)

@@ -165,10 +165,7 @@ struct vtk_cells {
 
 static void vtk_cells_add(struct list *l, int value)
 {
-    if (l->n == l->room) {
-        l->room = 2 * l->room + 64;
-        l->value = alloc_grown(l->value, l->n, l->room, sizeof *l->value);
-    }
+    l->value = alloc_room(l->value, l->n, &l->room, sizeof *l->value);
     l->value[l->n++] = value;
 }
 

@@ -56,17 +56,6 @@ struct mirror_search {
     int image_capacity, plane_capacity, place_capacity;
 };
 
-/* Appends one element to an array. */
-static void *one_more(void *array, int *n, int *capacity, size_t size)
-{
-    if (*n == *capacity) {
-        *capacity = 2 * *capacity + 64;
-        array = alloc_grown(array, *n, *capacity, size);
-    }
-    ++*n;
-    return array;
-}
-
 /* The plane with that normal through the point, a new one if need be. */
 static int plane_of(struct mirror_search *v, const double n[3],
                     const double x[3])
@@ -81,11 +70,9 @@ static int plane_of(struct mirror_search *v, const double n[3],
             return k;
     }
     v->plane =
-        one_more(v->plane, &v->n_planes, &v->plane_capacity, sizeof *v->plane);
-    struct plane *const p = &v->plane[v->n_planes - 1];
-    memcpy(p->n, n, sizeof p->n);
-    p->h = h;
-    return v->n_planes - 1;
+        alloc_room(v->plane, v->n_planes, &v->plane_capacity, sizeof *v->plane);
+    v->plane[v->n_planes] = (struct plane){{n[0], n[1], n[2]}, h};
+    return v->n_planes++;
 }
 
 static void wall_images_add_wall(struct mirror_search *v, int j,
@@ -140,8 +127,8 @@ static void collect_moved(struct mirror_search *v, const double shift[3])
         s.away = vector_length(s.mid) - w->radius;
         if (s.away > 3.0 * v->reach) continue;
         memcpy(s.shift, shift, sizeof s.shift);
-        v->seen = one_more(v->seen, &v->n_seen, &v->image_capacity, sizeof s);
-        v->seen[v->n_seen - 1] = s;
+        v->seen = alloc_room(v->seen, v->n_seen, &v->image_capacity, sizeof s);
+        v->seen[v->n_seen++] = s;
     }
 }
 
@@ -269,8 +256,8 @@ static void add_place(struct mirror_search *v, const struct wall_image *q)
         return;
     }
     v->place =
-        one_more(v->place, &v->n_places, &v->place_capacity, sizeof *v->place);
-    v->place[v->n_places - 1] = *q;
+        alloc_room(v->place, v->n_places, &v->place_capacity, sizeof *v->place);
+    v->place[v->n_places++] = *q;
 }
 
 /* The reflection of position i in plane k [EW18 21], if it is within reach and
@@ -323,8 +310,8 @@ struct wall_images *wall_images_create(const struct facets *f, double reach)
     for (int c = 0; c < n_cells; c++) {
         search_from(&v, c);
         for (int i = 1; i < v.n_places; i++) {
-            m->images = one_more(m->images, &n, &room, sizeof *m->images);
-            m->images[n - 1] = v.place[i];
+            m->images = alloc_room(m->images, n, &room, sizeof *m->images);
+            m->images[n++] = v.place[i];
         }
         m->start[c + 1] = n;
     }

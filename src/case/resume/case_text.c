@@ -297,10 +297,7 @@ static void add_file(void *of, const struct input *in)
 
     for (int i = 0; i < c->n; i++)
         if (c->file[i].in == in) return;
-    if (c->n == c->capacity) {
-        c->capacity = 2 * c->n + 8;
-        c->file = alloc_grown(c->file, c->n, c->capacity, sizeof *c->file);
-    }
+    c->file = alloc_room(c->file, c->n, &c->capacity, sizeof *c->file);
     char *const name = unused_name(c, in->path);
     c->file[c->n++] = (struct named_file){in, name};
 }

@@ -15,24 +15,17 @@ void near_faces_release(struct near_faces *l)
     free(l->found.number);
 }
 
-void *near_faces_room(void *list, int n, int *room, size_t size)
-{
-    if (n < *room) return list;
-    *room = 2 * n + 64;
-    return alloc_grown(list, n, *room, size);
-}
-
 static void begin_owner(struct near_faces *l, int i)
 {
-    l->owner = near_faces_room(l->owner, l->n_owners, &l->owner_capacity,
-                               sizeof *l->owner);
+    l->owner =
+        alloc_room(l->owner, l->n_owners, &l->owner_capacity, sizeof *l->owner);
     l->owner[l->n_owners++] = (struct near_owner){i, l->n_faces, l->n_faces};
 }
 
 static void near_faces_add_face(struct near_faces *l, const struct near_face *f)
 {
-    l->face = near_faces_room(l->face, l->n_faces, &l->face_capacity,
-                              sizeof *l->face);
+    l->face =
+        alloc_room(l->face, l->n_faces, &l->face_capacity, sizeof *l->face);
     l->face[l->n_faces++] = *f;
     l->owner[l->n_owners - 1].last = l->n_faces;
 }
@@ -160,7 +153,7 @@ surface_contact_points_insert(struct surface_contact_points *t, int first,
 {
     int at = t->n;
 
-    t->list = near_faces_room(t->list, t->n, &t->capacity, sizeof *t->list);
+    t->list = alloc_room(t->list, t->n, &t->capacity, sizeof *t->list);
     for (; at > first && t->list[at - 1].r > one->r; at--)
         t->list[at] = t->list[at - 1];
     t->list[at] = *one;

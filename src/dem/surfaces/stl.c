@@ -38,10 +38,7 @@ static void stl_add(struct stl *s, int *room, double corner[3][3])
         s->dropped++;
         return;
     }
-    if (s->n == *room) {
-        *room = 2 * *room + 64;
-        s->corner = alloc_grown(s->corner, s->n, *room, sizeof *s->corner);
-    }
+    s->corner = alloc_room(s->corner, s->n, room, sizeof *s->corner);
     memcpy(s->corner[s->n++], corner, sizeof *s->corner);
 }
 

@@ -52,7 +52,7 @@ void surface_contacts_release(struct surface_contacts *c)
 void surface_contacts_save(struct surface_histories *f,
                            const struct surface_history *one)
 {
-    f->list = near_faces_room(f->list, f->n, &f->capacity, sizeof *f->list);
+    f->list = alloc_room(f->list, f->n, &f->capacity, sizeof *f->list);
     f->list[f->n++] = *one;
 }
 

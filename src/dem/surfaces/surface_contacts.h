@@ -70,10 +70,6 @@ void near_faces_choose(struct near_faces *l, const struct near_faces *from,
 void near_faces_image(const struct near_face *f, const struct rows *b, int i,
                       double x[3]);
 
-/* Returns `list` with capacity for one more than n items of this size [bytes].
- */
-void *near_faces_room(void *list, int n, int *room, size_t size);
-
 /* --- surface contact points: the contact points of a sphere with surfaces,
  * without duplicates.
  *

@@ -203,11 +203,8 @@ void triangles_free(struct triangles *t)
 
 static void triangles_add(struct triangle_list *list, int i)
 {
-    if (list->n == list->capacity) {
-        list->capacity = 2 * list->capacity + 64;
-        list->number = alloc_grown(list->number, list->n, list->capacity,
-                                   sizeof *list->number);
-    }
+    list->number = alloc_room(list->number, list->n, &list->capacity,
+                              sizeof *list->number);
     list->number[list->n++] = i;
 }
 

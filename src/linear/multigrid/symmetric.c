@@ -77,10 +77,7 @@ static void add_to_runs(struct symmetric *S, int *room, struct link_run next)
         last->n++;
         return;
     }
-    if (S->n_runs == *room) {
-        *room = 2 * *room + 64;
-        S->run = alloc_grown(S->run, S->n_runs, *room, sizeof *S->run);
-    }
+    S->run = alloc_room(S->run, S->n_runs, room, sizeof *S->run);
     S->run[S->n_runs++] = next;
 }
 

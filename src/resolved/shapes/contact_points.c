@@ -26,14 +26,7 @@ struct cloud {
 
 static void contact_points_put(struct cloud *all, const double x[3])
 {
-    if (all->n == all->capacity) {
-        const int room = 2 * all->n + 64;
-        double(*const more)[3] = alloc_zeroed((size_t)room, sizeof *more);
-        if (all->n > 0) memcpy(more, all->x, (size_t)all->n * sizeof *more);
-        free(all->x);
-        all->x = more;
-        all->capacity = room;
-    }
+    all->x = alloc_room(all->x, all->n, &all->capacity, sizeof *all->x);
     memcpy(all->x[all->n++], x, sizeof *all->x);
 }
 
