@@ -2,16 +2,15 @@
 #include "dem/population/insertion.h"
 
 #include <gsl/gsl_math.h>
-#include <stdlib.h>
 
-#include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/statistics.h"
+#include "base/vector.h"
 
 /* Positions tried for one sphere in a step: beyond 30 % of solids hardly any is
  * free, and a sphere without one is tried again in the next step. */
-enum { ATTEMPTS = 200, AT_ONCE = 4096, MOST_CELLS = 1000 };
+enum { ATTEMPTS = 200, AT_ONCE = 4096 };
 
 /* That of a sphere of the same volume; of a mixture that of its first shape. */
 static double insertion_size(const struct insertion_options *o, long k)
@@ -71,82 +70,18 @@ long insertion_count_due(struct insertion *in, double t)
     return number_long(n, &due) != 0 || due > o->count ? o->count : due;
 }
 
-/* Particles in linked lists by the cell of their centre; cells are as wide as
- * the largest diameter, so that a particle that touches a sphere is in its cell
- * or in one beside it. */
+/* Particles in cells over the region, or the period, which are as wide as the
+ * largest diameter. */
 struct near_particles {
     const struct particles *ps;
     const struct box_domain *box;
-    double lo[3], inverse[3]; /* [m], [1/m] */
-    int cells[3];
-    int *head, *next; /* [-] first of a cell, next of its cell; -1: none */
+    struct link_cells *cells;
 };
-
-static const double *axis(const struct particles *ps, int k)
-{
-    return k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
-}
-
-/* x_i - x along direction k, nearest image. */
-static double insertion_apart(const struct near_particles *c, int i, int k,
-                              const double x[3])
-{
-    const double dx = axis(c->ps, k)[i] - x[k];
-    return dx - c->box->length[k] * rint(dx * c->box->inverse[k]);
-}
-
-/* Cells over the region, or the period; their number is limited, so that to
- * clear them costs no more than to fill them. */
-static void insertion_divide(struct near_particles *c,
-                             const struct insertion_options *o, double width)
-{
-    const double most = 2.0 * c->ps->capacity + 64.0;
-    double total = HUGE_VAL;
-
-    for (; total > most; width *= 1.25) {
-        total = 1.0;
-        for (int k = 0; k < 3; k++) {
-            const int whole = c->box->periodic[k] || o->list != NULL;
-            const double lo = whole ? c->box->lo[k] : o->lo[k];
-            const double length = (whole ? c->box->hi[k] : o->hi[k]) - lo;
-            const double n = fmax(fmin(floor(length / width), MOST_CELLS), 1.0);
-            c->lo[k] = lo;
-            c->cells[k] = number_clamped(n, 1, MOST_CELLS);
-            c->inverse[k] = length > 0.0 ? n / length : 0.0;
-            total *= n;
-        }
-    }
-}
-
-/* Cells a step off along direction k; -1: there is none. */
-static int insertion_beside(const struct near_particles *c, int k, int cell)
-{
-    const int n = c->cells[k];
-
-    if (cell >= 0 && cell < n) return cell;
-    return c->box->periodic[k] ? (cell + n) % n : -1;
-}
-
-/* A coordinate beyond an end belongs to the last cell. */
-static int insertion_coordinate(const struct near_particles *c, int k, double x)
-{
-    return number_clamped((x - c->lo[k]) * c->inverse[k], 0, c->cells[k] - 1);
-}
-
-static int insertion_number(const struct near_particles *c, const int at[3])
-{
-    return (at[2] * c->cells[1] + at[1]) * c->cells[0] + at[0];
-}
 
 static void add_to_cell(struct near_particles *c, int i)
 {
-    int at[3];
-
-    for (int k = 0; k < 3; k++)
-        at[k] = insertion_coordinate(c, k, axis(c->ps, k)[i]);
-    int *const head = &c->head[insertion_number(c, at)];
-    c->next[i] = *head;
-    *head = i;
+    const double x[3] = {c->ps->x[i], c->ps->y[i], c->ps->z[i]};
+    link_cells_add(c->cells, i, x);
 }
 
 /* Empty cells for spheres of up to `widest` [m]. */
@@ -155,57 +90,44 @@ near_particles_create(const struct insertion_options *o,
                       const struct particles *ps, const struct box_domain *box,
                       double widest)
 {
-    struct near_particles c = {.ps = ps, .box = box};
+    struct box_domain region = *box;
 
-    insertion_divide(&c, o, widest);
-    const int n = c.cells[0] * c.cells[1] * c.cells[2];
-    c.head = alloc_ints(n);
-    c.next = alloc_ints(ps->capacity);
-    for (int k = 0; k < n; k++)
-        c.head[k] = -1;
+    for (int k = 0; k < 3; k++) {
+        if (box->periodic[k] || o->list != NULL) continue;
+        region.lo[k] = o->lo[k];
+        region.hi[k] = o->hi[k];
+    }
+    struct near_particles c = {ps, box,
+                               link_cells_create(ps->capacity, &region)};
+    link_cells_clear(c.cells, widest);
     return c;
 }
 
-static void near_particles_free(struct near_particles *c)
+/* x_i - x, nearest image. */
+static void insertion_apart(const struct near_particles *c, int i,
+                            const double x[3], double dx[3])
 {
-    free(c->head);
-    free(c->next);
+    const double at[3] = {c->ps->x[i], c->ps->y[i], c->ps->z[i]};
+
+    for (int k = 0; k < 3; k++)
+        dx[k] = box_domain_nearest(c->box, k, at[k] - x[k]);
 }
 
-/* A particle of the cell that overlaps the sphere by more than this fraction of
- * the mean diameter; -1: none. */
-static int overlap_in(const struct near_particles *c, int cell,
-                      const double x[3], double d, double share)
-{
-    for (int i = c->head[cell]; i >= 0; i = c->next[i]) {
-        const double reach = 0.5 * (d + c->ps->d[i]) * (1.0 - share);
-        double r2 = 0.0;
-        for (int k = 0; k < 3; k++) {
-            const double dx = insertion_apart(c, i, k, x);
-            r2 += dx * dx;
-        }
-        if (r2 < reach * reach) return i;
-    }
-    return -1;
-}
-
+/* A particle that overlaps the sphere by more than this fraction of the mean
+ * diameter; -1: none. */
 static int overlap_near(const struct near_particles *c, const double x[3],
                         double d, double share)
 {
-    int at[3];
+    int cell[LINK_CELLS_AROUND];
+    const int n = link_cells_around(c->cells, x, cell);
 
-    for (int q = 0; q < 27; q++) {
-        const int step[3] = {q % 3 - 1, q / 3 % 3 - 1, q / 9 - 1};
-        int there = 1;
-        for (int k = 0; k < 3; k++) {
-            at[k] = insertion_beside(
-                c, k, insertion_coordinate(c, k, x[k]) + step[k]);
-            there &= at[k] >= 0;
+    for (int q = 0; q < n; q++)
+        for (int i = c->cells->head[cell[q]]; i >= 0; i = c->cells->next[i]) {
+            const double reach = 0.5 * (d + c->ps->d[i]) * (1.0 - share);
+            double dx[3];
+            insertion_apart(c, i, x, dx);
+            if (vector_dot(dx, dx) < reach * reach) return i;
         }
-        const int i =
-            there ? overlap_in(c, insertion_number(c, at), x, d, share) : -1;
-        if (i >= 0) return i;
-    }
     return -1;
 }
 
@@ -227,9 +149,10 @@ static struct near_particles near_particles_of(const struct insertion *in,
         middle[k] = 0.5 * (o->lo[k] + o->hi[k]);
     for (int i = 0; i < ps->n; i++) {
         int near = 1;
+        double dx[3];
+        insertion_apart(&c, i, middle, dx);
         for (int k = 0; k < 3; k++)
-            near &= fabs(insertion_apart(&c, i, k, middle)) <=
-                    0.5 * (o->hi[k] - o->lo[k]) + 0.5 * ps->d[i];
+            near &= fabs(dx[k]) <= 0.5 * (o->hi[k] - o->lo[k]) + 0.5 * ps->d[i];
         if (near || o->list != NULL) add_to_cell(&c, i);
     }
     return c;
@@ -293,7 +216,7 @@ static void place_some(struct insertion *in, struct particles *ps,
     while (in->n_inserted < last && ps->n < ps->capacity &&
            place_next(in, &near, ps))
         continue;
-    near_particles_free(&near);
+    link_cells_free(near.cells);
 }
 
 /* The spheres are inserted AT_ONCE at a time, so that the diameters of all are
@@ -329,7 +252,7 @@ int insertion_overlap(const struct insertion_options *o,
         if (who[0] >= 0) break;
         add_to_cell(&c, particles_add(ps, one->x, one->d, 1.0));
     }
-    near_particles_free(&c);
+    link_cells_free(c.cells);
     particles_free(ps);
     return who[0] >= 0;
 }
