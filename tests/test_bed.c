@@ -303,7 +303,6 @@ FACT(bed_of_two_sizes_settles_and_each_has_its_mass)
     int small = 0;
 
     bed.sizes = sizes;
-    bed.quantile = sizes_quantile;
     bed.diameter = sizes_moment(sizes, 1);
     struct particles *const ps = made(NULL, &bed, &r, 1);
     ck_assert_int_eq(r.settled, 1);
@@ -340,7 +339,6 @@ FACT(bed_of_other_sizes_is_refused)
     temporary(path);
     particles_free(made(path, &bed, &r, 0));
     bed.sizes = sizes;
-    bed.quantile = sizes_quantile;
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     unlink(path);
     particles_free(made(path, &bed, &r, 0));
@@ -429,7 +427,6 @@ FACT(a_bed_that_is_stopped_settles_on_to_the_same_bits)
 
     bed.count = 40;
     bed.sizes = sizes;
-    bed.quantile = sizes_quantile;
     bed.diameter = sizes_moment(sizes, 1);
     bed.saver = &nobody;
     struct particles *const whole = made(NULL, &bed, &r, 50);

@@ -88,7 +88,7 @@ static double next_size(const struct bed_options *bed, gsl_rng *random, int i)
     double d = bed->diameter;
 
     if (bed->sizes != NULL)
-        d = bed->quantile(bed->sizes, gsl_rng_uniform(random));
+        d = sizes_quantile(bed->sizes, gsl_rng_uniform(random));
     if (clump == NULL) return d;
     if (bed->sizes != NULL) d *= clumps_shape_around(clump);
     return d * (clumps_drawn(clump, bed->seed, i)->reach / clump->reach);
@@ -198,17 +198,9 @@ static void put_one(void *to, int i, const double x[3], double d)
 {
     static const double rest[3] = {0.0, 0.0, 0.0};
     const struct filling *const f = to;
-    const struct clump_shape *const clump =
-        clumps_drawn(f->bed->clump, f->bed->seed, i);
-    double q[4];
+    const struct bed_options *const bed = f->bed;
 
-    if (clump == NULL) {
-        particles_add(f->ps, x, d, f->bed->density);
-        return;
-    }
-    clumps_turn_at_random((unsigned long)f->bed->seed, i, q);
-    clumps_add(f->ps, (int)(clump - f->ps->clumps->shape),
-               0.5 * d / clump->reach, f->bed->density, x, rest, q, rest);
+    clumps_add_drawn(f->ps, bed->clump, bed->seed, i, d, bed->density, x, rest);
 }
 
 int bed_fill(struct particles *ps, const struct bed_options *bed,

@@ -42,10 +42,7 @@ struct bed_options {
     const struct clump_shape *clump; /* borrowed: of that shape or mixture,
                                         turned at random, and diameters are of
                                         spheres around them; NULL: spheres */
-    struct sizes *sizes; /* borrowed; NULL: all have that diameter */
-    /* The diameter [m] below which the fraction p of the spheres is. */
-    double (*quantile)(const struct sizes *s, double p);
-    void (*free_sizes)(struct sizes *s); /* for the owner of the sizes */
+    struct sizes *sizes;           /* borrowed; NULL: all have that diameter */
     const struct bed_saver *saver; /* borrowed; NULL: settling is not saved
                                         on the way (bed_settling.h) */
 };

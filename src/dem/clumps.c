@@ -224,6 +224,24 @@ int clumps_add(struct particles *ps, int shape, double scale, double density,
     return first;
 }
 
+void clumps_add_drawn(struct particles *ps, const struct clump_shape *first,
+                      int seed, long i, double d, double density,
+                      const double x[3], const double v[3])
+{
+    static const double rest[3] = {0.0, 0.0, 0.0};
+    const struct clump_shape *const s = clumps_drawn(first, seed, i);
+    double q[4];
+
+    if (s != NULL) {
+        clumps_turn_at_random((unsigned long)seed, i, q);
+        clumps_add(ps, (int)(s - ps->clumps->shape), 0.5 * d / s->reach,
+                   density, x, v, q, rest);
+        return;
+    }
+    const int at = particles_add(ps, x, d, density);
+    ps->vx[at] = v[0], ps->vy[at] = v[1], ps->vz[at] = v[2];
+}
+
 double clumps_filled(const struct particles *ps, int i)
 {
     const struct clumps *const l = ps->clumps;

@@ -15,7 +15,6 @@
 #ifndef DEM_CLUMPS_H
 #define DEM_CLUMPS_H
 
-#include "base/key.h"
 #include "base/rotation.h"
 #include "dem/box_domain.h"
 #include "dem/particles.h"
@@ -72,9 +71,6 @@ double clumps_least_filled(const struct clump_shape *first);
 const struct clump_shape *clumps_drawn(const struct clump_shape *first,
                                        int seed, long i);
 
-/* The keys of a case (particles_setup.h). */
-extern const struct key clumps_keys[];
-
 struct clump {
     int shape;          /* [-] its number */
     int first;          /* [-] id of its first ball; the others follow */
@@ -105,6 +101,12 @@ void clumps_free(struct clumps *l);
 int clumps_add(struct particles *ps, int shape, double scale, double density,
                const double x[3], const double v[3], const double q[4],
                const double w[3]);
+
+/* Grain number i of a mixture, turned at random, or without one a sphere: in a
+ * sphere of the diameter d [m] around x with the velocity v [m/s]. */
+void clumps_add_drawn(struct particles *ps, const struct clump_shape *first,
+                      int seed, long i, double d, double density,
+                      const double x[3], const double v[3]);
 
 /* q of a turn by |r| [rad] about r; and of one of all turns at random, numbers
  * (i, j) of the seed. */

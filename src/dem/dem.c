@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/model.h"
-#include "dem/clumps.h"
+#include "dem/particles_setup.h"
 #include "dem/energy.h"
 #include "dem/integrator.h"
 

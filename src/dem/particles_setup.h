@@ -91,6 +91,6 @@ struct particles_setup {
     PARTICLES_LIST(prescribed_setup) prescribed;
 };
 
-extern const struct key particles_keys[];
+extern const struct key particles_keys[], clumps_keys[];
 
 #endif

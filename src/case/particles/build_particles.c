@@ -293,7 +293,7 @@ struct bed_options build_particles_bed(const struct settings *s)
 
 void build_particles_free_bed(struct bed_options *b)
 {
-    if (b->sizes != NULL) b->free_sizes(b->sizes);
+    sizes_free(b->sizes);
     b->sizes = NULL;
 }
 

@@ -394,8 +394,6 @@ void case_population_bed_sizes(const struct settings *s, struct bed_options *b)
 {
     if (s->particles.bed_sizes == NULL) return;
     b->sizes = create_sizes(s, s->particles.bed_sizes, 0);
-    b->quantile = sizes_quantile;
-    b->free_sizes = sizes_free;
     b->diameter = sizes_moment(b->sizes, 1) *
                   (b->clump == NULL ? 1.0 : clumps_shape_around(b->clump));
 }

@@ -162,23 +162,11 @@ static struct near_particles near_particles_of(const struct insertion *in,
 static void insertion_put(const struct insertion *in, struct near_particles *c,
                           struct particles *ps, double d, const double x[3])
 {
-    static const double rest[3] = {0.0, 0.0, 0.0};
     const struct insertion_options *const o = &in->options;
-    const struct clump_shape *const clump =
-        clumps_drawn(o->clump, o->seed, in->n_inserted);
     int i = ps->n;
-    double q[4];
 
-    if (clump != NULL) {
-        clumps_turn_at_random((unsigned long)o->seed, in->n_inserted, q);
-        clumps_add(ps, (int)(clump - ps->clumps->shape), 0.5 * d / clump->reach,
-                   o->density, x, o->velocity, q, rest);
-    } else {
-        particles_add(ps, x, d, o->density);
-        ps->vx[i] = o->velocity[0];
-        ps->vy[i] = o->velocity[1];
-        ps->vz[i] = o->velocity[2];
-    }
+    clumps_add_drawn(ps, o->clump, o->seed, in->n_inserted, d, o->density, x,
+                     o->velocity);
     for (; i < ps->n; i++) {
         if (ps->material != NULL) ps->material[i] = o->material;
         add_to_cell(c, i);

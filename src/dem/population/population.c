@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "dem/population/insertion.h"
 
 static int is_removed(const struct population *l,
@@ -158,14 +159,10 @@ static double overlaps_apart(const struct particles *ps,
                              double d[3])
 {
     const double *const x[3] = {ps->x, ps->y, ps->z};
-    double r2 = 0.0;
 
-    for (int k = 0; k < 3; k++) {
-        const double dx = x[k][i] - x[k][j];
-        d[k] = dx - box->length[k] * rint(dx * box->inverse[k]);
-        r2 += d[k] * d[k];
-    }
-    return sqrt(r2);
+    for (int k = 0; k < 3; k++)
+        d[k] = box_domain_nearest(box, k, x[k][i] - x[k][j]);
+    return vector_length(d);
 }
 
 /* A sphere's coordinate along the direction that all are sorted by. */
