@@ -53,8 +53,8 @@ struct averaging_options {
 };
 
 /* The members from lost to lost_volume are set by the last bind, those from
- * unsupported to negative by the last spread, products and worst by the last
- * spread or gather. */
+ * unsupported (of dpvm by bind) to negative by the last spread, products and
+ * worst by the last spread or gather. */
 struct averaging_report {
     int lost, lost_id;  /* [-] particles outside the mesh, first one's id */
     int capped;         /* [-] pcm: cells with more solids than the cap */

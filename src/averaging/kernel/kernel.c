@@ -41,7 +41,6 @@ struct kernel_values {
 
 struct kernel {
     const struct cell_of_particle *h; /* borrowed */
-    struct weights *weights;
     struct kernel_values values;
     double b;        /* [m] */
     const double *V; /* [m^3] of the cells; NULL: all are equal and cancel */
@@ -152,34 +151,9 @@ static void *kernel_create(const struct cell_of_particle *h,
     k->b = o->bandwidth;
     k->values = *values;
     k->V = kernel_has_equal_cells(h->mesh) ? NULL : h->mesh->V;
-    k->weights =
-        weights_create(h, o->method->reach_b * k->b, STENCIL_TO_CENTRE,
-                       o->fields, (struct weights_rule){kernel_weigh, k, NULL});
-    return k;
-}
-
-static void kernel_free(void *state)
-{
-    struct kernel *const k = state;
-
-    weights_free(k->weights);
-    free(k);
-}
-
-static void kernel_spread(void *state, int m, const double *q, double *field,
-                          struct averaging_report *r)
-{
-    const struct kernel *const k = state;
-    r->unsupported = weights_spread(k->weights, m, q, field);
-}
-
-static void kernel_gather(void *state, int m, const double *field, double *q,
-                          struct averaging_report *r)
-{
-    const struct kernel *const k = state;
-
-    (void)r;
-    weights_gather(k->weights, m, field, q);
+    return weights_create(h, o->method->reach_b * k->b, STENCIL_TO_CENTRE,
+                          o->fields,
+                          (struct weights_rule){kernel_weigh, k, free});
 }
 
 const struct averaging_method kernel_method = {
@@ -194,9 +168,9 @@ const struct averaging_method kernel_method = {
     .reach_b = 1.0,
     .variety = &(const struct kernel_values){polynomial_weights},
     .create = kernel_create,
-    .free = kernel_free,
-    .spread = kernel_spread,
-    .gather = kernel_gather,
+    .free = weights_free,
+    .spread = weights_spread,
+    .gather = weights_gather,
 };
 
 const struct averaging_method kernel_gaussian_method = {
@@ -211,7 +185,7 @@ const struct averaging_method kernel_gaussian_method = {
     .reach_b = GAUSSIAN_REACH,
     .variety = &(const struct kernel_values){gaussian_weights},
     .create = kernel_create,
-    .free = kernel_free,
-    .spread = kernel_spread,
-    .gather = kernel_gather,
+    .free = weights_free,
+    .spread = weights_spread,
+    .gather = weights_gather,
 };

@@ -30,8 +30,15 @@ struct weights {
     const struct cell_of_particle *h; /* borrowed */
     struct stencil *stencil;
     struct weights_rule rule;
+    enum stencil_to to;
+    int fields; /* [-] most in a call */
     struct cell_range ranges[RANGES];
 };
+
+void *weights_state(const struct weights *s)
+{
+    return s->rule.state;
+}
 
 struct neighbourhood weights_around(const struct weights *s, int c)
 {
@@ -170,9 +177,10 @@ static void sum_windows(const struct weights *s, int c, int m, double *f)
         f[j] /= s->h->mesh->V[c]; /* [XS11 3.5a, 3.7, 3.8] */
 }
 
-int weights_spread(const struct weights *s, int m, const double *q,
-                   double *field)
+void weights_spread(void *weights, int m, const double *q, double *field,
+                    struct averaging_report *r)
 {
+    const struct weights *const s = weights;
     const int n_cells = s->h->mesh->n_cells;
     int unsupported = 0;
 
@@ -184,12 +192,15 @@ int weights_spread(const struct weights *s, int m, const double *q,
 #pragma omp parallel for schedule(static) if (s->h->n > MIN_PARALLEL_NUMBERS)
     for (int c = 0; c < n_cells; c++)
         sum_windows(s, c, m, &field[m * c]);
-    return unsupported;
+    if (s->rule.list == NULL) r->unsupported = unsupported;
 }
 
-void weights_gather(const struct weights *s, int m, const double *field,
-                    double *q)
+void weights_gather(void *weights, int m, const double *field, double *q,
+                    struct averaging_report *r)
 {
+    const struct weights *const s = weights;
+
+    (void)r;
 #pragma omp parallel for schedule(dynamic,                                     \
                                   1) if (s->h->n > MIN_PARALLEL_NUMBERS)
     for (int t = 0; t < RANGES; t++)
@@ -197,7 +208,7 @@ void weights_gather(const struct weights *s, int m, const double *field,
 }
 
 /* Range k of the cells, with the window of cells that its stencils reach. */
-static void set_range(struct weights *s, int k, int fields)
+static void set_range(struct weights *s, int k)
 {
     struct cell_range *const t = &s->ranges[k];
     const long long n = s->h->mesh->n_cells;
@@ -215,8 +226,25 @@ static void set_range(struct weights *s, int k, int fields)
                 t->high = c + near.index_offset[e] + 1;
         }
     }
-    t->sum = alloc_doubles(fields * (t->high - t->low));
+    t->sum = alloc_doubles(s->fields * (t->high - t->low));
     t->weight = alloc_doubles(s->stencil->largest);
+}
+
+static void weights_release_stencil(struct weights *s)
+{
+    for (int k = 0; k < RANGES; k++) {
+        free(s->ranges[k].sum);
+        free(s->ranges[k].weight);
+    }
+    stencil_free(s->stencil);
+}
+
+void weights_set_reach(struct weights *s, double reach)
+{
+    weights_release_stencil(s);
+    s->stencil = stencil_create(s->h->mesh, reach, s->to);
+    for (int k = 0; k < RANGES; k++)
+        set_range(s, k);
 }
 
 struct weights *weights_create(const struct cell_of_particle *h, double reach,
@@ -227,9 +255,9 @@ struct weights *weights_create(const struct cell_of_particle *h, double reach,
 
     s->h = h;
     s->rule = rule;
-    s->stencil = stencil_create(h->mesh, reach, to);
-    for (int k = 0; k < RANGES; k++)
-        set_range(s, k, fields);
+    s->to = to;
+    s->fields = fields;
+    weights_set_reach(s, reach);
     return s;
 }
 
@@ -250,13 +278,11 @@ const struct stencil *weights_stencil(const struct weights *s)
     return s->stencil;
 }
 
-void weights_free(struct weights *s)
+void weights_free(void *weights)
 {
-    if (s == NULL) return;
-    for (int k = 0; k < RANGES; k++) {
-        free(s->ranges[k].sum);
-        free(s->ranges[k].weight);
-    }
-    stencil_free(s->stencil);
+    struct weights *const s = weights;
+
+    weights_release_stencil(s);
+    s->rule.free(s->rule.state);
     free(s);
 }

@@ -81,7 +81,8 @@ struct weight_list {
 struct weights_rule {
     int (*weigh)(const void *state, int i, const struct neighbourhood *near,
                  double *w);
-    const void *state; /* borrowed */
+    void *state;               /* of the method */
+    void (*free)(void *state); /* by weights_free */
     /* The weights of particle h->particle[a], for a method that stores them;
      * NULL: weigh is called at every use. */
     struct weight_list (*list)(const void *state, int a);
@@ -94,7 +95,12 @@ struct weights;
 struct weights *weights_create(const struct cell_of_particle *h, double reach,
                                enum stencil_to to, int fields,
                                struct weights_rule rule);
-void weights_free(struct weights *s);
+
+/* Finds the cells near each anew, for another reach [m]. */
+void weights_set_reach(struct weights *s, double reach);
+
+/* That of the rule. */
+void *weights_state(const struct weights *s);
 
 /* The cells near cell c. */
 struct neighbourhood weights_around(const struct weights *s, int c);
@@ -108,11 +114,13 @@ double weights_bytes(const struct averaging_method *method,
                      const struct mesh *mesh, double d,
                      const struct averaging_options *o);
 
-/* Spreading, and its adjoint. weights_spread returns the number of particles
- * that were assigned to their own cell alone; 0 if the rule has a list. */
-int weights_spread(const struct weights *s, int m, const double *q,
-                   double *field);
-void weights_gather(const struct weights *s, int m, const double *field,
-                    double *q);
+/* Spreading, its adjoint, and the release, for the descriptor of a method whose
+ * state is a struct weights. Without a list they count the particles that were
+ * assigned to their own cell alone. */
+void weights_spread(void *weights, int m, const double *q, double *field,
+                    struct averaging_report *r);
+void weights_gather(void *weights, int m, const double *field, double *q,
+                    struct averaging_report *r);
+void weights_free(void *weights);
 
 #endif

@@ -35,21 +35,7 @@ struct stored_weights {
     int *index_offset; /* [-] start[a] .. start[a + 1] - 1 of the cells */
     double *w;         /* [-] and of the weights */
     int capacity;      /* [-] of these two */
-    int unsupported;   /* [-] particles assigned to their own cell alone */
 };
-
-/* For as many particles as there may be at most. */
-static struct stored_weights stored_weights_of(int capacity)
-{
-    return (struct stored_weights){.start = alloc_ints(capacity + 1)};
-}
-
-static void stored_weights_release(struct stored_weights *k)
-{
-    free(k->start);
-    free(k->index_offset);
-    free(k->w);
-}
 
 /* Makes room for n more weights after the first `used`. */
 static void stored_weights_make_room(struct stored_weights *k, int used, int n)
@@ -75,24 +61,25 @@ static int stored_weights_append(struct stored_weights *k, int used, int n,
     return used;
 }
 
-/* Computes the weights of all particles in the cells near theirs by the
- * function weigh of the rule. */
-static void stored_weights_fill(struct stored_weights *k,
-                                const struct cell_of_particle *h,
-                                const struct weights *weights,
-                                const struct weights_rule *rule)
+/* Computes the weights of all particles in the cells near theirs by a function
+ * as weigh of the rule. Returns the number of those that were assigned to their
+ * own cell alone. */
+static int
+stored_weights_fill(struct stored_weights *k, const struct cell_of_particle *h,
+                    const struct weights *weights,
+                    int (*weigh)(const void *state, int i,
+                                 const struct neighbourhood *near, double *w))
 {
     double *const w = alloc_doubles(weights_stencil(weights)->largest);
-    int used = 0;
+    int used = 0, unsupported = 0;
 
-    k->unsupported = 0;
     for (int c = 0; c < h->mesh->n_cells; c++) {
         const struct neighbourhood near = weights_around(weights, c);
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             int n = near.n;
-            if (!rule->weigh(rule->state, h->particle[a], &near, w)) {
+            if (!weigh(weights_state(weights), h->particle[a], &near, w)) {
                 w[0] = n = 1;
-                k->unsupported++;
+                unsupported++;
             }
             k->start[a] = used;
             used = stored_weights_append(k, used, n, near.index_offset, w);
@@ -100,15 +87,7 @@ static void stored_weights_fill(struct stored_weights *k,
     }
     k->start[h->n] = used;
     free(w);
-}
-
-/* Those of particle h->particle[a]. */
-static struct weight_list stored_weights_list(const struct stored_weights *k,
-                                              int a)
-{
-    const int first = k->start[a];
-    return (struct weight_list){k->start[a + 1] - first,
-                                &k->index_offset[first], &k->w[first]};
+    return unsupported;
 }
 
 /* --- the volumes that cells have of a body --- */
@@ -126,10 +105,7 @@ struct body {
 
 struct dpvm {
     const struct cell_of_particle *h; /* borrowed */
-    struct weights *weights;
-    double reach; /* [m] that they were created for */
-    int fields;   /* [-] most in a call */
-    struct weights_rule rule;
+    double reach;                     /* [m] to which cells are near */
     struct stored_weights stored;
     struct body body;
     double *half; /* [m] of a box: half extents of the cells, 3; infinite where
@@ -201,7 +177,22 @@ static void divide_cube(const struct dpvm *d, const struct neighbourhood *near,
     }
 }
 
-/* The rule for cells that are boxes. */
+/* For cells of any shape. */
+static void divide_anywhere(const struct dpvm *d,
+                            const struct neighbourhood *near, const double o[3],
+                            double R, double *w)
+{
+    for (int e = 0; e < near->n; e++) {
+        const double from[3] = {o[0] - near->dx[e], o[1] - near->dy[e],
+                                o[2] - near->dz[e]};
+        w[e] = facets_overlap(d->facets, d->body.kind,
+                              near->cell + near->index_offset[e], from, R);
+    }
+}
+
+/* The rule. If the centre lies outside a curved wall (by less than the facets
+ * differ from it), the whole body may be outside; it is then assigned to its
+ * cell. */
 static int dpvm_weights(const void *state, int i,
                         const struct neighbourhood *near, double *w)
 {
@@ -209,33 +200,13 @@ static int dpvm_weights(const void *state, int i,
     const double R = 0.5 * d->h->ps->d[i], *const o = &d->h->offset[3 * i];
     double sum = 0.0;
 
-    if (dpvm_is_within(o, R, &d->half[3 * near->cell])) return 0;
-    d->body.divide(d, near, o, R, w);
+    if (d->facets != NULL
+            ? facets_contain(d->facets, d->body.kind, near->cell, o, R)
+            : dpvm_is_within(o, R, &d->half[3 * near->cell]))
+        return 0;
+    (d->facets != NULL ? divide_anywhere : d->body.divide)(d, near, o, R, w);
     for (int e = 0; e < near->n; e++)
         sum += w[e];
-    for (int e = 0; e < near->n; e++)
-        w[e] /= sum; /* not 0: the centre is in the cell */
-    return 1;
-}
-
-/* For cells of any shape. If the centre lies outside a curved wall (by less
- * than the facets differ from it), the whole body may be outside; it is then
- * assigned to its cell. */
-static int dpvm_weights_anywhere(const void *state, int i,
-                                 const struct neighbourhood *near, double *w)
-{
-    const struct dpvm *const d = state;
-    const double R = 0.5 * d->h->ps->d[i], *const o = &d->h->offset[3 * i];
-    double sum = 0.0;
-
-    if (facets_contain(d->facets, d->body.kind, near->cell, o, R)) return 0;
-    for (int e = 0; e < near->n; e++) {
-        const double from[3] = {o[0] - near->dx[e], o[1] - near->dy[e],
-                                o[2] - near->dz[e]};
-        w[e] = facets_overlap(d->facets, d->body.kind,
-                              near->cell + near->index_offset[e], from, R);
-        sum += w[e];
-    }
     if (!(sum > 0.0)) return 0;
     for (int e = 0; e < near->n; e++)
         w[e] /= sum;
@@ -267,80 +238,58 @@ static void find_halves(struct dpvm *d)
                 d->half[3 * c + k] = INFINITY;
 }
 
+/* Those of particle h->particle[a]. */
 static struct weight_list dpvm_list(const void *state, int a)
 {
-    const struct dpvm *const d = state;
-    return stored_weights_list(&d->stored, a);
-}
+    const struct stored_weights *const k =
+        &((const struct dpvm *)state)->stored;
+    const int first = k->start[a];
 
-/* The cells that the largest body can reach: found anew where a particle larger
- * than all before has been inserted. */
-static void find_cells(struct dpvm *d)
-{
-    const double now = dpvm_reach(d);
-
-    if (d->weights != NULL && now <= d->reach) return;
-    weights_free(d->weights);
-    d->reach = now;
-    d->weights = weights_create(d->h, now, STENCIL_TO_CELL, d->fields, d->rule);
-}
-
-static void *dpvm_create(const struct cell_of_particle *h,
-                         const struct averaging_options *o)
-{
-    const int is_box = h->mesh->shape == NULL;
-    const struct body *const body = o->method->variety;
-    struct dpvm *const d = alloc_zeroed(1, sizeof *d);
-
-    d->h = h;
-    d->body = *body;
-    d->fields = o->fields;
-    d->rule = (struct weights_rule){
-        is_box ? dpvm_weights : dpvm_weights_anywhere, d, dpvm_list};
-    d->stored = stored_weights_of(h->ps->capacity);
-    if (is_box)
-        find_halves(d);
-    else
-        d->facets = facets_create(h->mesh);
-    find_cells(d);
-    return d;
+    return (struct weight_list){k->start[a + 1] - first,
+                                &k->index_offset[first], &k->w[first]};
 }
 
 static void dpvm_free(void *state)
 {
     struct dpvm *const d = state;
 
-    weights_free(d->weights);
-    stored_weights_release(&d->stored);
+    free(d->stored.start);
+    free(d->stored.index_offset);
+    free(d->stored.w);
     facets_free(d->facets);
     free(d->half);
     free(d);
 }
 
-static void dpvm_bind(void *state, struct averaging_report *r)
+static void *dpvm_create(const struct cell_of_particle *h,
+                         const struct averaging_options *o)
 {
-    struct dpvm *const d = state;
+    const struct body *const body = o->method->variety;
+    struct dpvm *const d = alloc_zeroed(1, sizeof *d);
 
-    (void)r;
-    find_cells(d);
-    stored_weights_fill(&d->stored, d->h, d->weights, &d->rule);
+    d->h = h;
+    d->body = *body;
+    d->stored.start = alloc_ints(h->ps->capacity + 1);
+    if (h->mesh->shape == NULL)
+        find_halves(d);
+    else
+        d->facets = facets_create(h->mesh);
+    d->reach = dpvm_reach(d);
+    return weights_create(
+        h, d->reach, STENCIL_TO_CELL, o->fields,
+        (struct weights_rule){dpvm_weights, d, dpvm_free, dpvm_list});
 }
 
-static void dpvm_spread(void *state, int m, const double *q, double *field,
-                        struct averaging_report *r)
+/* The cells that the largest body can reach are found anew where a particle
+ * larger than all before has been inserted. */
+static void dpvm_bind(void *weights, struct averaging_report *r)
 {
-    const struct dpvm *const d = state;
-    weights_spread(d->weights, m, q, field);
-    r->unsupported = d->stored.unsupported;
-}
+    struct dpvm *const d = weights_state(weights);
+    const double now = dpvm_reach(d);
 
-static void dpvm_gather(void *state, int m, const double *field, double *q,
-                        struct averaging_report *r)
-{
-    const struct dpvm *const d = state;
-
-    (void)r;
-    weights_gather(d->weights, m, field, q);
+    if (now > d->reach) weights_set_reach(weights, d->reach = now);
+    r->unsupported =
+        stored_weights_fill(&d->stored, d->h, weights, dpvm_weights);
 }
 
 const struct averaging_method dpvm_method = {
@@ -351,10 +300,10 @@ const struct averaging_method dpvm_method = {
     .reach_d = 0.5,
     .variety = &sphere,
     .create = dpvm_create,
-    .free = dpvm_free,
+    .free = weights_free,
     .bind = dpvm_bind,
-    .spread = dpvm_spread,
-    .gather = dpvm_gather,
+    .spread = weights_spread,
+    .gather = weights_gather,
 };
 
 const struct averaging_method dpvm_cube_method = {
@@ -366,8 +315,8 @@ const struct averaging_method dpvm_cube_method = {
     .reach_d = 0.5 * M_SQRT3,
     .variety = &cube,
     .create = dpvm_create,
-    .free = dpvm_free,
+    .free = weights_free,
     .bind = dpvm_bind,
-    .spread = dpvm_spread,
-    .gather = dpvm_gather,
+    .spread = weights_spread,
+    .gather = weights_gather,
 };

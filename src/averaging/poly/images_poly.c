@@ -34,7 +34,6 @@ enum { ROUNDS = 8 };
 
 struct images_poly {
     const struct cell_of_particle *h; /* borrowed */
-    struct weights *weights;
     struct gaussian_moments *normals;
 };
 
@@ -70,14 +69,15 @@ static int images_weights(const void *state, int i,
 /* Spreads a uniform bed with solid fraction 1 to all cells [m^3]. In each cell
  * there are six particles, two in each direction, with the volume and moments
  * of the cell. */
-static void spread_even(const struct images_poly *s, double *got, double *w)
+static void spread_even(const struct images_poly *s,
+                        const struct weights *weights, double *got, double *w)
 {
     const struct mesh *const m = s->h->mesh;
 
     for (int c = 0; c < m->n_cells; c++)
         got[c] = 0.0;
     for (int c = 0; c < m->n_cells; c++) {
-        const struct neighbourhood near = weights_around(s->weights, c);
+        const struct neighbourhood near = weights_around(weights, c);
         for (int k = 0; k < 6; k++) {
             const double nowhere[3] = {0.0, 0.0, 0.0};
             double o[3];
@@ -97,17 +97,17 @@ static void spread_even(const struct images_poly *s, double *got, double *w)
  * uniform bed gives a uniform field. With flat walls they do. For other walls
  * the heights are scaled iteratively, while the weights of each particle are
  * normalised over its cells. */
-static void make_even(struct images_poly *s)
+static void make_even(struct images_poly *s, const struct weights *weights)
 {
     const struct mesh *const m = s->h->mesh;
     struct gaussian_moments *const N = s->normals;
     double *const got = alloc_doubles(m->n_cells);
-    double *const w = alloc_doubles(weights_stencil(s->weights)->largest);
+    double *const w = alloc_doubles(weights_stencil(weights)->largest);
     double worst = INFINITY;
 
     for (int round = 0; round < ROUNDS && worst > even; round++) {
         worst = 0.0;
-        spread_even(s, got, w);
+        spread_even(s, weights, got, w);
         for (int c = 0; c < m->n_cells; c++) {
             if (!(got[c] > 0.0)) continue;
             const double scale = m->V[c] / got[c];
@@ -120,6 +120,14 @@ static void make_even(struct images_poly *s)
     free(w);
 }
 
+static void images_poly_free(void *state)
+{
+    struct images_poly *const s = state;
+
+    gaussian_moments_free(s->normals);
+    free(s);
+}
+
 static void *images_poly_create(const struct cell_of_particle *h,
                                 const struct averaging_options *o)
 {
@@ -127,40 +135,16 @@ static void *images_poly_create(const struct cell_of_particle *h,
     const double reach = images_reach * o->bandwidth;
     struct facets *const f = facets_create(h->mesh);
     struct wall_images *const m = wall_images_create(f, reach);
+    struct weights *const weights = weights_create(
+        h, reach, STENCIL_TO_CENTRE, o->fields,
+        (struct weights_rule){images_weights, s, images_poly_free});
 
     s->h = h;
     s->normals = gaussian_moments_create(f, m, o->bandwidth);
-    s->weights = weights_create(h, reach, STENCIL_TO_CENTRE, o->fields,
-                                (struct weights_rule){images_weights, s, NULL});
-    make_even(s);
+    make_even(s, weights);
     wall_images_free(m);
     facets_free(f);
-    return s;
-}
-
-static void images_poly_free(void *state)
-{
-    struct images_poly *const s = state;
-
-    weights_free(s->weights);
-    gaussian_moments_free(s->normals);
-    free(s);
-}
-
-static void images_poly_spread(void *state, int m, const double *q,
-                               double *field, struct averaging_report *r)
-{
-    const struct images_poly *const s = state;
-    r->unsupported = weights_spread(s->weights, m, q, field);
-}
-
-static void images_poly_gather(void *state, int m, const double *field,
-                               double *q, struct averaging_report *r)
-{
-    const struct images_poly *const s = state;
-
-    (void)r;
-    weights_gather(s->weights, m, field, q);
+    return weights;
 }
 
 const struct averaging_method images_poly_method = {
@@ -171,9 +155,9 @@ const struct averaging_method images_poly_method = {
     .needs_bandwidth = 1,
     .reach_b = 3.0,
     .create = images_poly_create,
-    .free = images_poly_free,
-    .spread = images_poly_spread,
-    .gather = images_poly_gather,
+    .free = weights_free,
+    .spread = weights_spread,
+    .gather = weights_gather,
 };
 
 /* --- the moments of cells
