@@ -264,7 +264,7 @@ static void manufactured_middle(const struct mesh *m, int f, double x[3])
     for (int k = 0; k < 3; k++)
         x[k] = m->face_centre != NULL
                    ? m->face_centre[3 * f + k]
-                   : m->centre[3 * m->owner[f] + k] + w * m->d[3 * f + k];
+                   : m->centre[3 * m->owner[f] + k] + w * mesh_d(m, f)[k];
 }
 
 static void manufactured_bound(const struct manufactured *a,
@@ -349,7 +349,7 @@ static struct fluid *manufactured_create(const struct manufactured *a,
         manufactured_flux(a, x, 0.0, q);
         fl->phi[f] = 0.0;
         for (int k = 0; k < 3; k++)
-            fl->phi[f] += q[k] * m->S[3 * f + k];
+            fl->phi[f] += q[k] * mesh_S(m, f)[k];
     }
     return fl;
 }
@@ -379,7 +379,7 @@ manufactured_compare(const struct manufactured *a, const struct fluid *fl)
         for (int i = m->cell_start[c]; i < m->cell_start[c + 1]; i++)
             wall = wall ||
                    (m->cell_face[i] >= m->n_internal &&
-                    (!a->flat || fabs(m->S[3 * m->cell_face[i] + 2]) < 1e-9));
+                    (!a->flat || fabs(mesh_S(m, m->cell_face[i])[2]) < 1e-9));
         V += m->V[c];
         e.u += m->V[c] * square;
         e.p += m->V[c] * p * p;

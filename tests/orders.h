@@ -142,7 +142,7 @@ static inline void orders_drive(struct simulation *sim,
     for (int c = 0; c < m->n_cells; c++)
         sim->fluid->u[3 * c] = orders_stream(o, t, m->centre[3 * c + 1]).u;
     for (int f = 0; f < m->n_faces; f++)
-        sim->fluid->phi[f] = sim->fluid->u[3 * m->owner[f]] * m->S[3 * f];
+        sim->fluid->phi[f] = sim->fluid->u[3 * m->owner[f]] * mesh_S(m, f)[0];
     sim->fluid->options.mean_gradient[0] = o->profile ? 0.0 : -o->s.rho * rate;
     sim->fluid->mean_gradient[0] = sim->fluid->options.mean_gradient[0];
 }

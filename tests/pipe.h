@@ -43,7 +43,7 @@ static double pipe_enter(const struct mesh *m, double *profile)
     double flow = 0.0, area = 0.0;
 
     for (int j = 0; j < in->n; j++) {
-        const double S = fabs(m->S[3 * (in->first + j) + 2]);
+        const double S = fabs(mesh_S(m, in->first + j)[2]);
         profile[j] = pipe_velocity(&m->face_centre[3 * (in->first + j)]);
         flow += profile[j] * S;
         area += S;
@@ -62,7 +62,7 @@ static struct fluid *pipe_begin(const struct mesh *m,
         fl->p[c] = 32.0 * pipe_mu * (2.0 - x[2]);
     }
     for (int f = 0; f < m->n_faces; f++)
-        fl->phi[f] = pipe_velocity(&m->face_centre[3 * f]) * m->S[3 * f + 2];
+        fl->phi[f] = pipe_velocity(&m->face_centre[3 * f]) * mesh_S(m, f)[2];
     return fl;
 }
 

@@ -119,7 +119,7 @@ static inline void create_fluid(struct simulation *sim, const struct scene *s)
     for (int c = 0; c < sim->mesh->n_cells; c++)
         sim->fluid->u[3 * c] = 0.3;
     for (int f = 0; f < sim->mesh->n_faces; f++)
-        sim->fluid->phi[f] = 0.3 * sim->mesh->S[3 * f];
+        sim->fluid->phi[f] = 0.3 * mesh_S(sim->mesh, f)[0];
 }
 
 static inline void create_coupling(struct simulation *sim,

@@ -72,7 +72,7 @@ static struct beside beside(const struct mesh *m, const int *mark, int c)
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a], inner = f < m->n_internal;
-        const double *const S = &m->S[3 * f];
+        const double *const S = mesh_S(m, f);
         const int k = fabs(S[0]) > 0.0 ? 0 : fabs(S[1]) > 0.0 ? 1 : 2;
         const int next = !inner             ? -1
                          : m->owner[f] == c ? m->neighbour[f]

@@ -84,7 +84,7 @@ FACT(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes)
 
     drag_by(&fraction_methods_fictitious, 1.0, 100, &p);
     for (int f = 0; f < p.mesh->n_internal; f++) {
-        const double *const S = &p.mesh->S[3 * f];
+        const double *const S = mesh_S(p.mesh, f);
         const double of_cells =
             0.5 * (vector_dot(&p.fluid->u[3 * p.mesh->owner[f]], S) +
                    vector_dot(&p.fluid->u[3 * p.mesh->neighbour[f]], S));

@@ -73,7 +73,7 @@ FACT(couette_flow_under_a_moving_wall_is_exact)
 static void turn(struct mesh *m, double angle)
 {
     double *const lists[] = {m->centre, m->S, m->d};
-    const int counts[] = {m->n_cells, m->n_faces, m->n_faces};
+    const int counts[] = {m->n_cells, m->n_S, m->n_d};
 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < counts[i]; j++) {
@@ -217,7 +217,7 @@ FACT_FOR_EACH(a_vortex_leaves_through_an_outlet, 4)
         const double *const v =
             &fl->u[3 * (f < m->n_internal ? m->neighbour[f] : P)];
         for (int k = 0; k < 3; k++)
-            fl->phi[f] += 0.5 * m->S[3 * f + k] * (fl->u[3 * P + k] + v[k]);
+            fl->phi[f] += 0.5 * mesh_S(m, f)[k] * (fl->u[3 * P + k] + v[k]);
     }
     double before = fluid_kinetic_energy(fl);
     int most = 0;

@@ -61,7 +61,7 @@ FACT(each_kind_of_side_has_its_velocity)
     }
     const struct patch *const bottom = mesh_patch(m, "bottom");
     for (int f = bottom->first; f < bottom->first + bottom->n; f++)
-        fl->phi[f] = 0.9 * m->S[3 * f + 1]; /* S points down: a flux inward */
+        fl->phi[f] = 0.9 * mesh_S(m, f)[1]; /* S points down: a flux inward */
     fluid_boundary_velocity(fl, u_b);
     for (int i = 0; i < 6; i++) {
         const struct patch *const p = mesh_patch(m, name[i]);

@@ -210,8 +210,8 @@ FACT_FOR_EACH(slanted_walls_hold_the_grains, 3)
         for (int f = m->n_internal; f < m->n_faces; f++) {
             double out = 0.0, S = 0.0;
             for (int k = 0; k < 3; k++) {
-                out += (x[k] - m->face_centre[3 * f + k]) * m->S[3 * f + k];
-                S += m->S[3 * f + k] * m->S[3 * f + k];
+                out += (x[k] - m->face_centre[3 * f + k]) * mesh_S(m, f)[k];
+                S += mesh_S(m, f)[k] * mesh_S(m, f)[k];
             }
             ck_assert_double_lt(out / sqrt(S), -0.99 * 0.05);
         }

@@ -327,9 +327,10 @@ FACT(faces_that_are_not_normal_to_an_axis_have_all_components)
                       .n_cells = m->n_cells,
                       .owner = m->owner,
                       .neighbour = m->neighbour,
-                      .S = m->S};
+                      .S = m->S,
+                      .S_at = m->S_at};
 
-    m->S[3 * (m->n_internal / 2) + 0] = 1e-20; /* of a face across y */
+    m->S[3 * m->S_at[m->n_internal / 2]] = 1e-20; /* of a face across y */
     faces_divide(&f);
     ck_assert_ptr_nonnull(f.pieces);
     ck_assert_int_eq(faces_aligned(&f), 0);

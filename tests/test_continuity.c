@@ -31,7 +31,7 @@ static struct fluid *column(struct boundary b[6], enum continuity form)
     for (int c = 0; c < N; c++)
         fl->u[3 * c + 1] = U;
     for (int f = 0; f < fl->mesh->n_faces; f++)
-        fl->phi[f] = U * fl->mesh->S[3 * f + 1];
+        fl->phi[f] = U * mesh_S(fl->mesh, f)[1];
     return fl;
 }
 
@@ -149,7 +149,7 @@ FACT_FOR_EACH(ls_5_9_courant_number_of_a_uniform_stream, 2)
     fluid_reset_eps_history(fl);
     for (int f = 0; f < m->n_faces; f++)
         for (int k = 0; k < 3; k++)
-            fl->phi[f] += u[k] * m->S[3 * f + k];
+            fl->phi[f] += u[k] * mesh_S(m, f)[k];
     ck_assert_int_eq(fluid_step(fl), 0);
     const double cfl = dt * (0.3 / 0.01 + 0.2 / 0.02 + 0.1 / 0.015) / eps[_i];
     ck_assert_double_eq_tol(fl->report.cfl / cfl, 1.0, 1e-9);

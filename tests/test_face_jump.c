@@ -87,7 +87,7 @@ static void begin(struct fluid *fl, enum bed bed)
         fl->u[3 * c + 1] = through / fl->eps[c] + 1e-6 * (r - 0.5);
     }
     for (int f = 0; f < m->n_faces; f++)
-        fl->phi[f] = through * m->S[3 * f + 1];
+        fl->phi[f] = through * mesh_S(m, f)[1];
     fluid_reset_eps_history(fl);
 }
 

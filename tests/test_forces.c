@@ -36,7 +36,7 @@ static void let_go(struct simulation *sim, double u)
     for (int c = 0; c < sim->mesh->n_cells; c++)
         sim->fluid->u[3 * c] = u;
     for (int f = 0; f < sim->mesh->n_faces; f++)
-        sim->fluid->phi[f] = u * sim->mesh->S[3 * f];
+        sim->fluid->phi[f] = u * mesh_S(sim->mesh, f)[0];
     coupling_start(sim);
 }
 
@@ -128,8 +128,8 @@ FACT(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
             sim->fluid->u[3 * k] = c * m->centre[3 * k];
         for (int f = 0; f < m->n_internal; f++)
             sim->fluid->phi[f] =
-                c * m->S[3 * f] *
-                (m->centre[3 * m->owner[f]] + 0.5 * m->d[3 * f]);
+                c * mesh_S(m, f)[0] *
+                (m->centre[3 * m->owner[f]] + 0.5 * mesh_d(m, f)[0]);
         force = force_in(sim, host);
         sim->steps = 1;
     }

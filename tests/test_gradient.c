@@ -121,7 +121,7 @@ FACT(the_gradients_of_all_cells_sum_to_the_pressure_on_the_boundary)
             sum[k] += m->V[c] * fl->grad_p[3 * c + k];
     for (int f = m->n_internal; f < m->n_faces; f++)
         for (int k = 0; k < 3; k++)
-            surface[k] += fl->p_face[f] * m->S[3 * f + k];
+            surface[k] += fl->p_face[f] * mesh_S(m, f)[k];
     for (int k = 0; k < 3; k++) { /* 120 cells of 0.01 m^2 and 1 Pa */
         ck_assert_double_gt(fabs(surface[k]), 1e-4);
         ck_assert_double_eq_tol(sum[k], surface[k], 1e-15);

@@ -59,7 +59,7 @@ static void fill_planes(struct scene *s)
     for (int f = m->n_internal; f < m->n_faces; f++) {
         double x[3];
         for (int j = 0; j < 3; j++)
-            x[j] = m->centre[3 * m->owner[f] + j] + m->d[3 * f + j];
+            x[j] = m->centre[3 * m->owner[f] + j] + mesh_d(m, f)[j];
         for (int k = 0; k < M; k++)
             s->boundary[M * (f - m->n_internal) + k] = plane(k, x);
     }

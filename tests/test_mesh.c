@@ -74,8 +74,8 @@ FACT_FOR_EACH(outline_of_a_box_says_what_the_box_has, N_SHAPES)
             const int f = m->cell_face[a];
             double SS = 0.0, Sd = 0.0;
             for (int k = 0; k < 3; k++) {
-                SS += m->S[3 * f + k] * m->S[3 * f + k];
-                Sd += m->S[3 * f + k] * m->d[3 * f + k];
+                SS += mesh_S(m, f)[k] * mesh_S(m, f)[k];
+                Sd += mesh_S(m, f)[k] * mesh_d(m, f)[k];
             }
             if (f < m->n_internal) rate += SS / Sd / m->V[c];
         }
@@ -115,7 +115,7 @@ FACT_FOR_EACH(links_weights_and_areas_give_each_volume_back, N_SHAPES)
             const int f = m->cell_face[a], mine = m->owner[f] == c;
             const double share = mine ? 1.0 - m->w[f] : m->w[f];
             for (int k = 0; k < 3; k++)
-                sum += share * m->d[3 * f + k] * m->S[3 * f + k];
+                sum += share * mesh_d(m, f)[k] * mesh_S(m, f)[k];
         }
         ck_assert_double_eq_tol(sum / m->V[c], n_dir, 1e-12);
     }
@@ -236,7 +236,7 @@ FACT(patches_stand_where_their_names_say)
         ck_assert_ptr_nonnull(p);
         ck_assert_int_eq(p->n, expect[i].n);
         for (int f = p->first; f < p->first + p->n; f++)
-            ck_assert(expect[i].sign * m->S[3 * f + expect[i].k] > 0.0);
+            ck_assert(expect[i].sign * mesh_S(m, f)[expect[i].k] > 0.0);
     }
     mesh_free(m);
 }
@@ -320,7 +320,7 @@ FACT(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
     const struct box_spec spec = {
         {1.0, 3.0, 1.0}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
     struct mesh *const m = mesh_create_sheared(&spec, (double[]){0, 0, 0});
-    const double way = m->d[4]; /* of face 1, along y */
+    const double way = mesh_d(m, 1)[1]; /* of face 1, along y */
     m->face_centre[3] += 0.06 * way;
     m->face_centre[5] -= 0.08 * way;
     const struct mesh_quality q = mesh_quality(m);

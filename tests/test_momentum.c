@@ -81,7 +81,7 @@ FACT(upwind_takes_the_velocity_upstream_and_viscosity_both)
         fl->phi[f] = 1e-2 * any(f);
     assemble(fl);
     for (int f = 0; f < m->n_internal; f++) {
-        const double *const d = &m->d[3 * f], *const S = &m->S[3 * f];
+        const double *const d = mesh_d(m, f), *const S = mesh_S(m, f);
         const double D = o.mu * hypot(S[0], hypot(S[1], S[2])) /
                          hypot(d[0], hypot(d[1], d[2]));
         const double flow = o.rho * fl->levels->convecting_flux[f];

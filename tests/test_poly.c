@@ -59,8 +59,8 @@ FACT(a_block_is_our_box)
         ck_assert_int_eq(p->n, b->patches[i].n);
         double S[3] = {0.0, 0.0, 0.0}, ours[3] = {0.0, 0.0, 0.0};
         for (int j = 0; j < 3 * p->n; j++) {
-            S[j % 3] += m->S[3 * p->first + j];
-            ours[j % 3] += b->S[3 * b->patches[i].first + j];
+            S[j % 3] += mesh_S(m, p->first + j / 3)[j % 3];
+            ours[j % 3] += mesh_S(b, b->patches[i].first + j / 3)[j % 3];
         }
         for (int k = 0; k < 3; k++)
             ck_assert_double_eq_tol(S[k], ours[k], 1e-12);
@@ -97,7 +97,7 @@ FACT_FOR_EACH(every_mesh_is_closed_and_in_order, 5)
     for (int f = 0; f < m->n_internal; f++) {
         double Sd = 0.0;
         for (int k = 0; k < 3; k++)
-            Sd += m->S[3 * f + k] * m->d[3 * f + k];
+            Sd += mesh_S(m, f)[k] * mesh_d(m, f)[k];
         ck_assert_int_lt(m->owner[f], m->neighbour[f]);
         ck_assert_double_gt(Sd, 0.0);
     }
@@ -214,7 +214,7 @@ FACT(a_period_more_is_the_same_point)
         const double share = m->out[a] > 0.0 ? 1.0 - m->w[f] : -m->w[f];
         double x[3];
         for (int k = 0; k < 3; k++)
-            x[k] = m->centre[3 * c + k] + 0.99 * share * m->d[3 * f + k];
+            x[k] = m->centre[3 * c + k] + 0.99 * share * mesh_d(m, f)[k];
         for (int laps = -2; laps < 3; laps++) {
             double y[3], offset[3];
             for (int k = 0; k < 3; k++)
@@ -239,7 +239,7 @@ static int holders(const struct mesh *m, const double x[3], int *last)
             const int f = m->cell_face[a];
             double out = 0.0;
             for (int k = 0; k < 3; k++)
-                out += m->out[a] * m->S[3 * f + k] *
+                out += m->out[a] * mesh_S(m, f)[k] *
                        (x[k] - m->face_centre[3 * f + k]);
             in &= out <= 0.0;
         }
@@ -340,7 +340,7 @@ FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10)
         fl->u[i] = U[i % 3];
     for (int f = 0; f < m->n_faces; f++)
         for (int k = 0; k < 3; k++)
-            fl->phi[f] += U[k] * m->S[3 * f + k];
+            fl->phi[f] += U[k] * mesh_S(m, f)[k];
     for (int n = 0; n < 5; n++)
         ck_assert_int_eq(fluid_step(fl), 0);
     for (int i = 0; i < 3 * m->n_cells; i++)

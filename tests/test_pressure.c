@@ -126,7 +126,7 @@ static void set_stream(struct fluid *fl)
     for (int c = 0; c < N; c++)
         fl->u[3 * c + 1] = U / fl->eps[c];
     for (int f = 0; f < fl->mesh->n_faces; f++)
-        fl->phi[f] = U * fl->mesh->S[3 * f + 1];
+        fl->phi[f] = U * mesh_S(fl->mesh, f)[1];
     fluid_reset_eps_history(fl);
 }
 
@@ -228,7 +228,7 @@ static double left_of_a_wave(const char *scheme, int shared)
         fl->u[3 * c + 1] = V / fl->eps[c] * (c % 3 ? 1.0 : 1.05);
     }
     for (int f = 0; f < fl->mesh->n_faces; f++)
-        fl->phi[f] = V * fl->mesh->S[3 * f + 1];
+        fl->phi[f] = V * mesh_S(fl->mesh, f)[1];
     fluid_reset_eps_history(fl);
     for (int n = 0; n < 2000; n++)
         ck_assert_int_eq(fluid_step(fl), 0);

@@ -143,7 +143,7 @@ FACT_FOR_EACH(ew18_5_the_fluxes_have_no_divergence_in_the_body_or_out_of_it, 2)
     for (int f = 0; f < m->n_internal; f++)
         if (is_deep(&p, middle, m->owner[f]) &&
             is_deep(&p, middle, m->neighbour[f]))
-            apart = fmax(apart, fabs(p.fluid->phi[f] - U * m->S[3 * f]));
+            apart = fmax(apart, fabs(p.fluid->phi[f] - U * mesh_S(m, f)[0]));
     for (int c = 0; c < m->n_cells; c++) {
         double out = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
@@ -254,7 +254,7 @@ FACT(ew18_2_a_body_that_drifts_with_the_fluid_feels_no_force)
     for (int c = 0; c < p.mesh->n_cells; c++)
         p.fluid->u[3 * c] = U;
     for (int f = 0; f < p.mesh->n_faces; f++)
-        p.fluid->phi[f] = U * p.mesh->S[3 * f];
+        p.fluid->phi[f] = U * mesh_S(p.mesh, f)[0];
     for (int i = 0; i < 60; i++) { /* more than once through the box */
         const double x = p.bodies->ps->x[0];
         pool_run(&p, 1);

@@ -78,9 +78,9 @@ static struct fluid *vortex_create(const struct vortex *v)
     for (int f = 0; f < m->n_internal; f++) {
         const double *const x = &m->centre[3 * m->owner[f]];
         double u[2];
-        vortex_velocity(x[0] + 0.5 * m->d[3 * f], x[1] + 0.5 * m->d[3 * f + 1],
-                        0.0, u);
-        fl->phi[f] = m->S[3 * f] * u[0] + m->S[3 * f + 1] * u[1];
+        vortex_velocity(x[0] + 0.5 * mesh_d(m, f)[0],
+                        x[1] + 0.5 * mesh_d(m, f)[1], 0.0, u);
+        fl->phi[f] = mesh_S(m, f)[0] * u[0] + mesh_S(m, f)[1] * u[1];
     }
     return fl;
 }
@@ -215,7 +215,7 @@ static void band(const char *convection, double *beyond, double *left)
         fl->u[3 * c + 1] = 1.0;
     }
     for (int f = 0; f < m->n_faces; f++)
-        fl->phi[f] = m->S[3 * f + 1];
+        fl->phi[f] = mesh_S(m, f)[1];
     for (int n = 0; n < 500; n++)
         ck_assert_int_eq(fluid_step(fl), 0);
     for (int c = 0; c < 64; c++) {
@@ -262,7 +262,7 @@ FACT_FOR_EACH(slopes_of_a_linear_field_are_exact_on_graded_cells, 4)
             for (int b = 0; b < edges; b++) {
                 const int f = m->n_internal + b;
                 u_b[3 * b + k] += G[k][j] * (m->centre[3 * m->owner[f] + j] +
-                                             m->d[3 * f + j]);
+                                             mesh_d(m, f)[j]);
             }
         }
     velocity_gradient_schemes[_i % 2]->fill(m, NULL, u, u_b, slope);

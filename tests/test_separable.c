@@ -22,8 +22,8 @@ static struct csr *laplacian(const struct mesh *m)
     for (int f = 0; f < m->n_internal; f++) {
         double SS = 0.0, Sd = 0.0;
         for (int k = 0; k < 3; k++) {
-            SS += m->S[3 * f + k] * m->S[3 * f + k];
-            Sd += m->S[3 * f + k] * m->d[3 * f + k];
+            SS += mesh_S(m, f)[k] * mesh_S(m, f)[k];
+            Sd += mesh_S(m, f)[k] * mesh_d(m, f)[k];
         }
         K->a[K->upper[f]] -= SS / Sd;
         K->a[K->lower[f]] -= SS / Sd;

@@ -34,7 +34,7 @@ static struct simulation *let_go(const struct scene *s)
     for (int c = 0; c < sim->mesh->n_cells; c++)
         sim->fluid->u[3 * c] = stream;
     for (int f = 0; f < sim->mesh->n_faces; f++)
-        sim->fluid->phi[f] = stream * sim->mesh->S[3 * f];
+        sim->fluid->phi[f] = stream * mesh_S(sim->mesh, f)[0];
     coupling_start(sim);
     return sim;
 }

@@ -153,7 +153,7 @@ static int beside_ends_only(const struct mesh *m, int c)
     int ends = 1;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-        const double *const S = &m->S[3 * m->cell_face[a]];
+        const double *const S = mesh_S(m, m->cell_face[a]);
         if (m->cell_face[a] >= m->n_internal)
             ends = ends && S[0] * S[0] + S[1] * S[1] < 1e-12 * S[2] * S[2];
     }

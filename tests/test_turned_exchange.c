@@ -107,7 +107,7 @@ static void blow(struct simulation *sim, const struct mesh *plain,
     for (int f = 0; f < sim->mesh->n_faces; f++) {
         fl->phi[f] = 0.0;
         for (int k = 0; k < 3; k++)
-            fl->phi[f] += speed * turned[k] * sim->mesh->S[3 * f + k];
+            fl->phi[f] += speed * turned[k] * mesh_S(sim->mesh, f)[k];
     }
 }
 

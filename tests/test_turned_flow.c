@@ -173,7 +173,7 @@ static void begin(struct scene *s)
     }
     for (int f = 0; f < s->m->n_internal; f++)
         for (int k = 0; k < 3; k++)
-            s->fl->phi[f] += 0.5 * turned[k] * s->speed * s->m->S[3 * f + k];
+            s->fl->phi[f] += 0.5 * turned[k] * s->speed * mesh_S(s->m, f)[k];
 }
 
 static struct scene *create(const struct variant *v, const struct frame *t,

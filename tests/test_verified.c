@@ -98,10 +98,10 @@ static struct fluid *made_create(int n, int shared, double dt, const char *time)
     }
     for (int f = 0; f < m->n_internal; f++) {
         const double *const P = &m->centre[3 * m->owner[f]];
-        const double x = P[0] - 1.0 + 0.5 * m->d[3 * f];
-        const double y = P[1] - 1.0 + 0.5 * m->d[3 * f + 1];
-        fl->phi[f] = made_eps(x, y) * (made_u(0, x, y) * m->S[3 * f] +
-                                       made_u(1, x, y) * m->S[3 * f + 1]);
+        const double x = P[0] - 1.0 + 0.5 * mesh_d(m, f)[0];
+        const double y = P[1] - 1.0 + 0.5 * mesh_d(m, f)[1];
+        fl->phi[f] = made_eps(x, y) * (made_u(0, x, y) * mesh_S(m, f)[0] +
+                                       made_u(1, x, y) * mesh_S(m, f)[1]);
     }
     fluid_reset_eps_history(fl);
     return fl;
@@ -182,8 +182,8 @@ static double wave_error(const char *time, int n, double dt)
     double sum = 0.0;
 
     for (int f = 0; f < m->n_internal; f++) {
-        const double x = m->centre[3 * m->owner[f]] + 0.5 * m->d[3 * f];
-        fl->phi[f] = m->S[3 * f] * (speed * (0.5 + 0.2 * sin(x)) + q);
+        const double x = m->centre[3 * m->owner[f]] + 0.5 * mesh_d(m, f)[0];
+        fl->phi[f] = mesh_S(m, f)[0] * (speed * (0.5 + 0.2 * sin(x)) + q);
     }
     for (int c = 0; c < n; c++) {
         fl->eps[c] = 0.5 + 0.2 * sin(m->centre[3 * c]);

@@ -26,7 +26,7 @@ int main(void)
     printf("# faces of the lid: x z [mm]\n");
     for (int f = lid->first; f < lid->first + lid->n; f++) {
         const int p = s->boundary[f - m->n_internal];
-        area += m->S[3 * f + 1];
+        area += mesh_S(m, f)[1];
         const int n = s->start[p + 1] - s->start[p];
         for (int i = 0; i <= n; i++) {
             const double *const x =

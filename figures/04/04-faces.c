@@ -10,7 +10,7 @@
 
 static void print_face(const struct mesh *m, int f)
 {
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
     const double *const x = &m->centre[3 * m->owner[f]];
     const int inner = f < m->n_internal;
     const double way = inner ? 1.0 - m->w[f] : 1.0; /* of d, to the face */

@@ -85,7 +85,7 @@ static struct fluid *create(const struct mesh *m, enum continuity form)
     for (int c = 0; c < CELLS; c++)
         fl->u[3 * c + 1] = U;
     for (int f = 0; f < m->n_faces; f++)
-        fl->phi[f] = U * m->S[3 * f + 1];
+        fl->phi[f] = U * mesh_S(m, f)[1];
     return fl;
 }
 

@@ -31,10 +31,10 @@ static struct fluid *create(const struct mesh *m, const char *scheme)
     }
     for (int f = 0; f < m->n_internal; f++) {
         const double *const from = &m->centre[3 * m->owner[f]];
-        const double x = from[0] + 0.5 * m->d[3 * f];
-        const double y = from[1] + 0.5 * m->d[3 * f + 1];
-        fl->phi[f] =
-            m->S[3 * f] * sin(x) * cos(y) - m->S[3 * f + 1] * cos(x) * sin(y);
+        const double x = from[0] + 0.5 * mesh_d(m, f)[0];
+        const double y = from[1] + 0.5 * mesh_d(m, f)[1];
+        fl->phi[f] = mesh_S(m, f)[0] * sin(x) * cos(y) -
+                     mesh_S(m, f)[1] * cos(x) * sin(y);
     }
     return fl;
 }

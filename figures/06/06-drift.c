@@ -56,7 +56,7 @@ static void set_drift(struct fluid *fl)
     for (int c = 0; c < CELLS; c++)
         fl->u[3 * c] = U;
     for (int f = 0; f < m->n_internal; f++)
-        fl->phi[f] = 0.5 * U * m->S[3 * f] *
+        fl->phi[f] = 0.5 * U * mesh_S(m, f)[0] *
                      (fl->eps[m->owner[f]] + fl->eps[m->neighbour[f]]);
 }
 

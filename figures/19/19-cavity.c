@@ -80,7 +80,7 @@ static void prolong(const struct fluid *from, struct fluid *to)
     for (int f = 0; f < m->n_internal; f++)
         for (int k = 0; k < 3; k++)
             to->phi[f] +=
-                m->S[3 * f + k] * (0.5 * to->u[3 * m->owner[f] + k] +
+                mesh_S(m, f)[k] * (0.5 * to->u[3 * m->owner[f] + k] +
                                    0.5 * to->u[3 * m->neighbour[f] + k]);
 }
 

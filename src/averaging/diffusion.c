@@ -262,7 +262,7 @@ const struct model *const bandwidth_rules[] = {
 /* Coefficient of the flux through internal face f: g (phi_N - phi_P) [m]. */
 static double diffusion_coefficient(const struct mesh *m, int f)
 {
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
     const double Sd = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
     return SS / Sd;

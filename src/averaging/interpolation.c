@@ -40,7 +40,7 @@ static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
         if (f >= mesh->n_internal) break; /* ascending: only boundary follows */
         const int owner = mesh->owner[f] == c;
         const int other = owner ? mesh->neighbour[f] : mesh->owner[f];
-        const double *const d = &mesh->d[3 * f];
+        const double *const d = mesh_d(mesh, f);
         const double w = 1.0 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         const double difference =
             (owner ? w : -w) * (field[m * other + k] - field[m * c + k]);
@@ -74,7 +74,7 @@ static void gradient(const struct mesh *mesh, int c, int k, int m,
             interpolation_face_value(mesh, f, k, m, field, boundary) -
             field[m * c + k];
         for (int j = 0; j < 3; j++)
-            g[j] += out * difference * mesh->S[3 * f + j];
+            g[j] += out * difference * mesh_S(mesh, f)[j];
     }
     for (int j = 0; j < 3; j++)
         g[j] /= mesh->V[c];

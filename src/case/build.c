@@ -171,7 +171,7 @@ static void add_shares(const struct mesh *m, const struct patch *p,
     double sum = 0.0, surface = 0.0;
 
     for (int j = 0; j < p->n; j++) {
-        const double area = vector_length(&m->S[3 * (p->first + j)]);
+        const double area = vector_length(mesh_S(m, p->first + j));
         const double share = boundary_inlet_profile(b, j, t);
         sum += share * area;
         surface += area;

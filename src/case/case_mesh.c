@@ -349,7 +349,7 @@ double case_mesh_area(const struct mesh *m, const struct patch *p)
     double area = 0.0;
 
     for (int f = p->first; f < p->first + p->n; f++)
-        area += vector_length(&m->S[3 * f]);
+        area += vector_length(mesh_S(m, f));
     return area;
 }
 

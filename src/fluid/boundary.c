@@ -60,7 +60,7 @@ static void boundary_velocity_at(const struct fluid *fl,
 {
     const struct mesh *const m = fl->mesh;
     const int c = m->owner[f];
-    const double *const S = &m->S[3 * f], *const u = &fl->u[3 * c];
+    const double *const S = mesh_S(m, f), *const u = &fl->u[3 * c];
     const double SS = piso_square(fl, f);
 
     if (b->kind == BOUNDARY_SLIP) {
@@ -89,7 +89,7 @@ static double inlet_velocity(const struct fluid *fl, const struct boundary *b,
     double sum = 0.0, surface = 0.0;
 
     for (int j = 0; j < p->n; j++) {
-        const double area = vector_length(&fl->mesh->S[3 * (p->first + j)]);
+        const double area = vector_length(mesh_S(fl->mesh, p->first + j));
         sum += area * boundary_inlet_profile(b, j, fl->t);
         surface += area;
     }
@@ -112,7 +112,7 @@ void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
                             int j, int f, double u[3])
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
-    const double *const S = &fl->mesh->S[3 * f], SS = piso_square(fl, f);
+    const double *const S = mesh_S(fl->mesh, f), SS = piso_square(fl, f);
     const int c = fl->mesh->owner[f];
     const double *const inside = &fl->u[3 * c];
     const double phi = fl->levels->convecting_flux[f];
@@ -138,7 +138,7 @@ void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
         if (b->kind != BOUNDARY_INLET) continue;
         const double U = boundary_inlet_velocity(b, fl->t);
         for (int j = 0; j < p->n; j++) {
-            const double *const S = &m->S[3 * (p->first + j)];
+            const double *const S = mesh_S(m, p->first + j);
             const double profile = boundary_inlet_profile(b, j, fl->t);
             phi[p->first + j] = -U * profile * vector_length(S);
         }

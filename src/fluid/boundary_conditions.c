@@ -140,7 +140,7 @@ static const char *boundary_check_wall(const struct boundary_options *o,
 
     if (m->face_centre == NULL) return check_side(u, p, wrong);
     for (int f = p->first; f < p->first + p->n; f++) {
-        const double *const S = &m->S[3 * f], *const x = &m->face_centre[3 * f];
+        const double *const S = mesh_S(m, f), *const x = &m->face_centre[3 * f];
         const double out = vector_dot(u, S) / vector_length(S);
         if (fabs(out) <= 1e-6 * vector_length(u)) continue;
         snprintf(wrong, BOUNDARY_TEXT,
@@ -221,7 +221,7 @@ static const char *rotating_wall_build(const struct boundary_request *r,
     double fastest = 0.0, through = 0.0;
 
     for (int j = 0; j < p->n; j++) {
-        const double *const S = &m->S[3 * (p->first + j)];
+        const double *const S = mesh_S(m, p->first + j);
         double x[3], off[3], less[3];
         mesh_face_middle(m, p->first + j, x);
         rotating_wall_moves(r->says, x, &u[3 * j]);

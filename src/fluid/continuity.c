@@ -12,7 +12,7 @@
 FACE_KERNEL solid_flux(int f, int o, int n, const void *with)
 {
     const struct fluid *const fl = with;
-    const double *const S = &fl->mesh->S[3 * f], w = fl->mesh->w[f];
+    const double *const S = mesh_S(fl->mesh, f), w = fl->mesh->w[f];
     const double *const a = &fl->eps_us[3 * o], *const b = &fl->eps_us[3 * n];
 
     fl->p_face[f] = (w * a[0] + (1.0 - w) * b[0]) * S[0] +

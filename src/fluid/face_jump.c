@@ -77,7 +77,7 @@ static inline void split_jump(const struct fluid *fl, int f, int o, int n,
 FACE_KERNEL split_by_cell_velocities(int f, int o, int n, const void *with)
 {
     const struct fluid *const fl = with;
-    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double w = fl->mesh->w[f], *const S = mesh_S(fl->mesh, f);
     const double q = w * fl->eps[o] * vector_dot(&fl->u[3 * o], S) +
                      (1.0 - w) * fl->eps[n] * vector_dot(&fl->u[3 * n], S);
 
@@ -123,7 +123,7 @@ static void restore_jump_force(struct fluid *fl)
     for (int f = 0; f < m->n_internal; f++) {
         const double j = jump->owner_part[f] + jump->neighbour_part[f];
         for (int k = 0; k < 3; k++) {
-            const double force = jump->upwind_bias[f] * j * m->S[3 * f + k];
+            const double force = jump->upwind_bias[f] * j * mesh_S(m, f)[k];
             momentum->b[3 * m->owner[f] + k] += force;
             momentum->b[3 * m->neighbour[f] + k] -= force;
         }
@@ -165,14 +165,14 @@ static inline double gamma_jump_factor(const struct fluid *fl, int f, int o,
                                        int n)
 {
     const double w = fl->mesh->w[f];
-    const double Sd = vector_dot(&fl->mesh->S[3 * f], &fl->mesh->d[3 * f]);
+    const double Sd = vector_dot(mesh_S(fl->mesh, f), mesh_d(fl->mesh, f));
     return w * (1.0 - w) * Sd / piso_square(fl, f) *
            (1.0 / piso_gamma(fl, o) - 1.0 / piso_gamma(fl, n));
 }
 
 static inline double normal_force(const struct fluid *fl, int c, int f)
 {
-    return vector_dot(&fl->jump->smooth_force[3 * c], &fl->mesh->S[3 * f]);
+    return vector_dot(&fl->jump->smooth_force[3 * c], mesh_S(fl->mesh, f));
 }
 
 /* Adds the flux that the contribution to p_N - p_O drives. */

@@ -112,7 +112,7 @@ double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch)
     double force = 0.0, surface = 0.0;
 
     for (int f = patch->first; f < patch->first + patch->n; f++) {
-        const double area = vector_length(&fl->mesh->S[3 * f]);
+        const double area = vector_length(mesh_S(fl->mesh, f));
         force += area * fl->p_face[f];
         surface += area;
     }

@@ -23,7 +23,7 @@
  * s)]. */
 static inline double drag_explicit_part(const struct fluid *fl, int c, int f)
 {
-    return vector_dot(&fl->F[3 * c], &fl->mesh->S[3 * f]) / piso_gamma(fl, c);
+    return vector_dot(&fl->F[3 * c], mesh_S(fl->mesh, f)) / piso_gamma(fl, c);
 }
 
 static inline double drag_implicit_part(const struct fluid *fl, int c)
@@ -198,8 +198,8 @@ static double required_gradient(const struct fluid *fl, int k)
         V += m->V[c];
     for (int f = 0; f < m->n_internal; f++) {
         const double dp = fl->p[m->neighbour[f]] - fl->p[m->owner[f]];
-        flow += (fl->phi[f] - pressure->conductance[f] * dp) * m->d[3 * f + k];
-        loss += pressure->m_face[f] * m->S[3 * f + k] * m->d[3 * f + k];
+        flow += (fl->phi[f] - pressure->conductance[f] * dp) * mesh_d(m, f)[k];
+        loss += pressure->m_face[f] * mesh_S(m, f)[k] * mesh_d(m, f)[k];
     }
     if (loss == 0.0) return 0.0; /* one cell across: no periodic flow */
     return (flow - V * fl->options.mean_flow[k]) / loss;
@@ -215,5 +215,5 @@ void gradient_add_mean(struct fluid *fl)
     for (int k = 0; k < 3; k++)
         if (fl->options.keeps_flow[k]) G[k] = required_gradient(fl, k);
     for (int f = 0; f < m->n_internal; f++)
-        fl->phi[f] -= fl->pressure->m_face[f] * vector_dot(G, &m->S[3 * f]);
+        fl->phi[f] -= fl->pressure->m_face[f] * vector_dot(G, mesh_S(m, f));
 }

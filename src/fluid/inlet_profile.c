@@ -125,7 +125,7 @@ static int parabola(const struct boundary_request *r, struct boundary *b,
         profile[j] = 1.0;
         for (int k = 0; k < 3; k++) {
             const double *const x = m->box.edge[k];
-            if (m->S[3 * (p->first + j) + k] == 0.0 && r->between_walls[k])
+            if (mesh_S(m, p->first + j)[k] == 0.0 && r->between_walls[k])
                 profile[j] *= inlet_profile_parabola_mean(
                     x[at[k]] / x[n[k]], x[at[k] + 1] / x[n[k]]);
         }

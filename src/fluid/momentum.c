@@ -104,7 +104,7 @@ static void add_drag(int first, int last, struct fluid *fl)
  * to the cell. */
 static void add_entering_face(struct fluid *fl, int f, double D)
 {
-    const double *const S = &fl->mesh->S[3 * f], SS = piso_square(fl, f);
+    const double *const S = mesh_S(fl->mesh, f), SS = piso_square(fl, f);
     const double phi = fl->levels->convecting_flux[f];
     const double a = D - fl->options.rho * phi;
     const int c = fl->mesh->owner[f];
@@ -149,7 +149,7 @@ static void add_boundary_face(struct fluid *fl, const struct boundary *b, int j,
 static void add_slip_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f];
+    const double *const S = mesh_S(m, f);
     const double SS = piso_square(fl, f);
     const double D = fl->options.mu * fl->geometry->face_coefficient[f];
     const int c = m->owner[f];

@@ -48,7 +48,7 @@ static void momentum_balance_add_face(const struct fluid *fl,
         momentum_balance_add(s, k, dt * D * (edge[k] - u[k]));
         if (p_face != NULL)
             momentum_balance_add(s, k,
-                                 -dt * p_face[f] * fl->mesh->S[3 * f + k]);
+                                 -dt * p_face[f] * mesh_S(fl->mesh, f)[k]);
     }
 }
 
@@ -161,9 +161,9 @@ static void viscous_force(const struct fluid *fl, const struct boundary *b,
                           int j, int f, double force[3])
 {
     const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f], *const u = &fl->u[3 * m->owner[f]];
+    const double *const S = mesh_S(m, f), *const u = &fl->u[3 * m->owner[f]];
     const double SS = vector_dot(S, S), mu = fl->options.mu;
-    const double D = mu * SS / vector_dot(S, &m->d[3 * f]);
+    const double D = mu * SS / vector_dot(S, mesh_d(m, f));
     double turned[3];
 
     if (b->kind == BOUNDARY_SLIP) {
@@ -181,7 +181,7 @@ struct wall_stress wall_stress(const struct fluid *fl, int patch, int j)
 {
     const struct mesh *const m = fl->mesh;
     const int f = m->patches[patch].first + j;
-    const double *const S = &m->S[3 * f];
+    const double *const S = mesh_S(m, f);
     struct wall_stress w = {.area = vector_length(S)};
     double x[3];
 
@@ -193,7 +193,7 @@ struct wall_stress wall_stress(const struct fluid *fl, int patch, int j)
         w.pressure[k] = p * S[k];
         w.shear[k] = (w.viscous[k] - normal * S[k]) / w.area;
     }
-    const double y = vector_dot(&m->d[3 * f], S) / w.area;
+    const double y = vector_dot(mesh_d(m, f), S) / w.area;
     const double rho = fl->options.rho, mu = fl->options.mu;
     if (mu > 0.0) w.y_plus = y * sqrt(vector_length(w.shear) * rho) / mu;
     return w;

@@ -29,7 +29,7 @@ void systems_free(struct fluid *fl);
 /* S.S of a face [m^4]. */
 static inline double piso_square(const struct fluid *fl, int f)
 {
-    return vector_dot(&fl->mesh->S[3 * f], &fl->mesh->S[3 * f]);
+    return vector_dot(mesh_S(fl->mesh, f), mesh_S(fl->mesh, f));
 }
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in

@@ -97,7 +97,7 @@ FACE_KERNEL inner_jump(int f, int o, int n, const void *with)
     const struct fluid *const fl = with;
     const struct face_jump *const jump = fl->jump;
     const struct pressure_system *const pressure = fl->pressure;
-    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double w = fl->mesh->w[f], *const S = mesh_S(fl->mesh, f);
     const double slope =
         (1.0 - w) * pressure->per_force[o] *
             vector_dot(&jump->inertia[3 * o], S) +
@@ -118,7 +118,7 @@ static void store_jump_fluxes(const struct fluid *fl)
         const int o = m->owner[f];
         pressure->explicit_flux[f] -=
             pressure->m_face[f] * pressure->per_force[o] *
-            vector_dot(&fl->jump->inertia[3 * o], &m->S[3 * f]);
+            vector_dot(&fl->jump->inertia[3 * o], mesh_S(m, f));
     }
 }
 
@@ -191,7 +191,7 @@ FACE_SUM_KERNEL flux_of(const struct fluid *fl, int f, int o, int n, double H_o,
 FACE_KERNEL pressure_inner_flux(int f, int o, int n, const void *with)
 {
     const struct fluid *const fl = with;
-    const double *const H = fl->momentum->H, *const S = &fl->mesh->S[3 * f];
+    const double *const H = fl->momentum->H, *const S = mesh_S(fl->mesh, f);
 
     fl->phi[f] = flux_of(fl, f, o, n, vector_dot(&H[3 * o], S),
                          vector_dot(&H[3 * n], S));
@@ -234,7 +234,7 @@ static void predicted_fluxes(struct fluid *fl)
         if (b->kind == BOUNDARY_OUTLET)
             fl->phi[f] = pressure->explicit_flux[f] +
                          pressure->m_face[f] * pressure->per_force[o] *
-                             vector_dot(&fl->momentum->H[3 * o], &m->S[3 * f]);
+                             vector_dot(&fl->momentum->H[3 * o], mesh_S(m, f));
     }
 }
 

@@ -25,7 +25,7 @@ static int systems_has(const struct fluid *fl, enum boundary_kind kind)
 static int has_inclined_slip(const struct fluid *fl)
 {
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
-        const double *const S = &fl->mesh->S[3 * f];
+        const double *const S = mesh_S(fl->mesh, f);
         const double x = fabs(S[0]), y = fabs(S[1]), z = fabs(S[2]);
         const double smallest = fmin(fmin(x + y, y + z), z + x);
         if (b->kind == BOUNDARY_SLIP && smallest > 1e-12 * (x + y + z))
@@ -150,8 +150,8 @@ static void create_geometry(struct face_geometry *g, const struct mesh *m)
 {
     g->face_coefficient = alloc_doubles(m->n_faces);
     for (int f = 0; f < m->n_faces; f++) {
-        const double *const S = &m->S[3 * f];
-        g->face_coefficient[f] = vector_dot(S, S) / vector_dot(S, &m->d[3 * f]);
+        const double *const S = mesh_S(m, f);
+        g->face_coefficient[f] = vector_dot(S, S) / vector_dot(S, mesh_d(m, f));
     }
 }
 
@@ -167,9 +167,22 @@ static struct faces *systems_faces_of(const struct mesh *m)
                         .cell_start = m->cell_start,
                         .cell_face = m->cell_face,
                         .out = m->out,
-                        .S = m->S};
+                        .S = m->S,
+                        .S_at = m->S_at};
     faces_divide(f);
     return f;
+}
+
+static struct preconditioned pressure_matrix(const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    double *const link = mesh_links(m);
+    const struct preconditioned A =
+        preconditioned_create(m->n_cells, m->n_internal, m->owner, m->neighbour,
+                              fl->geometry->face_coefficient, link, m->V);
+
+    free(link);
+    return A;
 }
 
 /* The pressure needs what has no array in the table, and the vectors of its
@@ -206,10 +219,7 @@ void systems_create(struct fluid *fl)
     fl->faces = systems_faces_of(m);
     create_geometry(fl->geometry, m);
     /* Before the arrays, because it takes more memory while it is made. */
-    if (fl->options.shared == NULL)
-        fl->pressure->matrix =
-            preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
-                                  fl->geometry->face_coefficient, m->d, m->V);
+    if (fl->options.shared == NULL) fl->pressure->matrix = pressure_matrix(fl);
     fl->deferred = deferred_create(fl);
     allocate_arrays(fl);
     fl->momentum->matrix =

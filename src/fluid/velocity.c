@@ -19,7 +19,7 @@ static void add_slip_residual(const struct fluid *fl, double *right)
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
         if (b->kind != BOUNDARY_SLIP) continue;
         const int c = fl->mesh->owner[f];
-        const double *const S = &fl->mesh->S[3 * f], *const u = &fl->u[3 * c];
+        const double *const S = mesh_S(fl->mesh, f), *const u = &fl->u[3 * c];
         const double Su = vector_dot(S, u);
         const double D = fl->options.mu * fl->geometry->face_coefficient[f];
         for (int k = 0; k < 3; k++)

@@ -28,12 +28,15 @@ void faces_release(struct faces *f)
     f->area = NULL;
 }
 
+static const double *faces_S(const struct faces *fs, int f)
+{
+    return fs->S + 3L * (fs->S_at != NULL ? fs->S_at[f] : f);
+}
+
 static void sum_by_lists(const struct faces *fs, int first, int last, int n,
                          const double *a, double sign, const double *b,
                          double *sum)
 {
-    const double *const S = fs->S;
-
     for (int c = first; c < last; c++) {
         double x = 0.0, y = 0.0, z = 0.0;
 
@@ -41,9 +44,10 @@ static void sum_by_lists(const struct faces *fs, int first, int last, int n,
             const int f = fs->cell_face[i];
             if (f >= n) continue;
             const double part = fs->out[i] > 0 ? a[f] : sign * b[f];
-            x += part * S[3 * f];
-            y += part * S[3 * f + 1];
-            z += part * S[3 * f + 2];
+            const double *const S = faces_S(fs, f);
+            x += part * S[0];
+            y += part * S[1];
+            z += part * S[2];
         }
         sum[3 * c] = x;
         sum[3 * c + 1] = y;
@@ -62,8 +66,14 @@ static void sum_by_pieces(const struct faces *fs, int first, int last, int n,
     while (faces_next_of_cells(fs->pieces, first, last, &p) && p.face < n) {
         const int leaves = p.out > 0.0;
 
-        vec3_add(p.n, leaves ? 1.0 : sign, (leaves ? a : b) + p.face,
-                 fs->S + 3L * p.face, sum + 3L * p.cell);
+        const double factor = leaves ? 1.0 : sign;
+        const double *const at = (leaves ? a : b) + p.face;
+        double *const to = sum + 3L * p.cell;
+
+        if (fs->S_at == NULL)
+            vec3_add(p.n, factor, at, fs->S + 3L * p.face, to);
+        for (int i = 0; i < 3 * p.n && fs->S_at != NULL; i++)
+            to[i] += factor * at[i / 3] * faces_S(fs, p.face + i / 3)[i % 3];
     }
 }
 
@@ -301,11 +311,11 @@ static int axis_of(const double S[3])
 }
 
 /* Whether all faces of a contiguous range are normal to an axis. */
-static int normal_to(const struct contiguous_range *run, const double *S,
+static int normal_to(const struct contiguous_range *run, const struct faces *fs,
                      int axis)
 {
     for (int f = run->face; f < run->face + run->n; f++)
-        if (axis_of(S + 3L * f) != axis) return 0;
+        if (axis_of(faces_S(fs, f)) != axis) return 0;
     return axis >= 0;
 }
 
@@ -318,14 +328,14 @@ static void find_areas(struct faces *f)
         const struct contiguous_range *const run = r->range;
         const int begin = r->group[g].first, end = r->group[g].end;
 
-        r->group[g].axis = axis_of(f->S + 3L * run[begin].face);
+        r->group[g].axis = axis_of(faces_S(f, run[begin].face));
         for (int i = begin; i < end; i++)
-            if (!normal_to(&run[i], f->S, r->group[g].axis)) return;
+            if (!normal_to(&run[i], f, r->group[g].axis)) return;
     }
     f->area = alloc_doubles(f->n);
     for (struct face_piece p = {0}; faces_next_of_owners(r, 0, f->n_cells, &p);)
         for (int i = p.face; i < p.face + p.n; i++)
-            f->area[i] = f->S[3L * i + p.axis];
+            f->area[i] = faces_S(f, i)[p.axis];
 }
 
 void faces_divide(struct faces *f)

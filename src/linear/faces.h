@@ -56,7 +56,8 @@ struct faces {
     const int *owner, *neighbour;      /* [-] n, n_inner */
     const int *cell_start, *cell_face; /* [-] the faces of each cell */
     const signed char *out;     /* [-] 1: cell_face[a] leaves the cell, or -1 */
-    const double *S;            /* [m^2] area vectors, 3 a face; or NULL */
+    const double *S;            /* [m^2] area vectors, 3 each; or NULL */
+    const int *S_at;            /* [-] n, which of them; NULL: each its own */
     struct face_pieces *pieces; /* NULL: loops follow the lists */
     double *area; /* [m^2] where each piece is normal to its axis, that
                      component of S; else NULL */

@@ -74,6 +74,28 @@ static int cell_index(const struct box *b, const int at[3])
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
 }
 
+/* Which area vector and which link vector the inner face of cell `at` across
+ * direction k has: faces side by side have the same link, those one after the
+ * other along k the same area. Those of the boundary are the first. */
+static int area_at(const struct mesh *m, int k, const int at[3])
+{
+    const int *const n = m->box.n, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+    int i = m->n_faces - m->n_internal + at[k1] + n[k1] * at[k2];
+
+    for (int a = 0; a < k; a++)
+        i += n[(a + 1) % 3] * n[(a + 2) % 3];
+    return i;
+}
+
+static int link_at(const struct mesh *m, int k, const int at[3])
+{
+    int i = m->n_faces - m->n_internal + at[k];
+
+    for (int a = 0; a < k; a++)
+        i += m->box.n[a];
+    return i;
+}
+
 /* Sets face f, between `at` and the next cell in direction k. */
 static void inner_face(struct mesh *m, int f, int k, const int at[3])
 {
@@ -84,8 +106,10 @@ static void inner_face(struct mesh *m, int f, int k, const int at[3])
 
     m->owner[f] = cell_index(b, at);
     m->neighbour[f] = cell_index(b, next);
-    m->S[3 * f + k] = face_area(b, k, at);
-    m->d[3 * f + k] = 0.5 * (h0 + h1);
+    m->S_at[f] = area_at(m, k, at);
+    m->d_at[f] = link_at(m, k, at);
+    m->S[3 * m->S_at[f] + k] = face_area(b, k, at);
+    m->d[3 * m->d_at[f] + k] = 0.5 * (h0 + h1);
     m->w[f] = h1 / (h0 + h1);
 }
 
@@ -129,9 +153,11 @@ static int box_end_faces(struct mesh *m, int first, int k, int side)
     for (at[k2] = 0; at[k2] < b->n[k2]; at[k2]++)
         for (at[k1] = 0; at[k1] < b->n[k1]; at[k1]++, f++) {
             const double out = side == 0 ? -1.0 : 1.0;
+            const int i = f - m->n_internal;
             m->owner[f] = cell_index(b, at);
-            m->S[3 * f + k] = out * face_area(b, k, at);
-            m->d[3 * f + k] = out * 0.5 * width(b, k, at[k]);
+            m->S_at[f] = m->d_at[f] = i;
+            m->S[3 * i + k] = out * face_area(b, k, at);
+            m->d[3 * i + k] = out * 0.5 * width(b, k, at[k]);
         }
     return f;
 }
@@ -195,6 +221,11 @@ struct mesh *mesh_create_box(const struct box_spec *spec)
     struct mesh *const m = mesh_outline_box(spec);
 
     assert(m->n_faces <= MESH_MOST_FACES);
+    m->n_S = m->n_d = m->n_faces - m->n_internal;
+    for (int k = 0; k < 3; k++) {
+        m->n_S += m->n_cells / m->box.n[k];
+        m->n_d += m->box.n[k];
+    }
     mesh_allocate(m);
     place_cells(m);
     box_inner_faces(m);

@@ -87,9 +87,9 @@ double mesh_diffusion_rate(const struct mesh *m)
         double sum = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const int f = m->cell_face[a];
-            const double *const S = &m->S[3 * f];
+            const double *const S = mesh_S(m, f);
             if (f < m->n_internal)
-                sum += vector_dot(S, S) / vector_dot(S, &m->d[3 * f]);
+                sum += vector_dot(S, S) / vector_dot(S, mesh_d(m, f));
         }
         fastest = fmax(fastest, sum / m->V[c]);
     }
@@ -103,7 +103,7 @@ double mesh_openness(const struct mesh *m)
     for (int c = 0; c < m->n_cells; c++) {
         double sum[3] = {0.0, 0.0, 0.0}, surface = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const double *const S = &m->S[3 * m->cell_face[a]];
+            const double *const S = mesh_S(m, m->cell_face[a]);
             for (int k = 0; k < 3; k++)
                 sum[k] += m->out[a] * S[k];
             surface += vector_length(S);
@@ -119,7 +119,7 @@ static int box_corners(const struct mesh *m, int f, int max, double (*x)[3])
 {
     const int *const n = m->box.n, c = m->owner[f];
     const int at[3] = {c % n[0], c / n[0] % n[1], c / n[0] / n[1]};
-    const double *const S = &m->S[3 * f];
+    const double *const S = mesh_S(m, f);
     int k = 0;
 
     while (S[k] == 0.0)
@@ -152,14 +152,14 @@ void mesh_face_middle(const struct mesh *m, int f, double x[3])
 
     for (int k = 0; k < 3; k++)
         x[k] = m->face_centre != NULL ? m->face_centre[3 * f + k]
-                                      : m->centre[3 * c + k] + m->d[3 * f + k];
+                                      : m->centre[3 * c + k] + mesh_d(m, f)[k];
 }
 
 /* The link leads from the owner's centre to the neighbour's and crosses the
  * plane of the face at the fraction 1 - w of its length. */
 static double skewness(const struct mesh *m, int f)
 {
-    const double *const d = &m->d[3 * f];
+    const double *const d = mesh_d(m, f);
     double off[3];
 
     mesh_off_middle(m, f, off);
@@ -174,7 +174,7 @@ static double aspect(const struct mesh *m, int c)
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
-        const double *const d = &m->d[3 * f];
+        const double *const d = mesh_d(m, f);
         const double own = m->out[a] > 0 ? 1.0 - m->w[f] : m->w[f];
         const double way = own * vector_length(d);
         least = fmin(least, way);
@@ -207,7 +207,7 @@ struct mesh_quality mesh_quality(const struct mesh *m)
 
     quality_measure_cells(m, &q);
     for (int f = 0; f < m->n_internal; f++) {
-        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
         const int c = m->owner[f];
         const double cosine =
             vector_dot(S, d) / sqrt(vector_dot(S, S) * vector_dot(d, d));
@@ -240,7 +240,7 @@ double mesh_widest_link(const struct mesh *m)
     double most = 0.0, narrowest;
 
     for (int f = 0; f < m->n_internal && m->box.n[0] == 0; f++)
-        most = fmax(most, vector_length(&m->d[3 * f]));
+        most = fmax(most, vector_length(mesh_d(m, f)));
     for (int k = 0; k < 3 && m->box.n[0] > 0; k++) {
         double widest;
         slabs_of_box(&m->box, k, &widest, &narrowest);
@@ -272,7 +272,7 @@ double mesh_longest_cell(const struct mesh *m, int *cell)
     for (int c = 0; c < m->n_cells && m->skewed != 2; c++) {
         double least = INFINITY, length = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const double *const d = &m->d[3 * m->cell_face[a]];
+            const double *const d = mesh_d(m, m->cell_face[a]);
             if (m->cell_face[a] >= m->n_internal) continue;
             least = fmin(least, vector_length(d));
             length = fmax(length, vector_length(d));

@@ -31,6 +31,8 @@ void mesh_free(struct mesh *m)
     free(m->neighbour);
     free(m->S);
     free(m->d);
+    free(m->S_at);
+    free(m->d_at);
     free(m->w);
     free(m->patches);
     free(m->cell_start);
@@ -131,12 +133,26 @@ void mesh_allocate(struct mesh *m)
     m->centre = alloc_doubles(3 * m->n_cells);
     m->owner = alloc_ints(m->n_faces);
     m->neighbour = alloc_ints(m->n_internal);
-    m->S = alloc_doubles(3 * m->n_faces);
-    m->d = alloc_doubles(3 * m->n_faces);
+    if (m->n_S > 0) {
+        m->S_at = alloc_ints(m->n_faces);
+        m->d_at = alloc_ints(m->n_faces);
+    } else
+        m->n_S = m->n_d = m->n_faces;
+    m->S = alloc_doubles(3 * m->n_S);
+    m->d = alloc_doubles(3 * m->n_d);
     m->w = alloc_doubles(m->n_faces);
     if (m->patches == NULL)
         m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
     m->cell_start = alloc_ints(m->n_cells + 1);
+}
+
+double *mesh_links(const struct mesh *m)
+{
+    double *const link = alloc_doubles(3 * m->n_internal);
+
+    for (int f = 0; f < m->n_internal; f++)
+        memcpy(&link[3 * f], mesh_d(m, f), 3 * sizeof *link);
+    return link;
 }
 
 /* 1 if a component of a is larger than `part` times the length of b. */
@@ -172,7 +188,7 @@ void mesh_collect_faces(struct mesh *m)
     for (int f = 0; f < m->n_internal; f++) {
         double oblique[3];
         mesh_oblique_part(m, f, oblique);
-        if (mesh_larger(oblique, 1e-10, &m->S[3 * f])) m->oblique = 1;
+        if (mesh_larger(oblique, 1e-10, mesh_S(m, f))) m->oblique = 1;
     }
     for (int f = 0; f < m->n_faces && m->face_centre != NULL; f++) {
         double off[3];
@@ -184,13 +200,13 @@ void mesh_collect_faces(struct mesh *m)
 
 void mesh_oblique_part(const struct mesh *m, int f, double oblique[3])
 {
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
     vector_along(S, -vector_dot(S, S) / vector_dot(S, d), d, oblique);
 }
 
 void mesh_off_middle(const struct mesh *m, int f, double off[3])
 {
-    const double *const d = &m->d[3 * f], *const S = &m->S[3 * f];
+    const double *const d = mesh_d(m, f), *const S = mesh_S(m, f);
 
     if (f >= m->n_internal)
         vector_along(d, -vector_dot(S, d) / vector_dot(S, S), S, off);
@@ -203,7 +219,7 @@ void mesh_off_middle(const struct mesh *m, int f, double off[3])
 int mesh_misses_middle(const struct mesh *m, int f, double off[3])
 {
     mesh_off_middle(m, f, off);
-    return mesh_larger(off, 1e-6, &m->d[3 * f]);
+    return mesh_larger(off, 1e-6, mesh_d(m, f));
 }
 
 /* The keys of the group `mesh`, and the members of struct

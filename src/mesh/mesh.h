@@ -64,11 +64,14 @@ struct mesh {
     double *centre; /* [m] cell centre, 3 a cell */
     int *owner;     /* [-] n_faces */
     int *neighbour; /* [-] n_internal */
-    double *S;      /* [m^2] area vector, 3 a face */
-    double *d;      /* [m] owner to neighbour centre (boundary: to the face
-                       centre), 3 a face */
-    double *w;      /* [-] weight of the owner in a linear face value
-                       (boundary: 0, the face has a value of its own) */
+    /* Area vectors [m^2] and link vectors, from the owner to the neighbour
+     * centre (boundary: to the face centre) [m], 3 each. Faces of a box share
+     * them, except on the boundary; mesh_S and mesh_d have those of a face. */
+    double *S, *d;
+    int n_S, n_d;
+    int *S_at, *d_at; /* [-] n_faces: which of them; NULL: each its own */
+    double *w;        /* [-] weight of the owner in a linear face value
+                         (boundary: 0, the face has a value of its own) */
     int n_patches;
     struct patch *patches;
     int *cell_start; /* [-] n_cells + 1; faces of cell c are */
@@ -92,6 +95,21 @@ struct mesh {
                             face is moved by period k for the neighbour, -(k +
                             1) if by minus it */
 };
+
+/* The area vector of a face [m^2], 3. */
+static inline const double *mesh_S(const struct mesh *m, int f)
+{
+    return m->S + 3L * (m->S_at != NULL ? m->S_at[f] : f);
+}
+
+/* Its link vector, from the owner to the neighbour [m], 3. */
+static inline const double *mesh_d(const struct mesh *m, int f)
+{
+    return m->d + 3L * (m->d_at != NULL ? m->d_at[f] : f);
+}
+
+/* The link vectors of the inner faces in their order [m], to be freed. */
+double *mesh_links(const struct mesh *m);
 
 /* A box of cells. grading is the ratio of the last to the first cell width, 1
  * for equal cells. Cells are numbered x fastest, then y, then z. Patches:
@@ -137,7 +155,8 @@ const struct patch *mesh_patch(const struct mesh *m, const char *name);
 double mesh_period(const struct mesh *m, int k);
 
 /* For functions that create meshes. mesh_allocate creates the arrays for the
- * numbers of cells, faces and patches in m; when all faces are set,
+ * numbers of cells, faces and patches in m, and for its n_S and n_d vectors or,
+ * where these are 0, for each face its own; when all faces are set,
  * mesh_collect_faces finds the faces of each cell and whether a link is
  * non-orthogonal, or misses the middle of its face. */
 void mesh_allocate(struct mesh *m);

@@ -49,7 +49,7 @@ static double mean_pressure(const struct simulation *sim, const struct patch *p)
 
     if (sim->processes == NULL) return mean;
     for (int f = p->first; f < p->first + p->n; f++)
-        part[1] += fabs(m->S[3 * f] + m->S[3 * f + 1] + m->S[3 * f + 2]);
+        part[1] += fabs(mesh_S(m, f)[0] + mesh_S(m, f)[1] + mesh_S(m, f)[2]);
     part[0] = mean * part[1];
     processes_sum(sim, 2, part);
     return part[0] / part[1];

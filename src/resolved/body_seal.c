@@ -73,7 +73,7 @@ static void from_body(const struct closing *by, int i, int c, int a,
     const struct particles *const ps = by->b->ps;
     const struct mesh *const m = by->fl->mesh;
     const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
-    const double *const d = &m->d[3 * m->cell_face[a]];
+    const double *const d = mesh_d(m, m->cell_face[a]);
 
     for (int k = 0; k < 3; k++) {
         const double way = m->out[a] * d[k];
@@ -88,7 +88,7 @@ static int is_narrow(const struct closing *by, int c, int a, int e,
 {
     const struct solid_bodies *const b = by->b;
     const struct mesh *const m = by->fl->mesh;
-    const double h = vector_length(&m->d[3 * m->cell_face[a]]);
+    const double h = vector_length(mesh_d(m, m->cell_face[a]));
     double r[3], q[3];
 
     from_body(by, g->i, c, a, r);
@@ -105,8 +105,8 @@ static int is_narrow(const struct closing *by, int c, int a, int e,
 static int is_opposite(const struct mesh *m, int a, int e)
 {
     return m->out[a] * m->out[e] *
-               vector_dot(&m->S[3 * m->cell_face[a]],
-                          &m->S[3 * m->cell_face[e]]) <
+               vector_dot(mesh_S(m, m->cell_face[a]),
+                          mesh_S(m, m->cell_face[e])) <
            0.0;
 }
 
@@ -121,7 +121,7 @@ static int gaps_at(const struct closing *by, int c, struct gap *g)
         if (one.i < 0) continue;
         for (int e = m->cell_start[c]; e < m->cell_start[c + 1]; e++) {
             one.j = beyond(by, c, m->cell_face[e]);
-            one.S = &m->S[3 * m->cell_face[e]];
+            one.S = mesh_S(m, m->cell_face[e]);
             if (one.j == NONE || (one.j != WALL && e < a) ||
                 !is_opposite(m, a, e) ||
                 (!is_narrow(by, c, a, e, &one) && !by->corners))
@@ -183,7 +183,7 @@ void closed_gap_velocity(const struct fluid *fl, int c, double s, double u[3])
         const struct boundary *const at =
             &fl->options.boundaries[p - m->patches];
         const double *const wall = boundary_wall_velocity(at, f - p->first);
-        const double half = vector_length(&m->d[3 * f]);
+        const double half = vector_length(mesh_d(m, f));
         for (int k = 0; k < 3 && at->kind == BOUNDARY_NO_SLIP; k++)
             u[k] = (s * wall[k] + half * u[k]) / (s + half);
     }
@@ -215,7 +215,7 @@ static void from_centre(const struct search *s, int i, int c, int f, double out,
 
     for (int k = 0; k < 3; k++)
         r[k] = box_domain_nearest(&s->box, k, m->centre[3 * c + k] - x[k]) +
-               part * out * m->d[3 * f + k];
+               part * out * mesh_d(m, f)[k];
 }
 
 /* What body i sweeps through the face of a cell of its own, outward [m^3/s].
@@ -230,7 +230,7 @@ static double swept(const struct search *s, int i, int c, int f, double out)
     from_centre(s, i, c, f, out, r);
     vector_cross(w, r, v);
     v[0] += ps->vx[i], v[1] += ps->vy[i], v[2] += ps->vz[i];
-    return out * vector_dot(v, &s->fl->mesh->S[3 * f]);
+    return out * vector_dot(v, mesh_S(s->fl->mesh, f));
 }
 
 static double height_at(const struct search *s, int i, int c, int f, double out)
@@ -264,9 +264,9 @@ static void look_into_gap(const struct search *s, int i, int c, int f,
              : j < 0 || j == i || j >= s->b->ps->n)
         return;
     struct body_seal_gap *const widest =
-        mark_gap_changes(s->b, i, j, &m->S[3 * f]) ? &found->open
+        mark_gap_changes(s->b, i, j, mesh_S(m, f)) ? &found->open
                                                    : &found->closed;
-    const double h = vector_length(&m->d[3 * f]) * (wall ? 2.0 : 1.0);
+    const double h = vector_length(mesh_d(m, f)) * (wall ? 2.0 : 1.0);
     const double gap = height_at(s, i, c, f, out) +
                        (wall ? 0.0 : height_at(s, j, next, f, -out));
     if (gap > fmax(widest->width, 1e-9) * h)
@@ -410,7 +410,7 @@ static double covered(const struct search *s, int p)
     double all = 0.0, held = 0.0;
 
     for (int f = at->first; f < at->first + at->n; f++) {
-        const double area = vector_length(&s->fl->mesh->S[3 * f]);
+        const double area = vector_length(mesh_S(s->fl->mesh, f));
         all += area;
         if (s->b->body_of[s->fl->mesh->owner[f]] > 0) held += area;
     }

@@ -91,7 +91,7 @@ FACE_KERNEL change_face(int f, int o, int n, const void *with)
 
     if (b->hold[o] == 0.0 && b->hold[n] == 0.0) return;
     struct pressure_system *const pressure = fl->pressure;
-    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double w = fl->mesh->w[f], *const S = mesh_S(fl->mesh, f);
     const struct body_share of_o = body_share(b, fl, o, S);
     const struct body_share of_n = body_share(b, fl, n, S);
     const double r_o = (1.0 - w) * pressure->resistance[o];
@@ -268,7 +268,7 @@ static void set_velocity(struct solid_bodies *b, struct fluid *fl)
                 const int f = m->cell_face[a];
                 const double share = m->out[a] > 0 ? m->w[f] : 1.0 - m->w[f];
                 if (f < m->n_internal)
-                    fl->phi[f] += share * vector_dot(du, &m->S[3 * f]);
+                    fl->phi[f] += share * vector_dot(du, mesh_S(m, f));
             }
         }
 }
@@ -318,7 +318,7 @@ static void subtract_gradient(struct fluid *fl, const double *q)
         fl->p_face[f] += face;
         fl->phi[f] -= fl->pressure->conductance[f] * (of_n - q[o]);
         for (int k = 0; k < 3; k++) {
-            const double g = scale * face * m->S[3 * f + k];
+            const double g = scale * face * mesh_S(m, f)[k];
             fl->u[3 * o + k] -= g / m->V[o];
             if (inner) fl->u[3 * n + k] += g / m->V[n];
         }

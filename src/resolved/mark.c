@@ -16,7 +16,7 @@ const double mark_friction_inside = 1e3;
 /* mu |S| / (|d| V) of face f [kg/(m^3 s)]. */
 static double exchange(const struct fluid *fl, int f, int c)
 {
-    const double *const S = &fl->mesh->S[3 * f], *const d = &fl->mesh->d[3 * f];
+    const double *const S = mesh_S(fl->mesh, f), *const d = mesh_d(fl->mesh, f);
     return fl->options.mu * vector_length(S) /
            (vector_length(d) * fl->mesh->V[c]);
 }
@@ -187,7 +187,7 @@ static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
             wall || m->owner[f] != c ? m->owner[f] : m->neighbour[f];
         const int j = wall ? -1 : (abs(b->body_of[next]) - 1) % b->ps->n;
         if (wall || (b->body_of[next] != 0 && j != i))
-            if (mark_gap_changes(b, i, j, &m->S[3 * f])) return 1;
+            if (mark_gap_changes(b, i, j, mesh_S(m, f))) return 1;
     }
     return 0;
 }

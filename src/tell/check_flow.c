@@ -42,7 +42,7 @@ static double across_cell(const struct mesh *m, int c, const double e[3])
     double sum = 0.0;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-        sum += fabs(vector_dot(&m->S[3 * m->cell_face[a]], e));
+        sum += fabs(vector_dot(mesh_S(m, m->cell_face[a]), e));
     return 0.5 * sum / m->V[c];
 }
 

@@ -25,7 +25,7 @@ static void half_extents(const struct mesh *m, int c, double half[3])
         const double other =
             f < m->n_internal && m->neighbour[f] == c ? m->w[f] : 0.0;
         for (int k = 0; k < 3; k++)
-            half[k] = fmax(half[k], fmax(own, other) * fabs(m->d[3 * f + k]));
+            half[k] = fmax(half[k], fmax(own, other) * fabs(mesh_d(m, f)[k]));
     }
 }
 
@@ -121,7 +121,7 @@ static void stencil_walk_on(struct walk *w, int e)
             if (here != c) continue;
             for (int k = 0; k < 3; k++)
                 link[k] = w->link[3 * e + k] +
-                          (side == 0 ? m->d[3 * f + k] : -m->d[3 * f + k]);
+                          (side == 0 ? mesh_d(m, f)[k] : -mesh_d(m, f)[k]);
             if (stencil_is_near(w, there, link)) walk_add(w, there, link);
         }
     }

@@ -95,7 +95,7 @@ static void bandwidth_find_faces(struct bandwidth *w)
     for (int f = 0; f < m->n_internal; f++) {
         const double P = w->local[m->owner[f]], N = w->local[m->neighbour[f]];
         const double D = P + N > 0.0 ? 2.0 * P * N / (P + N) : 0.0;
-        const double dx = vector_length(&m->d[3 * f]);
+        const double dx = vector_length(mesh_d(m, f));
         w->D[f] = w->by_cells ? bandwidth_minus_cell(D, dx, w->b) : D;
     }
 }

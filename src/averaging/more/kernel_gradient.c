@@ -121,7 +121,7 @@ double kernel_gradient_row(double h, double b, double x, double phi_1,
 static int kernel_gradient_is_flat(const struct mesh *m, int k)
 {
     for (int f = 0; f < m->n_internal; f++) {
-        const double *const d = &m->d[3 * f];
+        const double *const d = mesh_d(m, f);
         const double d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
         if (d[k] * d[k] > 1e-12 * d2) return 0;
     }

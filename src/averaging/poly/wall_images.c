@@ -109,7 +109,7 @@ static void collect_walls(struct mirror_search *v)
     v->wall = alloc_zeroed((size_t)n + 1, sizeof *v->wall);
     for (int b = 0; b < m->n_faces - m->n_internal; b++)
         for (int j = of[boundary[b]]; j < of[boundary[b] + 1]; j++)
-            wall_images_add_wall(v, j, &m->S[3 * (b + m->n_internal)]);
+            wall_images_add_wall(v, j, mesh_S(m, b + m->n_internal));
     for (int k = 0; k < m->n_periods; k++)
         v->turns[k] =
             1 +

@@ -63,7 +63,7 @@ void case_scales_inward(const struct mesh *m, const struct patch *p,
     for (int i = 0; i < 6 && m->face_centre == NULL; i++)
         if (mesh_patch(m, mesh_sides[i]) == p) e[i / 2] = i % 2 ? -1.0 : 1.0;
     for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
-        vector_along(e, -1.0, &m->S[3 * f], e);
+        vector_along(e, -1.0, mesh_S(m, f), e);
     vector_unit(e, e);
 }
 

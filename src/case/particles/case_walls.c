@@ -51,7 +51,7 @@ static int case_walls_side_of(const struct mesh *m, int b)
  * than four corners, or they are not in a plane, at each edge to the middle. */
 static int triangles_of(const struct mesh *m, int b, double (*made)[3][3])
 {
-    const double *const S = &m->S[3 * (m->n_internal + b)];
+    const double *const S = mesh_S(m, m->n_internal + b);
     const double *const x = &m->face_centre[3 * (m->n_internal + b)];
     const double size = sqrt(vector_length(S));
     const int *corner;

@@ -109,12 +109,14 @@ static void *particle_stress_create(struct simulation *sim,
     self->hats = hats_create(m, ps->capacity);
     self->heaviest = 1e6 * cbrt(m->V[0]);
     for (int f = 0; f < m->n_internal; f++) {
-        self->g[f] = vector_dot(&m->S[3 * f], &m->S[3 * f]) /
-                     vector_dot(&m->S[3 * f], &m->d[3 * f]);
+        self->g[f] = vector_dot(mesh_S(m, f), mesh_S(m, f)) /
+                     vector_dot(mesh_S(m, f), mesh_d(m, f));
         self->heaviest = fmax(self->heaviest, 1e6 * self->g[f]);
     }
+    double *const link = mesh_links(m);
     self->matrix = preconditioned_create(m->n_cells, m->n_internal, m->owner,
-                                         m->neighbour, self->g, m->d, m->V);
+                                         m->neighbour, self->g, link, m->V);
+    free(link);
     self->cg = cg_work_create(m->n_cells);
     return self;
 }
@@ -266,7 +268,7 @@ static void particle_stress_sides(const struct particle_stress *self,
     memset(left, 0, 3 * sizeof *left);
     for (int j = m->cell_start[c]; j < m->cell_start[c + 1]; j++) {
         const int f = m->cell_face[j], o = m->owner[f];
-        const double *const S = &m->S[3 * f];
+        const double *const S = mesh_S(m, f);
         const int k = S[0] != 0.0 ? 0 : S[1] != 0.0 ? 1 : 2;
         const int w = 2 * k + (m->out[j] * S[k] > 0.0);
         wall[w] = f >= m->n_internal;

@@ -63,7 +63,7 @@ static void viscous_stress_free(void *memory)
 /* Area over length of a link [m]. */
 static double link(const struct mesh *m, int f)
 {
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
 
     return (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
            (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);

@@ -278,7 +278,7 @@ void part_count_own(struct part *part)
     const int sides = 3 * (m->n_faces - m->n_internal);
 
     swap(m->V, part->own_V, m->n_cells);
-    swap(m->S + 3 * m->n_internal, part->own_S, sides);
+    swap(m->S, part->own_S, sides); /* those of the boundary come first */
     for (int c = 0; c < m->n_cells; c++)
         if (part->V[c] == 0.0)
             swap(part->sim->fluid->momentum->residual + 3 * c,
@@ -300,7 +300,7 @@ static void find_own(struct part *part)
         part->V[c] = part->own_V[c] = own[c] ? m->V[c] : 0.0;
     for (int f = m->n_internal; f < m->n_faces; f++)
         if (own[m->owner[f]])
-            memcpy(part->own_S + 3 * (f - m->n_internal), m->S + 3 * f,
+            memcpy(part->own_S + 3 * (f - m->n_internal), mesh_S(m, f),
                    3 * sizeof *m->S);
     memcpy(part->ends + 3, part->p.size_m, sizeof part->p.size_m);
 }

@@ -218,7 +218,7 @@ static int partition_direction(const struct mesh *m, int f)
 {
     int k = 0;
 
-    while (m->S[3 * f + k] == 0.0)
+    while (mesh_S(m, f)[k] == 0.0)
         k++;
     return k;
 }
@@ -236,7 +236,7 @@ struct face_places partition_faces(const struct mesh *m, const int cut[6])
         for (int f = m->patches[i].first;
              f < m->patches[i].first + m->patches[i].n && !cut[i]; f++) {
             const int k = partition_direction(m, f), at = 3 * m->owner[f] + k;
-            *(m->S[3 * f + k] > 0.0 ? &p.up[at] : &p.down[at]) = f;
+            *(mesh_S(m, f)[k] > 0.0 ? &p.up[at] : &p.down[at]) = f;
         }
     return p;
 }

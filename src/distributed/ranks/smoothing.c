@@ -55,7 +55,7 @@ static void *smoothing_create(const struct cell_of_particle *h,
     smoothing_find_coefficients(t, lambda * diffusion_time(s->bandwidth));
     t->link = alloc_doubles(m->n_internal);
     for (int f = 0; f < m->n_internal; f++) {
-        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
         t->link[f] = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
                      (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
     }

@@ -51,7 +51,7 @@ static const double largest_off = 0.8; /* [-] of the link */
  * faces are of first order. */
 static int too_oblique(const struct mesh *m, int f)
 {
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
     const double along = vector_dot(S, d);
     const double min = 0.2; /* [-] squared cosine */
 
@@ -73,7 +73,7 @@ static double *skewness_of(const struct mesh *m)
         double *const to = &off[3 * f];
         mesh_off_middle(m, f, to);
         const double max =
-            too_oblique(m, f) ? 0.0 : largest_off * vector_length(&m->d[3 * f]);
+            too_oblique(m, f) ? 0.0 : largest_off * vector_length(mesh_d(m, f));
         const double factor = fmin(1.0, max / vector_length(to));
         for (int k = 0; k < 3 && factor < 1.0; k++)
             to[k] *= factor;
@@ -90,7 +90,7 @@ static void link_of(const struct mesh *m, const double *off, int c, int f,
 
     for (int k = 0; k < 3; k++)
         d[k] =
-            sign * m->d[3 * f + k] - (f < m->n_internal ? 0.0 : off[3 * f + k]);
+            sign * mesh_d(m, f)[k] - (f < m->n_internal ? 0.0 : off[3 * f + k]);
 }
 
 /* The sums of d d / |d|^4 over the links of each cell [1/m^2], 6 each
@@ -184,7 +184,7 @@ FACE_KERNEL skewness_inner_flux(int f, int o, int n, const void *with)
     const struct deferred *const d = fl->deferred;
     const struct pressure_system *const pressure = fl->pressure;
     const double *const slope = d->slope;
-    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double w = fl->mesh->w[f], *const S = mesh_S(fl->mesh, f);
     const double eps = w * fl->eps[o] + (1.0 - w) * fl->eps[n];
     double per_flux =
         (1.0 - w) * pressure->per_flux[o] + w * pressure->per_flux[n];
@@ -219,8 +219,8 @@ FACE_KERNEL inner_mean(int f, int o, int n, const void *with)
     const struct fluid *const fl = with;
     const struct deferred *const d = fl->deferred;
     const double *const slope = d->slope;
-    const double *const link = &fl->mesh->d[3 * f], *const S =
-                                                        &fl->mesh->S[3 * f];
+    const double *const link = mesh_d(fl->mesh, f), *const S =
+                                                        mesh_S(fl->mesh, f);
     const double w = fl->mesh->w[f];
     const double r_o = (1.0 - w) * resistance_of_neighbours(fl, o);
     const double r_n = w * resistance_of_neighbours(fl, n);
@@ -268,7 +268,7 @@ static double skew_term_upstream(const struct deferred *d,
     const double sign = with ? 1.0 : -1.0;
     const double *const slope = &d->slope[9 * (with ? o : n) + 3 * k];
     const double reach = with ? 1.0 - m->w[f] : m->w[f];
-    const double rise = sign * vector_dot(slope, &m->d[3 * f]);
+    const double rise = sign * vector_dot(slope, mesh_d(m, f));
     const double taken = fl->options.convection->deferred(
         sign * (u[3 * n + k] - u[3 * o + k]), rise, reach);
     const double limiter = rise != 0.0 ? taken / (reach * rise) : 0.0;
@@ -327,7 +327,7 @@ static double explicit_part(const struct deferred *d, const struct fluid *fl,
     const double *const slope = &d->slope[9 * (with ? o : n) + 3 * k];
 
     return fl->options.convection->deferred(
-        step, sign * vector_dot(slope, &m->d[3 * f]),
+        step, sign * vector_dot(slope, mesh_d(m, f)),
         with ? 1.0 - m->w[f] : m->w[f]);
 }
 

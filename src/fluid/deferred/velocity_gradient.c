@@ -26,7 +26,7 @@ static void move_to_middles(const struct mesh *m, const double *reach,
                             double *slope)
 {
     for (int f = m->n_internal; f < m->n_faces; f++) {
-        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
         const double *const to = &reach[3 * (f - m->n_internal)];
         double *const g = &slope[9 * m->owner[f]];
         for (int k = 0; k < 3; k++) {
@@ -52,7 +52,7 @@ static void gauss(const struct mesh *m, const double *reach, const double *u,
                 const double value =
                     out * velocity_gradient_face_value(m, u, u_b, f, k);
                 for (int j = 0; j < 3; j++)
-                    g[3 * k + j] += value * m->S[3 * f + j];
+                    g[3 * k + j] += value * mesh_S(m, f)[j];
             }
         }
     }
@@ -90,7 +90,7 @@ static void velocity_gradient_add_face(const struct mesh *m,
     const double sign = m->owner[f] == c ? 1.0 : -1.0;
     const double *const l = reach != NULL && f >= m->n_internal
                                 ? &reach[3 * (f - m->n_internal)]
-                                : &m->d[3 * f];
+                                : mesh_d(m, f);
     const double d[3] = {sign * l[0], sign * l[1], sign * l[2]};
     const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     const double weight = 1.0 / (m->skewed == 2 ? square * square : square);
@@ -179,7 +179,7 @@ double *boundary_reach(const struct mesh *m, const struct boundary *b)
             const int moved = mesh_misses_middle(m, f, off) && foot;
             for (int k = 0; k < 3; k++)
                 reach[3 * (f - m->n_internal) + k] =
-                    m->d[3 * f + k] - (moved ? off[k] : 0.0);
+                    mesh_d(m, f)[k] - (moved ? off[k] : 0.0);
         }
     }
     return reach;

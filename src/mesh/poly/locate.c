@@ -300,7 +300,7 @@ static void set_plane(const struct mesh *m, int a)
         m->periodic_index != NULL && f < m->n_internal && m->out[a] < 0
             ? m->periodic_index[f]
             : 0;
-    const double *const S = &m->S[3 * f], area = vector_length(S);
+    const double *const S = mesh_S(m, f), area = vector_length(S);
     double *const p = &bins_of(m)->plane[4 * a];
 
     for (int k = 0; k < 3; k++) {

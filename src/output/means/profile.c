@@ -70,7 +70,7 @@ static int links_of(const struct mesh *m, int c, int *cell, double (*link)[3])
         if (f >= m->n_internal || n == PROBE_CELLS - 1) break;
         cell[n] = owns ? m->neighbour[f] : m->owner[f];
         for (int k = 0; k < 3; k++)
-            link[n][k] = m->out[a] * m->d[3 * f + k];
+            link[n][k] = m->out[a] * mesh_d(m, f)[k];
         n++;
     }
     return n;
