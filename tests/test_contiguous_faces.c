@@ -120,6 +120,33 @@ FACT(a_piece_is_found_among_unequal_ones)
     faces_free_pieces(r);
 }
 
+/* As in a patch that goes round a corner. */
+FACT(the_faces_of_a_piece_have_one_axis)
+{
+    enum { FACES = 48 };
+    int owner[FACES], n = 0;
+    double S[3 * FACES] = {0.0};
+    struct faces f = {.n = FACES, .n_cells = FACES, .owner = owner, .S = S};
+    struct face_piece p = {0};
+
+    for (int i = 0; i < FACES; i++) {
+        owner[i] = i;
+        S[3 * i + 2 * i / FACES] = 1.0;
+    }
+    faces_divide(&f);
+    ck_assert(faces_aligned(&f));
+    for (; faces_next_of_owners(f.pieces, 0, FACES, &p); n++) {
+        ck_assert_int_eq(p.n, FACES / 2);
+        ck_assert_int_eq(p.axis, n);
+    }
+    ck_assert_int_eq(n, 2);
+    faces_release(&f);
+    S[1] = 0.5; /* a face that has none */
+    faces_divide(&f);
+    ck_assert(f.pieces != NULL && !faces_aligned(&f));
+    faces_release(&f);
+}
+
 FACT(faces_in_disorder_have_no_contiguous_ranges)
 {
     struct links b = links_cube(12, 12, 12);

@@ -134,6 +134,7 @@ enum {
 
 struct contiguous_range {
     int face, owner, n; /* the first face, its owner, how many */
+    int axis;           /* [-] of their area vectors, or 0 */
 };
 
 struct face_pieces {
@@ -143,22 +144,33 @@ struct face_pieces {
             end; /* its contiguous ranges, with ascending faces and owners */
         int distance; /* from owner to neighbour */
         int boundary; /* 1: no neighbours */
-        int axis;     /* [-] of the area vectors, where all have one */
     } group[GROUPS];
     struct contiguous_range *range;
 };
 
-/* What two faces must share to lie in the same group. */
+/* What two faces must share to lie in the same group, and in the same range the
+ * axis too. */
 struct kind {
-    int boundary, distance;
+    int boundary, distance, axis;
 };
 
-static struct kind kind_of(int f, int n_inner, const int *owner,
-                           const int *neighbour)
+/* The axis of the area vector of face f, or -1. */
+static int axis_of(const struct faces *fs, int f)
 {
-    const int boundary = f >= n_inner;
+    const double *const S = faces_S(fs, f);
 
-    return (struct kind){boundary, boundary ? 0 : neighbour[f] - owner[f]};
+    for (int k = 0; k < 3; k++)
+        if (S[(k + 1) % 3] == 0.0 && S[(k + 2) % 3] == 0.0) return k;
+    return -1;
+}
+
+static struct kind kind_of(const struct faces *fs, int f, int aligned)
+{
+    const int boundary = f >= fs->n_inner;
+
+    return (struct kind){boundary,
+                         boundary ? 0 : fs->neighbour[f] - fs->owner[f],
+                         aligned ? axis_of(fs, f) : 0};
 }
 
 /* Begins a group with the next run; 0 if there are too many. */
@@ -183,13 +195,14 @@ static int faces_add_face(struct face_pieces *r, int *n_runs, int f, int owner,
     const int same = g >= 0 && r->group[g].distance == k.distance &&
                      r->group[g].boundary == k.boundary;
 
-    if (same && owner == last->owner + last->n) {
+    if (same && owner == last->owner + last->n && k.axis == last->axis) {
         last->n++;
         return 1;
     }
-    if (!(same && owner > last->owner + last->n) && !begin_group(r, k, *n_runs))
+    if (!(same && owner >= last->owner + last->n) &&
+        !begin_group(r, k, *n_runs))
         return 0;
-    r->range[(*n_runs)++] = (struct contiguous_range){f, owner, 1};
+    r->range[(*n_runs)++] = (struct contiguous_range){f, owner, 1, k.axis};
     r->group[r->n_groups - 1].end = *n_runs;
     return 1;
 }
@@ -227,6 +240,7 @@ static void faces_cut(const struct contiguous_range *run, int first, int last,
     p->face = run->face + skip;
     p->cell = run->owner + skip;
     p->n = end - p->cell;
+    p->axis = run->axis;
 }
 
 /* The next piece of group g whose owners lie within [first, last); 0 if there
@@ -240,7 +254,6 @@ static int next_of_group(const struct face_pieces *r, int g, int first,
     if (p->range == r->group[g].end || r->range[p->range].owner >= last)
         return 0;
     faces_cut(&r->range[p->range++], first, last, p);
-    p->axis = r->group[g].axis;
     return 1;
 }
 
@@ -282,17 +295,17 @@ void faces_free_pieces(struct face_pieces *r)
     free(r);
 }
 
-struct face_pieces *faces_find_pieces(int n_inner, int n, const int *owner,
-                                      const int *neighbour)
+/* aligned: 1 if each face is normal to an axis, and each range has one. */
+static struct face_pieces *find_pieces(const struct faces *fs, int aligned)
 {
     struct face_pieces *const r = alloc_zeroed(1, sizeof *r);
     int n_runs = 0, fits = 1;
 
-    r->range = alloc_zeroed((size_t)n, sizeof *r->range);
-    for (int f = 0; f < n && fits; f++)
-        fits = faces_add_face(r, &n_runs, f, owner[f],
-                              kind_of(f, n_inner, owner, neighbour));
-    if (fits && (long)n_runs * MIN_LENGTH <= n) {
+    r->range = alloc_zeroed((size_t)fs->n, sizeof *r->range);
+    for (int f = 0; f < fs->n && fits; f++)
+        fits = faces_add_face(r, &n_runs, f, fs->owner[f],
+                              kind_of(fs, f, aligned));
+    if (fits && (long)n_runs * MIN_LENGTH <= fs->n) {
         struct contiguous_range *const all = r->range;
 
         r->range = alloc_grown(all, n_runs, n_runs, sizeof *all);
@@ -302,44 +315,24 @@ struct face_pieces *faces_find_pieces(int n_inner, int n, const int *owner,
     return NULL;
 }
 
-/* The axis of an area vector, or -1. */
-static int axis_of(const double S[3])
+struct face_pieces *faces_find_pieces(int n_inner, int n, const int *owner,
+                                      const int *neighbour)
 {
-    for (int k = 0; k < 3; k++)
-        if (S[(k + 1) % 3] == 0.0 && S[(k + 2) % 3] == 0.0) return k;
-    return -1;
-}
+    const struct faces fs = {
+        .n_inner = n_inner, .n = n, .owner = owner, .neighbour = neighbour};
 
-/* Whether all faces of a contiguous range are normal to an axis. */
-static int normal_to(const struct contiguous_range *run, const struct faces *fs,
-                     int axis)
-{
-    for (int f = run->face; f < run->face + run->n; f++)
-        if (axis_of(faces_S(fs, f)) != axis) return 0;
-    return axis >= 0;
-}
-
-/* The areas, if each group of pieces is normal to an axis. */
-static void find_areas(struct faces *f)
-{
-    struct face_pieces *const r = f->pieces;
-
-    for (int g = 0; g < r->n_groups; g++) {
-        const struct contiguous_range *const run = r->range;
-        const int begin = r->group[g].first, end = r->group[g].end;
-
-        r->group[g].axis = axis_of(faces_S(f, run[begin].face));
-        for (int i = begin; i < end; i++)
-            if (!normal_to(&run[i], f, r->group[g].axis)) return;
-    }
-    f->area = alloc_doubles(f->n);
-    for (struct face_piece p = {0}; faces_next_of_owners(r, 0, f->n_cells, &p);)
-        for (int i = p.face; i < p.face + p.n; i++)
-            f->area[i] = faces_S(f, i)[p.axis];
+    return find_pieces(&fs, 0);
 }
 
 void faces_divide(struct faces *f)
 {
-    f->pieces = faces_find_pieces(f->n_inner, f->n, f->owner, f->neighbour);
-    if (f->pieces != NULL && f->S != NULL) find_areas(f);
+    int aligned = f->S != NULL;
+
+    for (int i = 0; i < f->n && aligned; i++)
+        aligned = axis_of(f, i) >= 0;
+    f->pieces = find_pieces(f, aligned);
+    if (f->pieces == NULL || !aligned) return;
+    f->area = alloc_doubles(f->n);
+    for (int i = 0; i < f->n; i++)
+        f->area[i] = faces_S(f, i)[axis_of(f, i)];
 }

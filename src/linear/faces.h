@@ -59,7 +59,7 @@ struct faces {
     const double *S;            /* [m^2] area vectors, 3 each; or NULL */
     const int *S_at;            /* [-] n, which of them; NULL: each its own */
     struct face_pieces *pieces; /* NULL: loops follow the lists */
-    double *area; /* [m^2] where each piece is normal to its axis, that
+    double *area; /* [m^2] where each face is normal to an axis, that
                      component of S; else NULL */
 };
 
