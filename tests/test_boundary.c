@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
 #include "fluid/inlet_profile.h"
+#include "fluid/systems.h"
+#include "base/alloc.h"
 #include "facts.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double zero = 0.0, one = 1.0;
@@ -91,7 +94,6 @@ static void swirl(double angle, double *p, double *u)
     struct boundary b[6];
     for (int i = 0; i < 6; i++)
         b[i] = (struct boundary){.kind = BOUNDARY_SLIP};
-    b[2].kind = BOUNDARY_NO_SLIP;
     struct fluid_options o = options(b);
     o.correctors = 20;
     struct mesh *const m = box(1.0, 1.0, 6, 5, 0, 0);
@@ -296,4 +298,79 @@ FACT_FOR_EACH(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 2)
     ck_assert_int_eq(fl->report.flow_substeps, 1);
     ck_assert_double_eq_tol(fl->report.cfl, 2.0, 1e-3);
     discard(fl);
+}
+
+/* --- a layer of cells between slip walls ---------------------------------- */
+
+/* The flow between an inlet and an outlet past a wall that moves with `across`
+ * [m/s] along z, also. */
+static struct fluid *layer_of_cells(struct boundary b[6], double across,
+                                    int undisturbed)
+{
+    static const double U = 1.0;
+
+    for (int i = 0; i < 6; i++)
+        b[i] = (struct boundary){.kind = BOUNDARY_SLIP};
+    b[0] = (struct boundary){
+        .kind = BOUNDARY_INLET, .n_points = 1, .time = &zero, .velocity = &U};
+    b[1].kind = BOUNDARY_OUTLET;
+    b[2].kind = BOUNDARY_NO_SLIP;
+    b[3] =
+        (struct boundary){.kind = BOUNDARY_NO_SLIP, .wall = {2.0, 0, across}};
+    struct fluid_options o = options(b);
+    o.undisturbed = undisturbed;
+    return fluid_create(box(1.0, 1.0, 20, 12, 0, 0), &o);
+}
+
+/* The walls before and behind it are left out, to the same bits. */
+FACT(slip_walls_around_a_layer_of_cells_do_nothing)
+{
+    struct boundary b[6];
+    struct fluid *const all = layer_of_cells(b, 0.0, 0), *const less =
+                                                             layer_of_cells(
+                                                                 b, 0.0, 1);
+    const struct mesh *const m = all->mesh;
+    const size_t n = (size_t)m->n_cells;
+    double *const u[2] = {alloc_doubles(3 * m->n_faces),
+                          alloc_doubles(3 * m->n_faces)};
+
+    ck_assert_int_eq(all->faces->n, m->n_faces);
+    ck_assert_int_eq(less->faces->n, m->n_faces - 2 * m->n_cells);
+    ck_assert_ptr_null(less->momentum->slip);
+    run(all, 10);
+    run(less, 10);
+    ck_assert_mem_eq(all->u, less->u, 3 * n * sizeof *all->u);
+    ck_assert_mem_eq(all->p, less->p, n * sizeof *all->p);
+    ck_assert_mem_eq(all->phi, less->phi,
+                     (size_t)m->n_faces * sizeof *all->phi);
+    for (int i = 0; i < m->n_patches; i++)
+        ck_assert_double_eq(fluid_patch_pressure(all, &m->patches[i]),
+                            fluid_patch_pressure(less, &m->patches[i]));
+    fluid_boundary_velocity(all, u[0]);
+    fluid_boundary_velocity(less, u[1]);
+    for (int i = 0; i < 3 * (m->n_faces - m->n_internal); i++)
+        ck_assert_double_eq(u[0][i], u[1][i]);
+    free(u[0]);
+    free(u[1]);
+    discard(all);
+    discard(less);
+}
+
+/* But not where the fluid moves across the layer, or may. */
+FACT(slip_walls_hold_what_moves_across_a_layer_of_cells)
+{
+    struct boundary b[6];
+    struct fluid *const moved = layer_of_cells(b, 0.1, 1);
+
+    ck_assert_int_eq(moved->faces->n, moved->mesh->n_faces);
+    discard(moved);
+    struct mesh *const two = mesh_create_box(
+        &(struct box_spec){{1, 1, 1}, {9, 9, 2}, {1, 1, 1}, {0}});
+    for (int i = 0; i < 6; i++)
+        b[i] = (struct boundary){.kind = BOUNDARY_SLIP};
+    struct fluid_options o = options(b);
+    o.undisturbed = 1;
+    struct fluid *const thick = fluid_create(two, &o);
+    ck_assert_int_eq(thick->faces->n, two->n_faces);
+    discard(thick);
 }

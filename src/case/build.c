@@ -208,6 +208,7 @@ struct fluid_options build_fluid_options(const struct settings *s,
 
     o.dt = sim->dt;
     o.coupled = s->exchange.two_way;
+    o.undisturbed = !o.coupled && !s->has.bodies;
     o.pressure_shared =
         o.coupled && s->effects.pressure_gradient && s->exchange.form_a;
     o.boundaries = sim->boundaries;

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/vector.h"
 #include "fluid/piso.h"
@@ -77,8 +78,13 @@ static void boundary_velocity_at(const struct fluid *fl,
 
 void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
 {
+    const struct mesh *const m = fl->mesh;
+
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
-        boundary_velocity_at(fl, b, j, f, &u_b[3 * (f - fl->mesh->n_internal)]);
+        boundary_velocity_at(fl, b, j, f, &u_b[3 * (f - m->n_internal)]);
+    for (int f = fl->faces->n; f < m->n_faces; f++)
+        memcpy(&u_b[3 * (f - m->n_internal)], &fl->u[3 * m->owner[f]],
+               3 * sizeof *u_b);
 }
 
 /* The mean velocity over an inlet [m/s]. A mean of the profile that is 1 within

@@ -113,7 +113,7 @@ static void keep_flux(struct fluid *fl)
         fl->levels->phi_old = phi;
     }
     memcpy(free + first, phi + first,
-           (size_t)(fl->mesh->n_faces - first) * sizeof *phi);
+           (size_t)(fl->faces->n - first) * sizeof *phi);
 }
 
 void ddt_begin(struct fluid *fl)

@@ -11,6 +11,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/systems.h"
 #include "fluid/piso.h"
+#include "linear/faces.h"
 #include "linear/reduce.h"
 
 struct fluid *fluid_create(const struct mesh *mesh,
@@ -107,13 +108,18 @@ double fluid_kinetic_energy(const struct fluid *fl)
     return 0.5 * fl->options.rho * sum;
 }
 
+double fluid_boundary_pressure(const struct fluid *fl, int f)
+{
+    return f < fl->faces->n ? fl->p_face[f] : fl->p[fl->mesh->owner[f]];
+}
+
 double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch)
 {
     double force = 0.0, surface = 0.0;
 
     for (int f = patch->first; f < patch->first + patch->n; f++) {
         const double area = vector_length(mesh_S(fl->mesh, f));
-        force += area * fl->p_face[f];
+        force += area * fluid_boundary_pressure(fl, f);
         surface += area;
     }
     return surface > 0.0 ? force / surface : 0.0;

@@ -56,8 +56,9 @@ struct fluid_options {
     int outer_correctors;  /* [-] outer iterations after the first */
     double tolerance;      /* [-] residuals, relative */
     double u_tolerance;    /* [-] of the momentum predictor; 0: the same */
-    double cfl;  /* [-] largest Courant number of fluid_advance; 0: any */
-    int coupled; /* 1: with particles; F and K exist */
+    double cfl;      /* [-] largest Courant number of fluid_advance; 0: any */
+    int coupled;     /* 1: with particles; F and K exist */
+    int undisturbed; /* 1: no particle and no body will act on the fluid */
     int pressure_shared;               /* 1: gamma = eps */
     const struct boundary *boundaries; /* one a patch of the mesh, borrowed */
     double mean_gradient[3]; /* [Pa/m] of the pressure, beside that of p */
@@ -90,11 +91,12 @@ struct fluid_report {
 struct fluid {
     const struct mesh *mesh;
     struct fluid_options options;
-    struct faces *faces; /* of the mesh, for loops over them */
+    struct faces *faces; /* of the mesh, for loops over them, without those at
+                            the end that do nothing (systems.c) */
     double t;            /* [s] */
     double *u;           /* [m/s] interstitial velocity, 3 a cell */
     double *p;           /* [Pa] without the hydrostatic part */
-    double *p_face;      /* [Pa] at the faces */
+    double *p_face;      /* [Pa] at these faces */
     double *grad_p;      /* [Pa/m] 3 a cell */
     double *phi;         /* [m^3/s] superficial flux, owner to neighbour */
     /* The fluid fraction [-] at the new time, which the coupling writes, at the
@@ -164,6 +166,9 @@ void fluid_mean_flow(const struct fluid *fl, double flow[3]);
 
 /* Kinetic energy of the fluid [J]. */
 double fluid_kinetic_energy(const struct fluid *fl);
+
+/* The pressure on boundary face f [Pa]. */
+double fluid_boundary_pressure(const struct fluid *fl, int f);
 
 /* Mean pressure over a patch [Pa]. */
 double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch);

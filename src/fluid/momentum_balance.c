@@ -186,7 +186,8 @@ struct wall_stress wall_stress(const struct fluid *fl, int patch, int j)
     double x[3];
 
     mesh_face_middle(m, f, x);
-    const double p = fl->p_face[f] + vector_dot(fl->mean_gradient, x);
+    const double p =
+        fluid_boundary_pressure(fl, f) + vector_dot(fl->mean_gradient, x);
     viscous_force(fl, &fl->options.boundaries[patch], j, f, w.viscous);
     const double normal = vector_dot(w.viscous, S) / (w.area * w.area);
     for (int k = 0; k < 3; k++) {

@@ -7,6 +7,7 @@
 
 #include "base/vector.h"
 #include "fluid/fluid.h"
+#include "linear/faces.h"
 
 struct face_geometry {
     double *face_coefficient; /* [m] S.S / S.d: area over length of the link */
@@ -17,10 +18,12 @@ struct face_geometry {
 void systems_create(struct fluid *fl);
 void systems_free(struct fluid *fl);
 
-/* A loop over all boundary faces: b is the boundary condition of face f, which
- * is the j-th of its patch. */
+/* A loop over all boundary faces that do something: b is the boundary condition
+ * of face f, which is the j-th of its patch. */
 #define FOR_EACH_BOUNDARY_FACE(fl, b, j, f)                                    \
-    for (int i_ = 0; i_ < (fl)->mesh->n_patches; i_++)                         \
+    for (int i_ = 0; i_ < (fl)->mesh->n_patches &&                             \
+                     (fl)->mesh->patches[i_].first < (fl)->faces->n;           \
+         i_++)                                                                 \
         for (const struct boundary *b = &(fl)->options.boundaries[i_];         \
              b == &(fl)->options.boundaries[i_]; b++)                          \
             for (int j = 0, f = (fl)->mesh->patches[i_].first;                 \

@@ -67,7 +67,8 @@ static void store_old_time_fluxes(struct fluid *fl)
             pressure->m_face[f] * fl->phi_older[f] *
             ((1.0 - m->w[f]) * pressure_older_per_flux(fl, m->owner[f]) +
              m->w[f] * pressure_older_per_flux(fl, m->neighbour[f]));
-    for (int f = m->n_internal; f < m->n_faces; f++) /* m_face: outlets only */
+    /* m_face: outlets only */
+    for (int f = m->n_internal; f < fl->faces->n; f++)
         pressure->explicit_flux[f] += pressure->m_face[f] * fl->phi_older[f] *
                                       pressure_older_per_flux(fl, m->owner[f]);
 }
@@ -114,7 +115,7 @@ static void store_jump_fluxes(const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
 
     FOR_EACH_FACE(fl->faces, 8, inner_jump, fl);
-    for (int f = m->n_internal; f < m->n_faces; f++) { /* m_face: outlets */
+    for (int f = m->n_internal; f < fl->faces->n; f++) { /* m_face: outlets */
         const int o = m->owner[f];
         pressure->explicit_flux[f] -=
             pressure->m_face[f] * pressure->per_force[o] *
@@ -153,7 +154,8 @@ static double pin_pressure(const struct fluid *fl, int c)
     double sum = 0.0;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-        sum += fl->pressure->conductance[m->cell_face[a]];
+        if (m->cell_face[a] < fl->faces->n)
+            sum += fl->pressure->conductance[m->cell_face[a]];
     return sum > 0.0 ? sum : 1.0; /* a single cell */
 }
 
@@ -165,7 +167,7 @@ void pressure_assemble(struct fluid *fl)
     face_mobilities(fl);
     memset(pressure->boundary_conductance, 0,
            (size_t)m->n_cells * sizeof *pressure->boundary_conductance);
-    for (int f = m->n_internal; f < m->n_faces; f++)
+    for (int f = m->n_internal; f < fl->faces->n; f++)
         pressure->boundary_conductance[m->owner[f]] += pressure->conductance[f];
     if (pressure->pinned_cell >= 0)
         pressure->boundary_conductance[pressure->pinned_cell] +=

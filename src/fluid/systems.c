@@ -16,8 +16,8 @@
 
 static int systems_has(const struct fluid *fl, enum boundary_kind kind)
 {
-    for (int i = 0; i < fl->mesh->n_patches; i++)
-        if (fl->options.boundaries[i].kind == kind) return 1;
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        if (b->kind == kind) return 1;
     return 0;
 }
 
@@ -155,12 +155,77 @@ static void create_geometry(struct face_geometry *g, const struct mesh *m)
     }
 }
 
-static struct faces *systems_faces_of(const struct mesh *m)
+/* --- a plane
+ *
+ * Where a mesh is one layer of cells between two slip walls, nothing flows
+ * across the layer: the component of the velocity across it stays zero, and
+ * those walls have no flux and no stress. Their faces do nothing then, and if
+ * they are the last of the mesh, the loops over faces end before them. */
+
+/* The part of the area vector of face f along axis k, and across it [m^2]. */
+static double area_along(const struct mesh *m, int f, int k)
+{
+    return fabs(mesh_S(m, f)[k]);
+}
+
+static double area_across(const struct mesh *m, int f, int k)
+{
+    const double *const S = mesh_S(m, f);
+
+    return fabs(S[(k + 1) % 3]) + fabs(S[(k + 2) % 3]);
+}
+
+static const double rounding = 1e-12; /* [-] of an area vector */
+
+/* 1 if patch i is a slip wall normal to axis k. */
+static int ends_layer(const struct fluid *fl, int i, int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct patch *const p = &m->patches[i];
+
+    for (int f = p->first; f < p->first + p->n; f++)
+        if (area_across(m, f, k) > rounding * area_along(m, f, k)) return 0;
+    return fl->options.boundaries[i].kind == BOUNDARY_SLIP;
+}
+
+/* 1 if nothing but the faces from n on could move the fluid along axis k. */
+static int lies_across(const struct fluid *fl, int n, int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct fluid_options *const o = &fl->options;
+    int moves = o->mean_gradient[k] != 0.0 || o->keeps_flow[k];
+
+    for (int f = 0; f < n && !moves; f++)
+        moves = area_along(m, f, k) > rounding * area_across(m, f, k);
+    for (int i = 0; i < m->n_patches; i++)
+        for (int j = 0; j < m->patches[i].n && !moves; j++)
+            moves = boundary_wall_velocity(&o->boundaries[i], j)[k] != 0.0;
+    return !moves;
+}
+
+/* How many faces do something. */
+static int faces_that_act(const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const int undisturbed = fl->options.undisturbed &&
+                            fl->options.shared == NULL && fl->deferred == NULL;
+
+    for (int k = 0; k < 3 && undisturbed; k++) {
+        int i = m->n_patches;
+        while (i > 0 && ends_layer(fl, i - 1, k))
+            i--;
+        if (i < m->n_patches && lies_across(fl, m->patches[i].first, k))
+            return m->patches[i].first;
+    }
+    return m->n_faces;
+}
+
+static struct faces *systems_faces_of(const struct mesh *m, int n)
 {
     struct faces *const f = alloc_zeroed(1, sizeof *f);
 
     *f = (struct faces){.n_inner = m->n_internal,
-                        .n = m->n_faces,
+                        .n = n,
                         .n_cells = m->n_cells,
                         .owner = m->owner,
                         .neighbour = m->neighbour,
@@ -194,7 +259,7 @@ static void create_solvers(struct fluid *fl)
     const int n = fl->mesh->n_cells;
     double *space[5];
 
-    fl->momentum->bicgstab = bicgstab_work_create(n, fl->mesh->n_faces);
+    fl->momentum->bicgstab = bicgstab_work_create(n, fl->faces->n);
     bicgstab_lend(fl->momentum->bicgstab, space);
     pressure->per_force = space[0];
     pressure->resistance = space[0] + n;
@@ -216,11 +281,11 @@ void systems_create(struct fluid *fl)
     fl->jump = alloc_zeroed(1, sizeof *fl->jump);
     fl->levels = alloc_zeroed(1, sizeof *fl->levels);
     fl->geometry = alloc_zeroed(1, sizeof *fl->geometry);
-    fl->faces = systems_faces_of(m);
     create_geometry(fl->geometry, m);
     /* Before the arrays, because it takes more memory while it is made. */
     if (fl->options.shared == NULL) fl->pressure->matrix = pressure_matrix(fl);
     fl->deferred = deferred_create(fl);
+    fl->faces = systems_faces_of(m, faces_that_act(fl));
     allocate_arrays(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);

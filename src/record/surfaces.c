@@ -404,7 +404,7 @@ static void walls_take(struct walls *w)
                 wall_stress_is_wall(fl, i) ? wall_stress(fl, i, j)
                                            : (struct wall_stress){.area = 0.0};
             w->patch[b] = i;
-            w->p[b] = fl->p_face[m->n_internal + b];
+            w->p[b] = fluid_boundary_pressure(fl, m->n_internal + b);
             w->y_plus[b] = s.y_plus;
             memcpy(&w->shear[3 * b], s.shear, sizeof s.shear);
         }

@@ -75,6 +75,7 @@ int main(int argc, char **argv)
         .dt = 0.5 * 0.1 / n,
         .convection = convection_scheme_named("linear"),
         .correctors = 2,
+        .undisturbed = 1,
         .p_relative_tolerance = 0.05, /* icoFoam's, too */
         .u_tolerance = 1e-5,
         .tolerance = argc > 5 && argv[5][0] != '-' ? atof(argv[5])
