@@ -200,8 +200,7 @@ static inline struct simulation *build(const struct scene *s)
     sim->dt = s->dt;
     sim->dem_steps = s->dem_steps;
     scatter(sim, s);
-    sim->held_force = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
+    sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     sim->dem = dem_create(sim->particles, &o);
     if (s->fed > 0.0 || s->sink > 0.0) create_life(sim, s, &o);
     create_fluid(sim, s);
@@ -234,7 +233,6 @@ static inline void discard(struct simulation *sim)
     population_free(sim->population);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
-    free(sim->held_force);
     mesh_free(sim->mesh);
     free(sim);
 }

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/alloc.h"
 
@@ -16,25 +15,20 @@ enum { MIN_PARALLEL_NUMBERS = 8192 };
 struct cell_of_particle *cell_of_particle_create(const struct mesh *mesh,
                                                  const struct particles *ps)
 {
-    struct cell_of_particle *const h = alloc_zeroed(1, sizeof *h);
+    struct cell_of_particle *const h = owner_create(sizeof *h);
 
     h->mesh = mesh;
     h->ps = ps;
-    h->cell = alloc_ints(ps->capacity);
-    h->offset = alloc_doubles(3 * ps->capacity);
-    h->start = alloc_ints(mesh->n_cells + 1);
-    h->particle = alloc_ints(ps->capacity);
+    h->cell = owner_ints(h, ps->capacity);
+    h->offset = owner_doubles(h, 3 * ps->capacity);
+    h->start = owner_ints(h, mesh->n_cells + 1);
+    h->particle = owner_ints(h, ps->capacity);
     return h;
 }
 
 void cell_of_particle_free(struct cell_of_particle *h)
 {
-    if (h == NULL) return;
-    free(h->cell);
-    free(h->offset);
-    free(h->start);
-    free(h->particle);
-    free(h);
+    owner_free(h);
 }
 
 /* 1 if the point is in cell c of the box, by the same edges as in mesh_cell_at,

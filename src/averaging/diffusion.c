@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/diffusion.h"
 
-#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -157,7 +156,7 @@ static void *diffusion_create(const struct cell_of_particle *h,
                               const struct averaging_options *o)
 {
     if (wrong_options(o)) return NULL;
-    struct diffusion *const d = alloc_zeroed(1, sizeof *d);
+    struct diffusion *const d = owner_create(sizeof *d);
     const struct mesh *const m = h->mesh;
 
     d->h = h;
@@ -167,7 +166,7 @@ static void *diffusion_create(const struct cell_of_particle *h,
     /* rounded as the sum of the steps of the other schemes */
     d->T = diffusion_time(o->bandwidth) / o->steps * o->steps;
     d->vary = is_uniform(o) ? NULL : bandwidth_create(h, o);
-    d->smooth = alloc_doubles(m->n_cells * d->fields);
+    d->smooth = owner_doubles(d, m->n_cells * d->fields);
     find_separable(d, o);
     if (d->separable != NULL) return d;
     if (d->scheme->stepping != NULL) {
@@ -215,8 +214,7 @@ static void diffusion_free(void *state)
     if (d->steps != NULL) d->scheme->stepping->free(d->steps);
     csr_free(d->K);
     chebyshev_free(d->series);
-    free(d->smooth);
-    free(d);
+    owner_free(d);
 }
 
 static void diffusion_spread(void *state, int m, const double *q, double *field,

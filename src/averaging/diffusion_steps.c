@@ -10,7 +10,6 @@
  */
 #include <gsl/gsl_math.h>
 #include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "averaging/averaging.h"
@@ -151,7 +150,7 @@ static void *diffusion_steps_create(const struct diffusion_scheme *scheme,
                                     const struct mesh *m,
                                     const struct averaging_options *o)
 {
-    struct diffusion_steps *const d = alloc_zeroed(1, sizeof *d);
+    struct diffusion_steps *const d = owner_create(sizeof *d);
     const int n = m->n_cells;
 
     d->mesh = m;
@@ -164,9 +163,9 @@ static void *diffusion_steps_create(const struct diffusion_scheme *scheme,
     d->K = csr_create(n, m->n_internal, m->owner, m->neighbour);
     d->A = csr_create(n, m->n_internal, m->owner, m->neighbour);
     d->work = cg_many_work_create(n, d->fields);
-    d->rhs = alloc_doubles(n * d->fields);
-    d->stage = alloc_doubles(n * d->fields);
-    d->wide = alloc_doubles(n * d->fields);
+    d->rhs = owner_doubles(d, n * d->fields);
+    d->stage = owner_doubles(d, n * d->fields);
+    d->wide = owner_doubles(d, n * d->fields);
     return d;
 }
 
@@ -177,10 +176,7 @@ static void diffusion_steps_release(void *state)
     csr_free(d->K);
     csr_free(d->A);
     cg_many_work_free(d->work);
-    free(d->rhs);
-    free(d->stage);
-    free(d->wide);
-    free(d);
+    owner_free(d);
 }
 
 static void diffusion_steps_fill(void *state, const double *D)

@@ -2,7 +2,6 @@
 #include "averaging/hats.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -16,26 +15,21 @@ enum {
 
 struct hats *hats_create(const struct mesh *mesh, int capacity)
 {
-    struct hats *const h = alloc_zeroed(1, sizeof *h);
+    struct hats *const h = owner_create(sizeof *h);
 
     h->mesh = mesh;
-    h->cell = alloc_ints(3 * capacity);
-    h->next = alloc_ints(3 * capacity);
-    h->share = alloc_doubles(3 * capacity);
-    h->place = alloc_doubles(3 * capacity);
+    h->cell = owner_ints(h, 3 * capacity);
+    h->next = owner_ints(h, 3 * capacity);
+    h->share = owner_doubles(h, 3 * capacity);
+    h->place = owner_doubles(h, 3 * capacity);
     if (capacity >= HATS_MANY)
-        h->sums = alloc_doubles(HATS_PARTS * HATS_MOMENTS * mesh->n_cells);
+        h->sums = owner_doubles(h, HATS_PARTS * HATS_MOMENTS * mesh->n_cells);
     return h;
 }
 
 void hats_free(struct hats *h)
 {
-    free(h->cell);
-    free(h->next);
-    free(h->share);
-    free(h->place);
-    free(h->sums);
-    free(h);
+    owner_free(h);
 }
 
 /* Of particle i along direction k, where it is at x [m]. */

@@ -37,20 +37,12 @@ static void *pcm_create(const struct cell_of_particle *h,
                 o->cap);
         return NULL;
     }
-    struct pcm *const p = alloc_zeroed(1, sizeof *p);
+    struct pcm *const p = owner_create(sizeof *p);
 
     p->h = h;
     p->cap = o->cap;
-    if (p->cap > 0.0) p->capped_fraction = alloc_doubles(h->mesh->n_cells);
+    if (p->cap > 0.0) p->capped_fraction = owner_doubles(p, h->mesh->n_cells);
     return p;
-}
-
-static void pcm_free(void *state)
-{
-    struct pcm *const p = state;
-
-    free(p->capped_fraction);
-    free(p);
 }
 
 /* [m^3] of solids in cell c. */
@@ -116,7 +108,7 @@ const struct averaging_method pcm_method = {
     .function = "pcm_spread",
     .keys = {cap_keys},
     .create = pcm_create,
-    .free = pcm_free,
+    .free = owner_free,
     .bind = pcm_bind,
     .spread = pcm_spread,
     .gather = pcm_gather,

@@ -2,6 +2,7 @@
 #define _DEFAULT_SOURCE /* madvise */
 #include "base/alloc.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -124,4 +125,58 @@ double alloc_peak(void)
 
     return getrusage(RUSAGE_SELF, &used) == 0 ? 1024.0 * (double)used.ru_maxrss
                                               : 0.0;
+}
+
+/* --- owner ---------------------------------------------------------------- */
+
+/* It lies before the object. */
+struct owner {
+    struct owner *self;
+    void **array;
+    int n, room;
+};
+enum { OWNER_HEAD = 64 }; /* [byte] so that the object is aligned too */
+
+static struct owner *owner_head(void *object)
+{
+    struct owner *const o = (void *)((char *)object - OWNER_HEAD);
+
+    assert(o->self == o);
+    return o;
+}
+
+void *owner_create(size_t size)
+{
+    struct owner *const o = alloc_zeroed(1, OWNER_HEAD + size);
+
+    o->self = o;
+    return (char *)o + OWNER_HEAD;
+}
+
+void *owner_zeroed(void *owner, size_t n, size_t size)
+{
+    struct owner *const o = owner_head(owner);
+
+    o->array = alloc_room(o->array, o->n, &o->room, sizeof *o->array);
+    return o->array[o->n++] = alloc_zeroed(n, size);
+}
+
+double *owner_doubles(void *owner, int n)
+{
+    return owner_zeroed(owner, counted(n), sizeof(double));
+}
+
+int *owner_ints(void *owner, int n)
+{
+    return owner_zeroed(owner, counted(n), sizeof(int));
+}
+
+void owner_free(void *owner)
+{
+    if (owner == NULL) return;
+    struct owner *const o = owner_head(owner);
+    for (int k = 0; k < o->n; k++)
+        free(o->array[k]);
+    free(o->array);
+    free(o->self);
 }

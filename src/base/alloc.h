@@ -32,4 +32,13 @@ double alloc_left(void);
 /* The largest memory that this program has used so far [byte]. */
 double alloc_peak(void);
 
+/* --- owner: an object of this size [bytes], all zero, to which arrays belong:
+ * owner_free releases them with it. The arrays are as those above;
+ * owner_free(NULL) is fine. */
+void *owner_create(size_t size);
+void *owner_zeroed(void *owner, size_t n, size_t size);
+double *owner_doubles(void *owner, int n);
+int *owner_ints(void *owner, int n);
+void owner_free(void *owner);
+
 #endif

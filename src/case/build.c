@@ -266,9 +266,10 @@ void build_free(struct simulation *sim)
 {
     if (sim == NULL) return;
     if (sim->processes != NULL) sim->processes->free(sim->processes);
-    for (int i = 0; i < sim->n_effects; i++)
-        if (sim->effects[i].effect->free != NULL)
-            sim->effects[i].effect->free(sim->effects[i].memory);
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        (e->effect->free != NULL ? e->effect->free : owner_free)(e->memory);
+    }
     free(sim->effects);
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
@@ -281,7 +282,6 @@ void build_free(struct simulation *sim)
     fluid_free(sim->fluid);
     build_boundaries_free(sim->boundaries,
                           sim->mesh != NULL ? sim->mesh->n_patches : 0);
-    free(sim->held_force);
     mesh_free(sim->mesh);
     free(sim);
 }

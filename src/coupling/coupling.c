@@ -10,7 +10,6 @@
 #include "coupling/transfer.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct coupling *coupling_create(struct simulation *sim,
@@ -18,7 +17,7 @@ struct coupling *coupling_create(struct simulation *sim,
 {
     struct particles *const ps = sim->particles;
     const int n = ps->capacity, cells = sim->mesh->n_cells;
-    struct coupling *const cp = alloc_zeroed(1, sizeof *cp);
+    struct coupling *const cp = owner_create(sizeof *cp);
 
     cp->options = *options;
     cp->law = *options->law;
@@ -31,12 +30,12 @@ struct coupling *coupling_create(struct simulation *sim,
     cp->rate = particles_new_array(ps, "rate", "kg/s", 1);
     cp->u_mean = particles_new_array(ps, "u_mean", "m/s", 3);
     cp->unpaid_impulse = particles_new_array(ps, "unpaid_impulse", "N s", 3);
-    cp->smooth = alloc_doubles(3 * n);
-    cp->amount = alloc_doubles(4 * n);
-    cp->field = alloc_doubles(4 * cells);
+    cp->smooth = owner_doubles(cp, 3 * n);
+    cp->amount = owner_doubles(cp, 4 * n);
+    cp->field = owner_doubles(cp, 4 * cells);
     if (options->interpolation == interpolation_named("linear"))
         cp->u_b =
-            alloc_doubles(3 * (sim->mesh->n_faces - sim->mesh->n_internal));
+            owner_doubles(cp, 3 * (sim->mesh->n_faces - sim->mesh->n_internal));
     if (options->slip_integration == SLIP_INTEGRATION_EXPONENTIAL)
         particles_add_implicit_drag(ps);
     return cp;
@@ -44,21 +43,7 @@ struct coupling *coupling_create(struct simulation *sim,
 
 void coupling_free(struct coupling *cp)
 {
-    if (cp == NULL) return;
-    free(cp->u_f);
-    free(cp->eps);
-    free(cp->k);
-    free(cp->rate);
-    free(cp->inertia);
-    free(cp->u_before);
-    free(cp->u_mean);
-    free(cp->unpaid_impulse);
-    free(cp->smooth);
-    free(cp->amount);
-    free(cp->field);
-    free(cp->u_b);
-    free(cp->replacement);
-    free(cp);
+    owner_free(cp);
 }
 
 int coupling_start(struct simulation *sim)

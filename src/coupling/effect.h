@@ -58,7 +58,7 @@ struct effect {
     /* Visits its memory, but for arrays that are attached to the particles. */
     void (*state)(void *memory, struct state *s);
     const struct effect_columns *columns; /* of history.csv */
-    void (*free)(void *memory);
+    void (*free)(void *memory);           /* NULL: owner_free (base/alloc.h) */
     /* Changes the drag coefficients k[i] [kg/s] before their use. */
     void (*drag)(void *memory, struct simulation *sim, double *k);
     int (*counts)(const void *memory, struct effect_count *c); /* how many */
@@ -93,7 +93,7 @@ struct effect_tally {
 /* An active effect: its descriptor and its state. */
 struct effect_state {
     const struct effect *effect;
-    void *memory; /* released by effect->free; may be NULL */
+    void *memory; /* released by effect->free */
     struct effect_tally tally;
 };
 

@@ -13,7 +13,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 void effects_add(struct simulation *sim, const struct effect *e, void *memory)
 {
@@ -187,10 +186,8 @@ void effect_force_inertia(struct simulation *sim)
     struct coupling *const cp = sim->coupling;
 
     if (cp->inertia != NULL) return;
-    cp->inertia = alloc_doubles(sim->particles->capacity);
-    cp->u_before = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, "inertia", "kg", cp->inertia, 1);
-    particles_attach(sim->particles, "u_before", "m/s", cp->u_before, 3);
+    cp->inertia = particles_new_array(sim->particles, "inertia", "kg", 1);
+    cp->u_before = particles_new_array(sim->particles, "u_before", "m/s", 3);
 }
 
 /* Charges the fluid in advance for an added mass m [kg] of particle i. */

@@ -10,7 +10,6 @@
 
 #include <gsl/gsl_math.h>
 #include <stddef.h>
-#include <stdlib.h>
 
 /* --- gravity -------------------------------------------------------------- */
 
@@ -93,17 +92,10 @@ struct pressure_gradient {
 static void *pressure_gradient_create(struct simulation *sim,
                                       const double *parameters)
 {
-    struct pressure_gradient *const self = alloc_zeroed(1, sizeof *self);
+    struct pressure_gradient *const self = owner_create(sizeof *self);
     (void)parameters;
-    self->gradient = alloc_doubles(3 * sim->particles->capacity);
+    self->gradient = owner_doubles(self, 3 * sim->particles->capacity);
     return self;
-}
-
-static void pressure_gradient_free(void *memory)
-{
-    struct pressure_gradient *const self = memory;
-    free(self->gradient);
-    free(self);
 }
 
 /* Model B: the reaction of the force acts on the fluid. The fluid carries the
@@ -207,7 +199,6 @@ const struct effect pressure_gradient_effect = {
     .keys = {pressure_gradient_keys},
     .create = pressure_gradient_create,
     .before_particles = pressure_gradient_before_particles,
-    .free = pressure_gradient_free,
     .estimate = pressure_gradient_estimate,
     .cost = {16.0, 17.0, 0.0},
 };

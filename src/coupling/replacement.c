@@ -3,7 +3,6 @@
 #include "coupling/transfer.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -15,8 +14,8 @@
  * it. */
 static void replacement_create(struct coupling *cp, int n_cells)
 {
-    struct replacement *const r = alloc_zeroed(
-        1, sizeof *r + 4 * (size_t)n_cells * sizeof *r->eps_before);
+    struct replacement *const r = owner_zeroed(
+        cp, 1, sizeof *r + 4 * (size_t)n_cells * sizeof *r->eps_before);
 
     r->eps_before = (double *)(r + 1);
     r->unpaid_impulse = r->eps_before + n_cells;

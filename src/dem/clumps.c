@@ -2,8 +2,6 @@
 #include "dem/clumps.h"
 
 #include <gsl/gsl_math.h>
-#include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -122,25 +120,16 @@ const struct clump_shape *clumps_drawn(const struct clump_shape *first,
 void clumps_add_to(struct particles *ps, int n_shapes,
                    const struct clump_shape *shape)
 {
-    struct clumps *const l = ps->clumps = alloc_zeroed(1, sizeof *l);
+    struct clumps *const l = ps->clumps = owner_zeroed(ps, 1, sizeof *l);
 
     l->n_shapes = n_shapes;
     l->shape = shape;
     l->capacity = ps->capacity;
-    l->item = alloc_zeroed((size_t)l->capacity, sizeof *l->item);
-    l->of = alloc_ints(l->capacity);
-    l->index = alloc_ints(l->capacity);
+    l->item = owner_zeroed(ps, (size_t)l->capacity, sizeof *l->item);
+    l->of = owner_ints(ps, l->capacity);
+    l->index = owner_ints(ps, l->capacity);
     for (int id = 0; id < l->capacity; id++)
         l->of[id] = -1;
-}
-
-void clumps_free(struct clumps *l)
-{
-    if (l == NULL) return;
-    free(l->item);
-    free(l->of);
-    free(l->index);
-    free(l);
 }
 
 void clumps_turn(const double r[3], double q[4])

@@ -90,10 +90,9 @@ struct clumps {
     int *index; /* [-] place of each id, after clumps_locate */
 };
 
-/* Adds clumps to the particles, none yet. */
+/* Adds clumps to the particles, to which they belong; none yet. */
 void clumps_add_to(struct particles *ps, int n_shapes,
                    const struct clump_shape *shape);
-void clumps_free(struct clumps *l);
 
 /* One more, at x with the velocity v, orientation q (from the frame that its
  * balls were given in) and spin w [rad/s]; its balls become particles, the

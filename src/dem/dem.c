@@ -83,7 +83,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     const int n = materials_count(o->materials);
 
     if (options_wrong(o, ps)) return NULL;
-    struct dem *const dem = alloc_zeroed(1, sizeof *dem);
+    struct dem *const dem = owner_create(sizeof *dem);
     dem->options = *o;
     dem->ps = ps;
     dem->method = method_of(o);
@@ -91,7 +91,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
         .id = -1, .other = -1, .expected = HUGE_VAL, .most = HUGE_VAL};
     if (o->integrator == NULL) dem->options.integrator = integrators[0];
     dem->constants =
-        alloc_zeroed((size_t)n * (size_t)n, sizeof *dem->constants);
+        owner_zeroed(dem, (size_t)n * (size_t)n, sizeof *dem->constants);
     materials_table(o->law, &o->material, o->materials, dem->constants);
     if (dem->method->create(dem) == 0) return dem;
     dem_free(dem);
@@ -102,9 +102,7 @@ void dem_free(struct dem *dem)
 {
     if (dem == NULL) return;
     dem->method->free(dem);
-    free(dem->constants);
-    free(dem->energy);
-    free(dem);
+    owner_free(dem);
 }
 
 const struct dem_options *dem_created_with(const struct dem *dem)
@@ -125,7 +123,8 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r)
 
 void dem_start_energy_budget(struct dem *dem)
 {
-    if (dem->energy == NULL) dem->energy = alloc_zeroed(1, sizeof *dem->energy);
+    if (dem->energy == NULL)
+        dem->energy = owner_zeroed(dem, 1, sizeof *dem->energy);
     dem->method->changed(dem); /* what the contacts store is summed anew */
 }
 

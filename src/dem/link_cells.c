@@ -2,7 +2,6 @@
 #include "dem/box_domain.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/alloc.h"
 #include "base/number.h"
@@ -15,21 +14,18 @@ static int max_cells(int capacity)
 
 struct link_cells *link_cells_create(int capacity, const struct box_domain *box)
 {
-    struct link_cells *const l = alloc_zeroed(1, sizeof *l);
+    struct link_cells *const l = owner_create(sizeof *l);
 
     l->box = *box;
     l->capacity = capacity;
-    l->head = alloc_ints(max_cells(capacity));
-    l->next = alloc_ints(capacity);
+    l->head = owner_ints(l, max_cells(capacity));
+    l->next = owner_ints(l, capacity);
     return l;
 }
 
 void link_cells_free(struct link_cells *l)
 {
-    if (l == NULL) return;
-    free(l->head);
-    free(l->next);
-    free(l);
+    owner_free(l);
 }
 
 void link_cells_clear(struct link_cells *l, double reach)

@@ -25,7 +25,7 @@ struct attachments {
 
 struct particles *particles_create(int capacity)
 {
-    struct particles *const ps = alloc_zeroed(1, sizeof *ps);
+    struct particles *const ps = owner_create(sizeof *ps);
     double **const own[OWN] = {&ps->x,   &ps->y,  &ps->z,  &ps->vx, &ps->vy,
                                &ps->vz,  &ps->wx, &ps->wy, &ps->wz, &ps->d,
                                &ps->m,   &ps->ex, &ps->ey, &ps->ez, &ps->cfx,
@@ -38,8 +38,8 @@ struct particles *particles_create(int capacity)
         {"cfz", "N"}};
 
     ps->capacity = capacity;
-    ps->id = alloc_ints(capacity);
-    ps->attached = alloc_zeroed(1, sizeof *ps->attached);
+    ps->id = owner_ints(ps, capacity);
+    ps->attached = owner_zeroed(ps, 1, sizeof *ps->attached);
     for (int a = 0; a < OWN; a++)
         *own[a] = particles_new_array(ps, named[a][0], named[a][1], 1);
     return ps;
@@ -48,17 +48,8 @@ struct particles *particles_create(int capacity)
 void particles_free(struct particles *ps)
 {
     if (ps == NULL) return;
-    for (int a = 0; a < OWN; a++)
-        free(ps->attached->row[a].array);
-    free(ps->drag_coefficient);
-    free(ps->added_mass);
-    free(ps->drag_impulse);
-    free(ps->id);
-    free(ps->material);
     free(ps->across);
-    clumps_free(ps->clumps);
-    free(ps->attached);
-    free(ps);
+    owner_free(ps);
 }
 
 void particles_add_implicit_drag(struct particles *ps)
@@ -92,7 +83,7 @@ int particles_add(struct particles *ps, const double x[3], double d,
 
 void particles_add_material(struct particles *ps)
 {
-    if (ps->material == NULL) ps->material = alloc_ints(ps->capacity);
+    if (ps->material == NULL) ps->material = owner_ints(ps, ps->capacity);
 }
 
 void particles_attach(struct particles *ps, const char *name, const char *unit,
@@ -107,7 +98,7 @@ void particles_attach(struct particles *ps, const char *name, const char *unit,
 double *particles_new_array(struct particles *ps, const char *name,
                             const char *unit, int width)
 {
-    double *const array = alloc_doubles(width * ps->capacity);
+    double *const array = owner_doubles(ps, width * ps->capacity);
 
     particles_attach(ps, name, unit, array, width);
     return array;

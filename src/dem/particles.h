@@ -61,7 +61,7 @@ void particles_attach(struct particles *ps, const char *name, const char *unit,
                       double *array, int width);
 void particles_detach(struct particles *ps, const double *array);
 
-/* A new array that is attached, all 0; the caller frees it. */
+/* A new array that is attached, all 0; it belongs to the particles. */
 double *particles_new_array(struct particles *ps, const char *name,
                             const char *unit, int width);
 

@@ -33,16 +33,16 @@ static int reference_run_create(struct dem *dem)
 {
     const struct dem_options *const o = &dem->options;
     const int capacity = dem->ps->capacity;
-    struct run *const run = dem->state = alloc_zeroed(1, sizeof *run);
+    struct run *const run = dem->state = owner_create(sizeof *run);
     struct reference *const r = &run->loop;
 
     r->options = o;
     r->constants = dem->constants;
     r->box = box_domain_of(o->lo, o->hi, o->periodic);
     r->capacity = capacity;
-    r->sphere = alloc_zeroed((size_t)capacity, sizeof *r->sphere);
-    r->now.start = alloc_ints(capacity + 1);
-    r->before.start = alloc_ints(capacity + 1);
+    r->sphere = owner_zeroed(run, (size_t)capacity, sizeof *r->sphere);
+    r->now.start = owner_ints(run, capacity + 1);
+    r->before.start = owner_ints(run, capacity + 1);
     r->deepest = &dem->deepest;
     r->no_contacts = dem->method->no_contacts;
     if (dem->method == &reference_link_cells)
@@ -56,13 +56,10 @@ static void reference_run_release(struct dem *dem)
     struct run *const run = dem->state;
 
     if (run == NULL) return;
-    free(run->loop.sphere);
     free(run->loop.now.list);
-    free(run->loop.now.start);
     free(run->loop.before.list);
-    free(run->loop.before.start);
     link_cells_free(run->loop.cells);
-    free(run);
+    owner_free(run);
 }
 
 static void reference_run_changed(struct dem *dem)

@@ -48,7 +48,7 @@ static void name_file(const struct series *s, int i, char *file)
 struct series *series_create(const char *dir, const char *name,
                              const char *suffix)
 {
-    struct series *const s = alloc_zeroed(1, sizeof *s);
+    struct series *const s = owner_create(sizeof *s);
     char *const folder = file_join(dir, name);
     const int failed = file_make_dirs(folder);
 
@@ -56,7 +56,7 @@ struct series *series_create(const char *dir, const char *name,
     s->suffix = copied(suffix, 0);
     s->pvd = copied(folder, 4);
     strcat(s->pvd, ".pvd");
-    s->file = alloc_zeroed(file_length(s), 1);
+    s->file = owner_zeroed(s, file_length(s), 1);
     s->path = copied(dir, 1 + file_length(s));
     strcat(s->path, "/");
     s->capacity = 64;
@@ -90,10 +90,9 @@ void series_free(struct series *s)
     free(s->name);
     free(s->suffix);
     free(s->pvd);
-    free(s->file);
     free(s->path);
     free(s->time);
-    free(s);
+    owner_free(s);
 }
 
 static void series_append(struct series *s, double time)

@@ -102,12 +102,12 @@ static struct table *table_opened(const char *path, int n_columns)
         table_report_failure("write", path);
         return NULL;
     }
-    struct table *const t = alloc_zeroed(1, sizeof *t);
+    struct table *const t = owner_create(sizeof *t);
     t->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
     t->file = file;
     t->n_columns = n_columns;
     t->length = lseek(file, 0, SEEK_END);
-    t->row = alloc_zeroed(row_size(n_columns), 1);
+    t->row = owner_zeroed(t, row_size(n_columns), 1);
     return t;
 }
 
@@ -182,8 +182,7 @@ void table_free(struct table *t)
     if (t == NULL) return;
     close(t->file);
     free(t->path);
-    free(t->row);
-    free(t);
+    owner_free(t);
 }
 
 int table_add(struct table *t, const double *row)

@@ -293,7 +293,7 @@ static void add_box(struct vtk_cells *v, const struct box *b)
     const int nx = b->n[0] + 1, ny = b->n[1] + 1, nz = b->n[2] + 1;
 
     v->n_points = nx * ny * nz;
-    v->point = v->corners = alloc_doubles(3 * v->n_points);
+    v->point = v->corners = owner_doubles(v, 3 * v->n_points);
     for (int p = 0; p < v->n_points; p++) {
         v->corners[3 * p] = b->edge[0][p % nx];
         v->corners[3 * p + 1] = b->edge[1][p / nx % ny];
@@ -330,12 +330,12 @@ static void add_cell(struct vtk_cells *v, int c)
 
 struct vtk_cells *vtk_cells_create(const struct mesh *m)
 {
-    struct vtk_cells *const v = alloc_zeroed(1, sizeof *v);
+    struct vtk_cells *const v = owner_create(sizeof *v);
 
     v->mesh = m;
-    v->end = alloc_ints(m->n_cells);
-    v->faces_end = alloc_ints(m->n_cells);
-    v->type = alloc_zeroed((size_t)m->n_cells, 1);
+    v->end = owner_ints(v, m->n_cells);
+    v->faces_end = owner_ints(v, m->n_cells);
+    v->type = owner_zeroed(v, (size_t)m->n_cells, 1);
     if (m->shape == NULL) {
         add_box(v, &m->box);
         return v;
@@ -352,11 +352,7 @@ void vtk_cells_free(struct vtk_cells *v)
     if (v == NULL) return;
     free(v->points.value);
     free(v->faces.value);
-    free(v->end);
-    free(v->faces_end);
-    free(v->type);
-    free(v->corners);
-    free(v);
+    owner_free(v);
 }
 
 static void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *v)

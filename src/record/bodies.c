@@ -148,9 +148,8 @@ static void bodies_release(void *record)
 
     table_free(r->table);
     series_free(r->pictures);
-    free(r->d);
     surroundings_free(r->filter);
-    free(r);
+    owner_free(r);
 }
 
 static void *create_bodies(const struct recorder_view *v, int *failed)
@@ -158,7 +157,7 @@ static void *create_bodies(const struct recorder_view *v, int *failed)
     const double width = v->of->filter;
 
     if (bodies_of_run(v->sim) == NULL) return NULL;
-    struct record *const r = alloc_zeroed(1, sizeof *r);
+    struct record *const r = owner_create(sizeof *r);
 
     r->sim = v->sim;
     r->bodies = bodies_of_run(v->sim);
@@ -167,7 +166,7 @@ static void *create_bodies(const struct recorder_view *v, int *failed)
         r->filter = surroundings_create(r->bodies, v->sim->fluid, width);
     r->table = bodies_create_table(r, v->folder);
     r->pictures = r->table != NULL ? recorder_series(v, "bodies") : NULL;
-    r->d = alloc_doubles(r->bodies->ps->n);
+    r->d = owner_doubles(r, r->bodies->ps->n);
     *failed = r->pictures == NULL;
     return r;
 }
@@ -323,15 +322,7 @@ static void outlines_release(void *record)
 
     series_free(r->clumps);
     series_free(r->surfaces);
-    for (int k = 0; k < 3; k++)
-        free(r->x[k]);
-    free(r->d);
-    free(r->corner);
-    free(r->of_ball);
-    free(r->of_triangle);
-    free(r->number);
-    free(r->end);
-    free(r);
+    owner_free(r);
 }
 
 /* Balls are shown of what consists of them, not the points of a surface. */
@@ -350,13 +341,13 @@ static int body_triangles(const struct body_shape *shape)
 static void outlines_make_room(struct outlines *r)
 {
     for (int k = 0; k < 3; k++)
-        r->x[k] = alloc_doubles(r->n_balls);
-    r->d = alloc_doubles(r->n_balls);
-    r->of_ball = alloc_ints(r->n_balls);
-    r->corner = alloc_doubles(9 * r->n_triangles);
-    r->of_triangle = alloc_ints(r->n_triangles);
-    r->number = alloc_ints(3 * r->n_triangles);
-    r->end = alloc_ints(r->n_triangles);
+        r->x[k] = owner_doubles(r, r->n_balls);
+    r->d = owner_doubles(r, r->n_balls);
+    r->of_ball = owner_ints(r, r->n_balls);
+    r->corner = owner_doubles(r, 9 * r->n_triangles);
+    r->of_triangle = owner_ints(r, r->n_triangles);
+    r->number = owner_ints(r, 3 * r->n_triangles);
+    r->end = owner_ints(r, r->n_triangles);
     for (int c = 0; c < 3 * r->n_triangles; c++)
         r->number[c] = c;
     for (int t = 0; t < r->n_triangles; t++)
@@ -367,7 +358,7 @@ static void *outlines_create(const struct recorder_view *v, int *failed)
 {
     const struct solid_bodies *const b = bodies_of_run(v->sim);
     if (b == NULL) return NULL;
-    struct outlines *const r = alloc_zeroed(1, sizeof *r);
+    struct outlines *const r = owner_create(sizeof *r);
     r->bodies = b;
     for (int i = 0; i < b->ps->n; i++) {
         r->n_balls += balls_of(&b->shape[i]);

@@ -67,13 +67,13 @@ static struct surface_loads *surface_loads_create(const struct simulation *sim,
                                                   const double centre[3])
 {
     if (names == NULL) return NULL;
-    struct surface_loads *const l = alloc_zeroed(1, sizeof *l);
+    struct surface_loads *const l = owner_create(sizeof *l);
 
     l->sim = sim;
     l->centre = centre;
     l->t = -1.0;
-    l->number = alloc_ints(sim->n_surfaces);
-    l->before = alloc_zeroed((size_t)sim->n_surfaces, sizeof *l->before);
+    l->number = owner_ints(l, sim->n_surfaces);
+    l->before = owner_zeroed(l, (size_t)sim->n_surfaces, sizeof *l->before);
     for (int k = 0; k < sim->n_surfaces; k++)
         if (has_word(names, sim->surface_names[k])) l->number[l->n++] = k;
     return l;
@@ -81,10 +81,7 @@ static struct surface_loads *surface_loads_create(const struct simulation *sim,
 
 static void surface_loads_free(struct surface_loads *l)
 {
-    if (l == NULL) return;
-    free(l->number);
-    free(l->before);
-    free(l);
+    owner_free(l);
 }
 
 /* Adds impulse [N s] and angular impulse [N m s] between two moments. */
@@ -318,26 +315,24 @@ static void forces_release(void *memory)
         free(f->body[i].on);
         surface_loads_free(f->body[i].surfaces);
     }
-    free(f->body);
-    free(f->row);
     table_free(f->table);
-    free(f);
+    owner_free(f);
 }
 
 static void *forces_create(const struct recorder_view *v, int *failed)
 {
     if (v->of->output->forces.n == 0) return NULL;
-    struct forces *const f = alloc_zeroed(1, sizeof *f);
+    struct forces *const f = owner_create(sizeof *f);
 
     f->sim = v->sim;
     f->n = v->of->output->forces.n;
     f->n_columns = 1;
-    f->body = alloc_zeroed((size_t)f->n, sizeof *f->body);
+    f->body = owner_zeroed(f, (size_t)f->n, sizeof *f->body);
     for (int i = 0; i < f->n; i++) {
         create_body(&v->of->output->forces.item[i], v->sim, &f->body[i]);
         f->n_columns += columns_of(&f->body[i]);
     }
-    f->row = alloc_doubles(f->n_columns);
+    f->row = owner_doubles(f, f->n_columns);
     f->table = forces_create_table(f, v->folder);
     *failed = f->table == NULL;
     return f;

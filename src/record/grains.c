@@ -208,18 +208,18 @@ static void contact_list_find(struct contact_list *c)
 
 static struct contact_list *contact_list_create(const struct simulation *sim)
 {
-    struct contact_list *const c = alloc_zeroed(1, sizeof *c);
+    struct contact_list *const c = owner_create(sizeof *c);
     const struct dem_options *const o = dem_created_with(sim->dem);
     const int n = materials_count(sim->materials);
 
     c->sim = sim;
     c->box = box_domain_of(o->lo, o->hi, o->periodic);
-    c->constants = alloc_zeroed((size_t)n * (size_t)n, sizeof *c->constants);
+    c->constants = owner_zeroed(c, (size_t)n * (size_t)n, sizeof *c->constants);
     materials_table(o->law, &o->material, o->materials, c->constants);
     c->cells = link_cells_create(sim->particles->capacity, &c->box);
     if (o->n_surfaces > 0) {
         c->rows = rows_create(sim->particles->capacity, &c->box);
-        c->pose = alloc_zeroed((size_t)o->n_surfaces, sizeof *c->pose);
+        c->pose = owner_zeroed(c, (size_t)o->n_surfaces, sizeof *c->pose);
     }
     contact_list_reserve(c);
     return c;
@@ -234,8 +234,6 @@ static void contact_list_free(struct contact_list *c)
         near_faces_release(&c->near);
         free(c->points.list);
     }
-    free(c->pose);
-    free(c->constants);
     free(c->x);
     free(c->force);
     free(c->depth);
@@ -243,7 +241,7 @@ static void contact_list_free(struct contact_list *c)
     free(c->corner);
     free(c->end);
     free(c->index);
-    free(c);
+    owner_free(c);
 }
 
 /* --- for ParaView: lines between centres, DIR/contacts.pvd ---------------- */

@@ -97,8 +97,7 @@ static void profiles_release(void *part)
 
     for (int i = 0; i < l->n; i++)
         profile_free(l->line[i].profile);
-    free(l->line);
-    free(l);
+    owner_free(l);
 }
 
 static void *profiles_create(const struct recorder_view *v, int *failed)
@@ -107,12 +106,12 @@ static void *profiles_create(const struct recorder_view *v, int *failed)
 
     (void)failed;
     if (o->profiles.n == 0) return NULL;
-    struct profiles *const l = alloc_zeroed(1, sizeof *l);
+    struct profiles *const l = owner_create(sizeof *l);
     l->snapshot = v->whole;
     l->folder = v->folder;
     l->dt = (double)v->of->row_every * v->sim->dt;
     l->n = o->profiles.n;
-    l->line = alloc_zeroed((size_t)l->n, sizeof *l->line);
+    l->line = owner_zeroed(l, (size_t)l->n, sizeof *l->line);
     for (int i = 0; i < l->n; i++) {
         const struct profile_line where = profiles_line(&o->profiles.item[i]);
         const struct profile_field field =
@@ -239,9 +238,7 @@ static void probes_release(void *part)
     struct probes *const p = part;
 
     table_free(p->table);
-    free(p->sensor);
-    free(p->row);
-    free(p);
+    owner_free(p);
 }
 
 static void *probes_create(const struct recorder_view *v, int *failed)
@@ -251,11 +248,11 @@ static void *probes_create(const struct recorder_view *v, int *failed)
     struct table_head head = {0};
 
     if (n == 0) return NULL;
-    struct probes *const p = alloc_zeroed(1, sizeof *p);
+    struct probes *const p = owner_create(sizeof *p);
     p->snapshot = v->whole;
     p->n = n;
-    p->sensor = alloc_zeroed((size_t)n, sizeof *p->sensor);
-    p->row = alloc_doubles(n + 1);
+    p->sensor = owner_zeroed(p, (size_t)n, sizeof *p->sensor);
+    p->row = owner_doubles(p, n + 1);
     table_head_add(&head, "time [s]");
     for (int i = 0; i < n; i++) {
         const double *const x = o[i].position;

@@ -40,19 +40,19 @@ static void snapshot_allocate(struct snapshot *s, int first, int last, int n)
 
     snapshot_list_arrays(s, list);
     for (int a = first; a < last; a++)
-        *list[a].at = alloc_doubles(list[a].width * n);
+        *list[a].at = owner_doubles(s, list[a].width * n);
 }
 
 struct snapshot *snapshot_create(const struct simulation *sim)
 {
-    struct snapshot *const s = alloc_zeroed(1, sizeof *s);
+    struct snapshot *const s = owner_create(sizeof *s);
     const struct particles *const ps = sim->particles;
 
     if (ps != NULL) {
         s->capacity = ps->capacity;
-        s->id = alloc_ints(s->capacity);
+        s->id = owner_ints(s, s->capacity);
         snapshot_allocate(s, OF_CELLS, ARRAYS, s->capacity);
-        if (ps->material != NULL) s->material = alloc_ints(s->capacity);
+        if (ps->material != NULL) s->material = owner_ints(s, s->capacity);
     }
     if (sim->fluid != NULL)
         snapshot_allocate(s, 0,
@@ -63,17 +63,7 @@ struct snapshot *snapshot_create(const struct simulation *sim)
 
 void snapshot_free(struct snapshot *s)
 {
-    if (s == NULL) return;
-    struct array list[ARRAYS];
-    snapshot_list_arrays(s, list);
-    for (int a = 0; a < ARRAYS; a++)
-        free(*list[a].at);
-    for (int i = 0; i < s->n_more; i++)
-        free(s->value[i]);
-    free(s->id);
-    free(s->material);
-    free(s->order);
-    free(s);
+    owner_free(s);
 }
 
 static void take_fluid(struct snapshot *s, const struct fluid *fl)
@@ -117,7 +107,7 @@ void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
     assert(s->n_more < SNAPSHOT_FIELDS);
     s->more[s->n_more] = field;
     s->memory[s->n_more] = memory;
-    s->value[s->n_more++] = alloc_doubles(field->components * s->capacity);
+    s->value[s->n_more++] = owner_doubles(s, field->components * s->capacity);
 }
 
 void snapshot_state(struct snapshot *s, const struct mesh *mesh,
@@ -193,7 +183,7 @@ static void snapshot_sort(struct snapshot *s)
 
 void snapshot_order_by_id(struct snapshot *s)
 {
-    s->order = alloc_ints(2 * s->capacity);
+    s->order = owner_ints(s, 2 * s->capacity);
 }
 
 void snapshot_take(struct snapshot *s, const struct simulation *sim)

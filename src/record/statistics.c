@@ -81,15 +81,17 @@ struct statistics {
 
 /* --- the grains ----------------------------------------------------------- */
 
-static struct grain_series *grain_series_create(int capacity, int rows)
+/* It belongs to the owner (base/alloc.h). */
+static struct grain_series *grain_series_create(void *owner, int capacity,
+                                                int rows)
 {
-    struct grain_series *const g = alloc_zeroed(1, sizeof *g);
+    struct grain_series *const g = owner_zeroed(owner, 1, sizeof *g);
 
     g->capacity = capacity;
     g->rows = rows;
-    g->Cd = alloc_doubles(capacity * rows);
-    g->Re = alloc_doubles(capacity);
-    g->eps = alloc_doubles(capacity);
+    g->Cd = owner_doubles(owner, capacity * rows);
+    g->Re = owner_doubles(owner, capacity);
+    g->eps = owner_doubles(owner, capacity);
     return g;
 }
 
@@ -161,19 +163,20 @@ static int layer_of(const struct mesh *m, int axis, int n, double x)
 
 /* Cells whose centres have the same coordinate along an axis are a layer; in a
  * mesh without layers, as many equal slices as the box has cells on an edge. */
-static struct layers *layers_create(const struct mesh *m, int axis, int rows)
+static struct layers *layers_create(void *owner, const struct mesh *m, int axis,
+                                    int rows)
 {
-    struct layers *const l = alloc_zeroed(1, sizeof *l);
+    struct layers *const l = owner_zeroed(owner, 1, sizeof *l);
 
     l->n = m->face_centre == NULL ? m->box.n[axis]
                                   : number_clamped(cbrt(m->n_cells), 1, 1000);
     l->rows = rows;
     l->cells = m->n_cells;
     l->V = m->V;
-    l->layer = alloc_ints(m->n_cells);
-    l->height = alloc_doubles(l->n);
-    l->volume = alloc_doubles(l->n);
-    l->eps = alloc_doubles(l->n * rows);
+    l->layer = owner_ints(owner, m->n_cells);
+    l->height = owner_doubles(owner, l->n);
+    l->volume = owner_doubles(owner, l->n);
+    l->eps = owner_doubles(owner, l->n * rows);
     for (int c = 0; c < m->n_cells; c++) {
         const double x = m->centre[3 * c + axis];
         const int k = l->layer[c] = layer_of(m, axis, l->n, x);
@@ -375,7 +378,7 @@ static void *statistics_create(const struct recorder_view *v, int *failed)
 
     (void)failed; /* nothing is written before the end */
     if (!o->statistics.on) return NULL;
-    struct statistics *const self = alloc_zeroed(1, sizeof *self);
+    struct statistics *const self = owner_create(sizeof *self);
     const long rows = v->of->steps / v->of->row_every + 2;
 
     self->sim = v->sim;
@@ -398,40 +401,19 @@ static void *statistics_create(const struct recorder_view *v, int *failed)
     self->sign = up[self->axis] > 0.0 ? 1.0 : -1.0;
     self->rows = (int)rows;
     self->first = -1;
-    self->series = alloc_doubles((1 + SCALARS) * self->rows);
-    self->room = alloc_doubles(2 * v->sim->particles->capacity);
+    self->series = owner_doubles(self, (1 + SCALARS) * self->rows);
+    self->room = owner_doubles(self, 2 * v->sim->particles->capacity);
     if (v->sim->fluid != NULL)
-        self->layers = layers_create(v->sim->mesh, self->axis, self->rows);
+        self->layers =
+            layers_create(self, v->sim->mesh, self->axis, self->rows);
     if (v->sim->coupling != NULL && o->statistics.lags > 0.0) {
         const double lags = o->statistics.lags / self->dt;
         self->lags = number_clamped(lags, 0, self->rows / 2) + 1;
         /* Of a run that is resumed there are none yet. */
         self->grains =
-            grain_series_create(v->sim->particles->capacity, self->rows);
+            grain_series_create(self, v->sim->particles->capacity, self->rows);
     }
     return self;
-}
-
-static void statistics_release(void *memory)
-{
-    struct statistics *const self = memory;
-
-    free(self->series);
-    free(self->room);
-    if (self->layers != NULL) {
-        free(self->layers->layer);
-        free(self->layers->height);
-        free(self->layers->volume);
-        free(self->layers->eps);
-    }
-    if (self->grains != NULL) {
-        free(self->grains->Cd);
-        free(self->grains->Re);
-        free(self->grains->eps);
-    }
-    free(self->layers);
-    free(self->grains);
-    free(self);
 }
 
 /* One row of series.csv. */
@@ -487,7 +469,7 @@ static void statistics_visit(void *memory, struct state *s)
 }
 
 const struct recorder_part recorder_statistics = {.create = statistics_create,
-                                                  .free = statistics_release,
+                                                  .free = owner_free,
                                                   .row = statistics_add,
                                                   .finish = statistics_finish,
                                                   .state = statistics_visit};

@@ -62,20 +62,18 @@ static void surface_table_release(void *part)
     struct surface_table *const t = part;
 
     table_free(t->table);
-    free(t->before);
-    free(t->row);
-    free(t);
+    owner_free(t);
 }
 
 static void *surface_table_create(const struct recorder_view *v, int *failed)
 {
     if (v->sim->n_surfaces == 0) return NULL;
-    struct surface_table *const t = alloc_zeroed(1, sizeof *t);
+    struct surface_table *const t = owner_create(sizeof *t);
 
     t->sim = v->sim;
     t->t = -1.0;
-    t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
-    t->row = alloc_doubles(1 + (EACH + 2) * v->sim->n_surfaces);
+    t->before = owner_zeroed(t, (size_t)v->sim->n_surfaces, sizeof *t->before);
+    t->row = owner_doubles(t, 1 + (EACH + 2) * v->sim->n_surfaces);
     t->table = surface_table_create_table(v->sim, v->folder);
     *failed = t->table == NULL;
     return t;
@@ -176,7 +174,7 @@ static void begin_wear(struct surface_fields *p)
         p->wears |= dem_surface_wear(sim->dem, s) != NULL;
     }
     if (p->wears)
-        p->before = alloc_zeroed((size_t)p->n_faces, sizeof *p->before);
+        p->before = owner_zeroed(p, (size_t)p->n_faces, sizeof *p->before);
 }
 
 static void free_values(struct surface_fields *p)
@@ -192,15 +190,14 @@ static void surface_fields_release(void *part)
 
     series_free(p->series);
     outline_release(&p->outline);
-    free(p->before);
     free_values(p);
-    free(p);
+    owner_free(p);
 }
 
 static void *surface_fields_create(const struct recorder_view *v, int *failed)
 {
     if (v->sim->n_surfaces == 0) return NULL;
-    struct surface_fields *const p = alloc_zeroed(1, sizeof *p);
+    struct surface_fields *const p = owner_create(sizeof *p);
 
     p->sim = v->sim;
     p->last = v->whole;
@@ -376,9 +373,9 @@ static void set_shape(struct walls *w)
 
     for (int f = m->n_internal; f < m->n_faces; f++)
         points += mesh_face_corners(m, f, 0, NULL);
-    w->x = alloc_doubles(3 * points);
-    w->corner = alloc_ints(points);
-    w->end = alloc_ints(n);
+    w->x = owner_doubles(w, 3 * points);
+    w->corner = owner_ints(w, points);
+    w->end = owner_ints(w, n);
     points = 0;
     for (int i = 0; i < n; i++) {
         const int f = m->n_internal + i,
@@ -429,30 +426,22 @@ static void walls_release(void *memory)
     struct walls *const w = memory;
 
     series_free(w->series);
-    free(w->x);
-    free(w->corner);
-    free(w->end);
-    free(w->patch);
-    free(w->p);
-    free(w->shear);
-    free(w->y_plus);
-    free(w->u);
-    free(w);
+    owner_free(w);
 }
 
 static void *walls_create(const struct recorder_view *v, int *failed)
 {
     if (v->sim->fluid == NULL || !v->of->output->walls) return NULL;
     const int n = v->sim->mesh->n_faces - v->sim->mesh->n_internal;
-    struct walls *const w = alloc_zeroed(1, sizeof *w);
+    struct walls *const w = owner_create(sizeof *w);
 
     w->sim = v->sim;
     set_shape(w);
-    w->patch = alloc_ints(n);
-    w->p = alloc_doubles(n);
-    w->y_plus = alloc_doubles(n);
-    w->shear = alloc_doubles(3 * n);
-    w->u = alloc_doubles(3 * n);
+    w->patch = owner_ints(w, n);
+    w->p = owner_doubles(w, n);
+    w->y_plus = owner_doubles(w, n);
+    w->shear = owner_doubles(w, 3 * n);
+    w->u = owner_doubles(w, 3 * n);
     w->series = recorder_series(v, "walls");
     *failed = w->series == NULL;
     return w;

@@ -36,7 +36,7 @@ static double body_exit_widest(const struct solid_bodies *b)
 struct body_exit *body_exit_create(struct solid_bodies *b,
                                    const struct fluid *fl)
 {
-    struct body_exit *const e = alloc_zeroed(1, sizeof *e);
+    struct body_exit *const e = owner_create(sizeof *e);
     int any = 0;
 
     memcpy(e->lo, b->contacts.lo, sizeof e->lo);
@@ -51,7 +51,7 @@ struct body_exit *body_exit_create(struct solid_bodies *b,
         else
             b->contacts.lo[w / 2] -= 1.25 * e->way;
     }
-    e->gone = alloc_ints(b->ps->n);
+    e->gone = owner_ints(e, b->ps->n);
     if (any) return e;
     body_exit_free(e);
     return NULL;
@@ -59,9 +59,7 @@ struct body_exit *body_exit_create(struct solid_bodies *b,
 
 void body_exit_free(struct body_exit *e)
 {
-    if (e == NULL) return;
-    free(e->gone);
-    free(e);
+    owner_free(e);
 }
 
 /* How far the whole body is beyond side w [m]. */

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/body_shape.h"
 
+#include <stddef.h>
+
+#include "base/alloc.h"
 #include "base/rotation.h"
 #include "base/vector.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdlib.h>
 
 struct body_shape body_shape_sphere(double diameter)
 {
@@ -205,9 +207,7 @@ void body_outline_set_moments(struct body_outline *o, double V,
 
 void body_outline_free(struct body_outline *o)
 {
-    if (o == NULL || o->kept) return;
-    free(o->ball);
-    o->free(o);
+    if (o != NULL && !o->kept) owner_free(o);
 }
 
 int body_outline_spans(const struct body_outline *o, int k, double L, double h)

@@ -20,7 +20,6 @@ struct body_ball {
 struct body_outline {
     /* Signed distance [m] of y from the surface, negative inside. */
     double (*distance)(const struct body_outline *o, const double y[3]);
-    void (*free)(struct body_outline *o);
     double volume;       /* [m^3] */
     double gyration[6];  /* [m^2] moments of inertia over the mass, about the
                             centroid: xx, xy, xz, yy, yz, zz */

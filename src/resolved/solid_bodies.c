@@ -23,7 +23,7 @@ const struct body_method *const solid_bodies_methods[] = {
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o)
 {
-    struct solid_bodies *const b = alloc_zeroed(1, sizeof *b);
+    struct solid_bodies *const b = owner_create(sizeof *b);
     double **const three[] = {&b->u_old,      &b->w_old,   &b->u_by_fluid,
                               &b->w_by_fluid, &b->impulse, &b->angular,
                               &b->force,      &b->torque,  &b->spring,
@@ -35,23 +35,23 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     b->rho = rho;
     b->ps = particles_create(n);
     particles_add_implicit_drag(b->ps);
-    b->shape = alloc_zeroed((size_t)n, sizeof *b->shape);
-    b->motion = alloc_zeroed((size_t)n, sizeof *b->motion);
-    b->mass = alloc_doubles(n);
-    b->C_v = alloc_doubles(n);
-    b->C_spin = alloc_doubles(n);
-    b->volume = alloc_doubles(n);
+    b->shape = owner_zeroed(b, (size_t)n, sizeof *b->shape);
+    b->motion = owner_zeroed(b, (size_t)n, sizeof *b->motion);
+    b->mass = owner_doubles(b, n);
+    b->C_v = owner_doubles(b, n);
+    b->C_spin = owner_doubles(b, n);
+    b->volume = owner_doubles(b, n);
     for (size_t a = 0; a < sizeof three / sizeof three[0]; a++)
-        *three[a] = alloc_doubles(3 * n);
+        *three[a] = owner_doubles(b, 3 * n);
     b->cells = cells;
-    b->start = alloc_ints(n);
-    b->end = alloc_ints(n);
-    b->near = alloc_ints(n);
-    b->cell = alloc_ints(cells);
-    b->amid = alloc_zeroed((size_t)cells, sizeof *b->amid);
-    b->body_of = alloc_ints(cells);
-    b->hold = alloc_doubles(cells);
-    b->hold_u = alloc_doubles(3 * cells);
+    b->start = owner_ints(b, n);
+    b->end = owner_ints(b, n);
+    b->near = owner_ints(b, n);
+    b->cell = owner_ints(b, cells);
+    b->amid = owner_zeroed(b, (size_t)cells, sizeof *b->amid);
+    b->body_of = owner_ints(b, cells);
+    b->hold = owner_doubles(b, cells);
+    b->hold_u = owner_doubles(b, 3 * cells);
     (o->method != NULL ? o->method : solid_bodies_methods[0])->set(b);
     return b;
 }
@@ -65,34 +65,8 @@ void solid_bodies_free(struct solid_bodies *b)
         body_outline_free(b->shape[i].outline);
     particles_free(b->ps);
     body_exit_free(b->exit);
-    free(b->turn);
-    free(b->shape);
-    free(b->motion);
-    free(b->mass);
-    free(b->C_v);
-    free(b->C_spin);
-    free(b->volume);
-    free(b->spring);
-    free(b->anchor);
-    free(b->inertia);
-    free(b->u_old);
-    free(b->u_by_fluid);
-    free(b->w_by_fluid);
-    free(b->w_old);
-    free(b->impulse);
-    free(b->angular);
-    free(b->force);
-    free(b->torque);
     free(b->link);
-    free(b->start);
-    free(b->end);
-    free(b->cell);
-    free(b->amid);
-    free(b->body_of);
-    free(b->near);
-    free(b->hold);
-    free(b->hold_u);
-    free(b);
+    owner_free(b);
 }
 
 /* A box, or a cylinder along an axis, may be longer than the box of the flow.
@@ -121,7 +95,7 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
     b->shape[i] = *shape;
     b->motion[i] = motion;
     if (shape->kind == BODY_OUTLINE && b->turn == NULL)
-        b->turn = alloc_doubles(4 * b->ps->capacity);
+        b->turn = owner_doubles(b, 4 * b->ps->capacity);
     b->volume[i] = V;
     b->C_v[i] = b->C_spin[i] = b->options.virtual_mass;
     b->mass[i] = b->ps->m[i];

@@ -193,7 +193,7 @@ static void stencil_add_shape(struct stencil *s, const struct walk *w,
 struct stencil *stencil_create(const struct mesh *m, double b,
                                enum stencil_to to)
 {
-    struct stencil *const s = alloc_zeroed(1, sizeof *s);
+    struct stencil *const s = owner_create(sizeof *s);
     struct walk w = {.m = m,
                      .b = b,
                      .alike = alike * b,
@@ -204,8 +204,8 @@ struct stencil *stencil_create(const struct mesh *m, double b,
 
     for (int i = 0; i < 3 * m->n_cells; i++)
         w.alike = fmax(w.alike, alike * w.half[i]);
-    s->shape = alloc_ints(m->n_cells);
-    s->start = alloc_ints(m->n_cells + 1);
+    s->shape = owner_ints(s, m->n_cells);
+    s->start = owner_ints(s, m->n_cells + 1);
     for (int c = 0; c < m->n_cells; c++)
         w.latest[c] = -1;
     for (int c = 0; c < m->n_cells; c++) {
@@ -254,11 +254,9 @@ double stencil_bytes(const struct mesh *m, double b, enum stencil_to to)
 void stencil_free(struct stencil *s)
 {
     if (s == NULL) return;
-    free(s->shape);
-    free(s->start);
     free(s->index_offset);
     free(s->dx);
     free(s->dy);
     free(s->dz);
-    free(s);
+    owner_free(s);
 }

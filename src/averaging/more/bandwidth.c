@@ -2,7 +2,6 @@
 #include "averaging/more/bandwidth.h"
 
 #include <gsl/gsl_math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -103,15 +102,15 @@ static void bandwidth_find_faces(struct bandwidth *w)
 struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
                                    const struct averaging_options *o)
 {
-    struct bandwidth *const w = alloc_zeroed(1, sizeof *w);
+    struct bandwidth *const w = owner_create(sizeof *w);
 
     w->h = h;
     w->b = o->bandwidth;
     w->by_cells = strcmp(o->vary, "cells") == 0;
     w->by_grains = strcmp(o->vary, "grains") == 0;
-    w->base = alloc_doubles(h->mesh->n_cells);
-    w->local = alloc_doubles(h->mesh->n_cells);
-    w->D = alloc_doubles(h->mesh->n_internal);
+    w->base = owner_doubles(w, h->mesh->n_cells);
+    w->local = owner_doubles(w, h->mesh->n_cells);
+    w->D = owner_doubles(w, h->mesh->n_internal);
     find_base(w, o);
     memcpy(w->local, w->base, (size_t)h->mesh->n_cells * sizeof *w->base);
     bandwidth_find_faces(w);
@@ -120,11 +119,7 @@ struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
 
 void bandwidth_free(struct bandwidth *w)
 {
-    if (w == NULL) return;
-    free(w->base);
-    free(w->local);
-    free(w->D);
-    free(w);
+    owner_free(w);
 }
 
 const double *bandwidth_D(const struct bandwidth *w)

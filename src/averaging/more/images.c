@@ -258,26 +258,16 @@ static int most_slabs(const struct images *s)
 static void *images_create(const struct cell_of_particle *h,
                            const struct averaging_options *o)
 {
-    struct images *const s = alloc_zeroed(1, sizeof *s);
+    struct images *const s = owner_create(sizeof *s);
     const int room = h->ps->capacity;
 
     s->h = h;
     s->b = o->bandwidth;
     s->wide = most_slabs(s);
-    s->first = alloc_ints(3 * room);
-    s->count = alloc_ints(3 * room);
-    s->share = alloc_doubles(3 * room * s->wide);
+    s->first = owner_ints(s, 3 * room);
+    s->count = owner_ints(s, 3 * room);
+    s->share = owner_doubles(s, 3 * room * s->wide);
     return s;
-}
-
-static void images_free(void *state)
-{
-    struct images *const s = state;
-
-    free(s->first);
-    free(s->count);
-    free(s->share);
-    free(s);
 }
 
 const struct averaging_method images_method = {
@@ -289,7 +279,7 @@ const struct averaging_method images_method = {
     .gaussian = 1.0,
     .needs_bandwidth = 1,
     .create = images_create,
-    .free = images_free,
+    .free = owner_free,
     .bind = images_bind,
     .spread = images_spread,
     .gather = images_gather,

@@ -152,7 +152,7 @@ struct separable *separable_create(const struct box *box, double T, double b,
 {
     for (int k = 0; k < 3; k++)
         if (box->n[k] < 1 || box->n[k] > SEPARABLE_MOST) return NULL;
-    struct separable *const s = alloc_zeroed(1, sizeof *s);
+    struct separable *const s = owner_create(sizeof *s);
 
     for (int k = 0; k < 3; k++) {
         struct direction *const d = &s->direction[k];
@@ -162,7 +162,8 @@ struct separable *separable_create(const struct box *box, double T, double b,
         const long places = d->n + (d->whole ? 0 : 2 * d->reach);
         if (WIDTH * places > s->size) s->size = WIDTH * places;
     }
-    s->bundle = alloc_zeroed((size_t)(MOST_THREADS * s->size), sizeof(double));
+    s->bundle =
+        owner_zeroed(s, (size_t)(MOST_THREADS * s->size), sizeof(double));
     return s;
 }
 
@@ -171,8 +172,7 @@ void separable_free(struct separable *s)
     if (s == NULL) return;
     for (int k = 0; k < 3; k++)
         free(s->direction[k].w);
-    free(s->bundle);
-    free(s);
+    owner_free(s);
 }
 
 int separable_reach(const struct separable *s, int k)

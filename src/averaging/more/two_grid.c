@@ -121,11 +121,11 @@ static void overlap_all(struct two_grid *g)
 {
     const struct mesh *const m = g->h->mesh;
 
-    g->start = alloc_ints(m->n_cells + 1);
+    g->start = owner_ints(g, m->n_cells + 1);
     for (int c = 0; c < m->n_cells; c++)
         g->start[c + 1] = g->start[c] + overlap_cell(g, c, NULL, NULL);
-    g->other = alloc_ints(g->start[m->n_cells]);
-    g->common = alloc_doubles(g->start[m->n_cells]);
+    g->other = owner_ints(g, g->start[m->n_cells]);
+    g->common = owner_doubles(g, g->start[m->n_cells]);
     for (int c = 0; c < m->n_cells; c++) {
         const int first = g->start[c];
         overlap_cell(g, c, &g->other[first], &g->common[first]);
@@ -170,20 +170,13 @@ static void two_grid_free(void *state)
 
     free(g->half);
     facets_free(g->facets);
-    free(g->V);
-    free(g->home);
-    free(g->start);
-    free(g->other);
-    free(g->common);
-    free(g->at);
-    free(g->sum);
-    free(g);
+    owner_free(g);
 }
 
 static void *two_grid_create(const struct cell_of_particle *h,
                              const struct averaging_options *o)
 {
-    struct two_grid *const g = alloc_zeroed(1, sizeof *g);
+    struct two_grid *const g = owner_create(sizeof *g);
     int n;
 
     g->h = h;
@@ -195,10 +188,10 @@ static void *two_grid_create(const struct cell_of_particle *h,
     assert(!wrong);
     (void)wrong;
     n /= o->fields;
-    g->V = alloc_doubles(n);
-    g->sum = alloc_doubles(n * o->fields);
-    g->home = alloc_ints(h->mesh->n_cells);
-    g->at = alloc_ints(h->ps->capacity);
+    g->V = owner_doubles(g, n);
+    g->sum = owner_doubles(g, n * o->fields);
+    g->home = owner_ints(g, h->mesh->n_cells);
+    g->at = owner_ints(g, h->ps->capacity);
     overlap_all(g);
     return g;
 }

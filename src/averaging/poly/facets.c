@@ -101,12 +101,12 @@ static void divide_polygons(struct facets *f)
 
     for (int p = 0; p < s->n_polygons; p++)
         bent += !facets_is_flat(s, p);
-    f->point = alloc_doubles(3 * (s->n_points + bent));
+    f->point = owner_doubles(f, 3 * (s->n_points + bent));
     memcpy(f->point, s->point, 3 * (size_t)s->n_points * sizeof *f->point);
-    f->of = alloc_ints(s->n_polygons + 1);
-    f->normal = alloc_doubles(3 * corners); /* a facet a corner at most */
-    f->start = alloc_ints(corners + 1);
-    f->corner = alloc_ints(3 * corners);
+    f->of = owner_ints(f, s->n_polygons + 1);
+    f->normal = owner_doubles(f, 3 * corners); /* a facet a corner at most */
+    f->start = owner_ints(f, corners + 1);
+    f->corner = owner_ints(f, 3 * corners);
     for (int p = 0, middle = s->n_points; p < s->n_polygons; p++) {
         if (facets_is_flat(s, p))
             facets_add_flat(f, p, &j, &at);
@@ -168,38 +168,26 @@ static int ring_of(const struct mesh *m, int c)
 
 struct facets *facets_create(const struct mesh *m)
 {
-    struct facets *const f = alloc_zeroed(1, sizeof *f);
+    struct facets *const f = owner_create(sizeof *f);
     int any = 0;
 
     f->mesh = m;
-    f->lo = alloc_doubles(3 * m->n_cells);
-    f->hi = alloc_doubles(3 * m->n_cells);
-    f->V = alloc_doubles(m->n_cells);
+    f->lo = owner_doubles(f, 3 * m->n_cells);
+    f->hi = owner_doubles(f, 3 * m->n_cells);
+    f->V = owner_doubles(f, m->n_cells);
     divide_polygons(f);
     for (int c = 0; c < m->n_cells; c++)
         measure_cell(f, c);
-    if (m->n_periods > 0) f->ring = alloc_ints(m->n_cells);
+    if (m->n_periods > 0) f->ring = owner_ints(f, m->n_cells);
     for (int c = 0; c < m->n_cells && m->n_periods > 0; c++)
         any |= f->ring[c] = ring_of(m, c);
-    if (any) return f;
-    free(f->ring);
-    f->ring = NULL;
+    if (!any) f->ring = NULL;
     return f;
 }
 
 void facets_free(struct facets *f)
 {
-    if (f == NULL) return;
-    free(f->point);
-    free(f->of);
-    free(f->normal);
-    free(f->start);
-    free(f->corner);
-    free(f->lo);
-    free(f->hi);
-    free(f->V);
-    free(f->ring);
-    free(f);
+    owner_free(f);
 }
 
 int facets_contain(const struct facets *f, enum facets_body body, int c,

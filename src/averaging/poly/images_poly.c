@@ -284,12 +284,12 @@ struct gaussian_moments *gaussian_moments_create(const struct facets *f,
                                                  double b)
 {
     const int n_cells = f->mesh->n_cells;
-    struct gaussian_moments *const s = alloc_zeroed(1, sizeof *s);
+    struct gaussian_moments *const s = owner_create(sizeof *s);
     int n = 0;
 
-    s->start = alloc_ints(n_cells + 1);
-    s->spread = alloc_doubles(9 * n_cells);
-    s->moment = alloc_zeroed((size_t)n_cells + (size_t)m->start[n_cells],
+    s->start = owner_ints(s, n_cells + 1);
+    s->spread = owner_doubles(s, 9 * n_cells);
+    s->moment = owner_zeroed(s, (size_t)n_cells + (size_t)m->start[n_cells],
                              sizeof *s->moment);
     for (int c = 0; c < n_cells; c++) {
         const struct gaussian_moment *const own = &s->moment[n];
@@ -307,11 +307,7 @@ struct gaussian_moments *gaussian_moments_create(const struct facets *f,
 
 void gaussian_moments_free(struct gaussian_moments *s)
 {
-    if (s == NULL) return;
-    free(s->start);
-    free(s->moment);
-    free(s->spread);
-    free(s);
+    owner_free(s);
 }
 
 double gaussian_moments_value(const struct gaussian_moment *n,

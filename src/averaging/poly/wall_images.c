@@ -301,11 +301,11 @@ static void search_from(struct mirror_search *v, int c)
 struct wall_images *wall_images_create(const struct facets *f, double reach)
 {
     const int n_cells = f->mesh->n_cells;
-    struct wall_images *const m = alloc_zeroed(1, sizeof *m);
+    struct wall_images *const m = owner_create(sizeof *m);
     struct mirror_search v = {.f = f, .reach = reach};
     int n = 0, room = 0;
 
-    m->start = alloc_ints(n_cells + 1);
+    m->start = owner_ints(m, n_cells + 1);
     collect_walls(&v);
     for (int c = 0; c < n_cells; c++) {
         search_from(&v, c);
@@ -325,7 +325,6 @@ struct wall_images *wall_images_create(const struct facets *f, double reach)
 void wall_images_free(struct wall_images *m)
 {
     if (m == NULL) return;
-    free(m->start);
     free(m->images);
-    free(m);
+    owner_free(m);
 }

@@ -27,7 +27,6 @@
 #include <gsl/gsl_sf_dawson.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
 
@@ -47,18 +46,9 @@ struct basset {
     double *start;  /* [m/s] velocity at the start of the step, 3 */
 };
 
-static double *attached(struct particles *ps, const char *name,
-                        const char *unit, int width)
-{
-    double *const array = alloc_doubles(width * ps->capacity);
-
-    particles_attach(ps, name, unit, array, width);
-    return array;
-}
-
 static void *basset_create(struct simulation *sim, const double *parameters)
 {
-    struct basset *const self = alloc_zeroed(1, sizeof *self);
+    struct basset *const self = owner_create(sizeof *self);
     struct particles *const ps = sim->particles;
 
     self->kernel = basset_kernel_create(sim->dt, parameters[0]);
@@ -68,30 +58,16 @@ static void *basset_create(struct simulation *sim, const double *parameters)
         if (k % TERMS_A_ROW != 0) continue;
         const int row = k / TERMS_A_ROW;
         snprintf(self->name[row], sizeof self->name[row], "basset_E_%d", row);
-        self->E[row] = attached(ps, self->name[row], "m/s", ROW);
+        self->E[row] = particles_new_array(ps, self->name[row], "m/s", ROW);
     }
-    self->change = attached(ps, "basset_change", "m/s", 3);
-    self->u = attached(ps, "basset_u", "m/s", 3);
-    self->age = attached(ps, "basset_age", "-", 1);
-    self->held = attached(ps, "basset_held", "N", 3);
-    self->start = attached(ps, "basset_start", "m/s", 3);
+    self->change = particles_new_array(ps, "basset_change", "m/s", 3);
+    self->u = particles_new_array(ps, "basset_u", "m/s", 3);
+    self->age = particles_new_array(ps, "basset_age", "-", 1);
+    self->held = particles_new_array(ps, "basset_held", "N", 3);
+    self->start = particles_new_array(ps, "basset_start", "m/s", 3);
     particles_add_implicit_drag(ps);
     effect_force_inertia(sim);
     return self;
-}
-
-static void basset_free(void *memory)
-{
-    struct basset *const self = memory;
-
-    for (int k = 0; k < BASSET_TERMS / TERMS_A_ROW; k++)
-        free(self->E[k]);
-    free(self->change);
-    free(self->u);
-    free(self->age);
-    free(self->held);
-    free(self->start);
-    free(self);
 }
 
 static double *basset_term(const struct basset *self, int k, int i)
@@ -272,7 +248,6 @@ const struct effect basset_effect = {
     .create = basset_create,
     .before_particles = basset_before_particles,
     .after_particles = basset_after_particles,
-    .free = basset_free,
     .estimate = basset_estimate,
     .added_mass = basset_added_mass,
     .cost = {212.0, 0.0, 11.0},

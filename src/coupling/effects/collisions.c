@@ -19,7 +19,6 @@
 #include <gsl/gsl_math.h>
 #include <limits.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "averaging/hats.h"
@@ -55,29 +54,17 @@ struct collisions {
 
 static void *collisions_create(struct simulation *sim, const double *parameters)
 {
-    struct collisions *const self = alloc_zeroed(1, sizeof *self);
+    struct collisions *const self = owner_create(sizeof *self);
     const int cells = sim->mesh->n_cells;
 
     self->e = parameters[0];
     self->seed = (unsigned long)number_clamped(parameters[0], 0, INT_MAX);
-    self->moments = alloc_doubles(HATS_MOMENTS * cells);
-    self->field = alloc_doubles(4 * cells);
-    self->q = alloc_doubles(HATS_MOMENTS * sim->particles->capacity);
-    self->before = alloc_zeroed((size_t)cells, sizeof *self->before);
-    self->after = alloc_zeroed((size_t)cells, sizeof *self->after);
+    self->moments = owner_doubles(self, HATS_MOMENTS * cells);
+    self->field = owner_doubles(self, 4 * cells);
+    self->q = owner_doubles(self, HATS_MOMENTS * sim->particles->capacity);
+    self->before = owner_zeroed(self, (size_t)cells, sizeof *self->before);
+    self->after = owner_zeroed(self, (size_t)cells, sizeof *self->after);
     return self;
-}
-
-static void collisions_free(void *memory)
-{
-    struct collisions *const self = memory;
-
-    free(self->moments);
-    free(self->field);
-    free(self->q);
-    free(self->before);
-    free(self->after);
-    free(self);
 }
 
 /* g_0 = eps_cp / (eps_cp - eps_s) [ORourke10], at most 1000. */
@@ -144,7 +131,6 @@ const struct effect collision_damping_effect = {
     .keys = {damping_keys},
     .create = collisions_create,
     .before_particles = collision_damping_step,
-    .free = collisions_free,
 };
 
 /* --- collision isotropy --------------------------------------------------- */
@@ -241,5 +227,4 @@ const struct effect collision_isotropy_effect = {
     .keys = {isotropy_keys},
     .create = collisions_create,
     .before_particles = collision_isotropy_step,
-    .free = collisions_free,
 };

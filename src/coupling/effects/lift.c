@@ -13,7 +13,6 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* --- vorticity ------------------------------------------------------------ */
 
@@ -36,30 +35,15 @@ static struct vorticity *vorticity_create(struct simulation *sim,
                                           const char *name)
 {
     const struct mesh *const m = sim->mesh;
-    struct vorticity *const v = alloc_zeroed(1, sizeof *v);
+    struct vorticity *const v = owner_create(sizeof *v);
 
-    v->u_b = alloc_doubles(3 * (m->n_faces - m->n_internal));
-    v->gradient = alloc_doubles(9 * (m->n_cells > sim->particles->capacity
-                                         ? m->n_cells
-                                         : sim->particles->capacity));
-    v->curl = alloc_doubles(3 * m->n_cells);
-    v->at = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, name, "1/s", v->at, 3);
+    v->u_b = owner_doubles(v, 3 * (m->n_faces - m->n_internal));
+    v->gradient = owner_doubles(v, 9 * (m->n_cells > sim->particles->capacity
+                                            ? m->n_cells
+                                            : sim->particles->capacity));
+    v->curl = owner_doubles(v, 3 * m->n_cells);
+    v->at = particles_new_array(sim->particles, name, "1/s", 3);
     return v;
-}
-
-/* Hooks of the effects whose memory is a struct vorticity (effect.h): the
- * second fills curl and at from the velocity of the fluid now. */
-static void vorticity_free(void *memory)
-{
-    struct vorticity *const v = memory;
-
-    if (v == NULL) return;
-    free(v->u_b);
-    free(v->gradient);
-    free(v->curl);
-    free(v->at);
-    free(v);
 }
 
 /* curl u of n gradients; d u_k/d x_j is at 3 k + j of each. */
@@ -206,7 +190,6 @@ const struct effect saffman_effect = {
     .create = saffman_create,
     .before_particles = vorticity_update,
     .before_substep = saffman_before_substep,
-    .free = vorticity_free,
     .estimate = saffman_estimate,
     .cost = {46.0, 63.0, 0.0},
 };
@@ -328,7 +311,6 @@ const struct effect magnus_effect = {
     .create = magnus_create,
     .before_particles = vorticity_update,
     .before_substep = magnus_before_substep,
-    .free = vorticity_free,
     .estimate = magnus_estimate,
     .cost = {89.0, 65.0, 0.0},
 };
@@ -415,7 +397,6 @@ const struct effect fluid_torque_effect = {
     .create = fluid_torque_create,
     .before_particles = vorticity_update,
     .before_substep = fluid_torque_before_substep,
-    .free = vorticity_free,
     .estimate = fluid_torque_estimate,
     .cost = {36.0, 66.0, 0.0},
 };

@@ -45,10 +45,10 @@ static void *pair_share_create(struct simulation *sim,
     for (int k = 0; k < o->n_attractions; k++)
         if (o->attractions[k].law == law) found = &o->attractions[k];
     if (found == NULL) return NULL;
-    struct pair_share *const self = alloc_zeroed(1, sizeof *self);
+    struct pair_share *const self = owner_create(sizeof *self);
     self->attraction = found;
     self->cells = link_cells_create(sim->particles->capacity, &box);
-    self->strongest = alloc_doubles(sim->particles->capacity);
+    self->strongest = owner_doubles(self, sim->particles->capacity);
     return self;
 }
 
@@ -58,8 +58,7 @@ static void pair_share_free(void *memory)
 
     if (self == NULL) return;
     link_cells_free(self->cells);
-    free(self->strongest);
-    free(self);
+    owner_free(self);
 }
 
 static void position(const struct particles *ps, int i, double x[3])

@@ -46,30 +46,18 @@ struct bubbles {
 
 static void *bubbles_create(struct simulation *sim, const double *parameters)
 {
-    struct bubbles *const b = alloc_zeroed(1, sizeof *b);
+    struct bubbles *const b = owner_create(sizeof *b);
     const int n = sim->mesh->n_cells;
 
     b->threshold = parameters[0];
     b->height = parameters[1];
     b->depth = sim->mesh->hi[2] - sim->mesh->lo[2];
     b->smallest = M_PI / 4.0 * parameters[2] * parameters[2] * b->depth;
-    b->root = alloc_ints(n);
-    b->volume = alloc_doubles(n);
-    b->open = alloc_zeroed((size_t)n, 1);
-    b->passing = alloc_zeroed((size_t)n, 1);
+    b->root = owner_ints(b, n);
+    b->volume = owner_doubles(b, n);
+    b->open = owner_zeroed(b, (size_t)n, 1);
+    b->passing = owner_zeroed(b, (size_t)n, 1);
     return b;
-}
-
-static void bubbles_free(void *memory)
-{
-    struct bubbles *const b = memory;
-
-    if (b == NULL) return;
-    free(b->root);
-    free(b->volume);
-    free(b->open);
-    free(b->passing);
-    free(b);
 }
 
 /* The first cell of the set that a cell is in; the way to it is cut short. */
@@ -196,7 +184,6 @@ const struct effect bubbles_effect = {
     .create = bubbles_create,
     .columns = &bubbles_columns,
     .state = bubbles_state,
-    .free = bubbles_free,
 };
 
 /* --- mixing --------------------------------------------------------------- */
@@ -248,32 +235,21 @@ static void mixing_mark(struct mixing *self, const struct particles *ps,
 
 static void *mixing_create(struct simulation *sim, const double *parameters)
 {
-    struct mixing *const self = alloc_zeroed(1, sizeof *self);
+    struct mixing *const self = owner_create(sizeof *self);
     const struct mesh *const m = sim->mesh;
     int samples = 1;
 
     self->labels = sim->particles->next_id;
-    self->marked = alloc_ints(self->labels);
+    self->marked = owner_ints(self, self->labels);
     mixing_mark(self, sim->particles, &parameters[1]);
     for (int k = 0; k < 3; k++) {
         const double n = (m->hi[k] - m->lo[k]) / parameters[0];
         self->n[k] = number_clamped(n + 0.5, 1, 1000);
         samples *= self->n[k];
     }
-    self->all = alloc_doubles(samples);
-    self->some = alloc_doubles(samples);
+    self->all = owner_doubles(self, samples);
+    self->some = owner_doubles(self, samples);
     return self;
-}
-
-static void mixing_free(void *memory)
-{
-    struct mixing *const self = memory;
-
-    if (self == NULL) return;
-    free(self->marked);
-    free(self->all);
-    free(self->some);
-    free(self);
 }
 
 /* The sample that a point of the box is in. */
@@ -339,10 +315,7 @@ static void mixing_state(void *memory, struct state *s)
     struct mixing *const self = memory;
 
     state_count(s, "labels", &self->labels, INT_MAX);
-    if (s->loading && !s->failed) {
-        free(self->marked);
-        self->marked = alloc_ints(self->labels);
-    }
+    if (s->loading && !s->failed) self->marked = owner_ints(self, self->labels);
     state_wholes(s, "marked", "-", self->marked, self->labels, 1);
 }
 
@@ -371,7 +344,6 @@ const struct effect mixing_effect = {
     .create = mixing_create,
     .columns = &mixing_columns,
     .state = mixing_state,
-    .free = mixing_free,
 };
 
 /* --- energy budget -------------------------------------------------------- */

@@ -25,7 +25,6 @@
  */
 #include "coupling/effects/forces.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,32 +66,16 @@ struct particle_stress {
     int failed;                       /* [-] 1: a tau was not found */
 };
 
-/* Arrays of the cells, how wide each is. */
-enum { CELL_ARRAYS = 13 };
-static void particle_stress_arrays(struct particle_stress *self,
-                                   double **at[CELL_ARRAYS],
-                                   int width[CELL_ARRAYS])
-{
-    double **const all[CELL_ARRAYS] = {
-        &self->P,      &self->tau,      &self->shift, &self->before,
-        &self->eps,    &self->wanted,   &self->rhs,   &self->sums,
-        &self->change, &self->fraction, &self->a,     &self->face,
-        &self->half};
-
-    for (int k = 0; k < CELL_ARRAYS; k++) {
-        at[k] = all[k];
-        width[k] = k < 10 ? 1 : k == 10 ? 3 : 6;
-    }
-}
-
 static void *particle_stress_create(struct simulation *sim,
                                     const double *parameters)
 {
     const struct mesh *const m = sim->mesh;
     const struct particles *const ps = sim->particles;
-    struct particle_stress *const self = alloc_zeroed(1, sizeof *self);
-    double **at[CELL_ARRAYS];
-    int width[CELL_ARRAYS];
+    struct particle_stress *const self = owner_create(sizeof *self);
+    double **const narrow[] = {&self->P,       &self->tau,  &self->shift,
+                               &self->before,  &self->eps,  &self->wanted,
+                               &self->rhs,     &self->sums, &self->change,
+                               &self->fraction};
 
     self->law = (struct particle_stress_law){
         .lun = parameters[0] != 0.0,
@@ -101,11 +84,13 @@ static void *particle_stress_create(struct simulation *sim,
         .e = dem_created_with(sim->dem)->material.restitution};
     self->n_cells = m->n_cells;
     self->least = parameters[1];
-    particle_stress_arrays(self, at, width);
-    for (int k = 0; k < CELL_ARRAYS; k++)
-        *at[k] = alloc_doubles(width[k] * m->n_cells);
-    self->g = alloc_doubles(m->n_internal);
-    self->q = alloc_doubles(HATS_MOMENTS * ps->capacity);
+    for (int k = 0; k < (int)(sizeof narrow / sizeof *narrow); k++)
+        *narrow[k] = owner_doubles(self, m->n_cells);
+    self->a = owner_doubles(self, 3 * m->n_cells);
+    self->face = owner_doubles(self, 6 * m->n_cells);
+    self->half = owner_doubles(self, 6 * m->n_cells);
+    self->g = owner_doubles(self, m->n_internal);
+    self->q = owner_doubles(self, HATS_MOMENTS * ps->capacity);
     self->hats = hats_create(m, ps->capacity);
     self->heaviest = 1e6 * cbrt(m->V[0]);
     for (int f = 0; f < m->n_internal; f++) {
@@ -124,18 +109,11 @@ static void *particle_stress_create(struct simulation *sim,
 static void particle_stress_free(void *memory)
 {
     struct particle_stress *const self = memory;
-    double **at[CELL_ARRAYS];
-    int width[CELL_ARRAYS];
 
-    particle_stress_arrays(self, at, width);
-    for (int k = 0; k < CELL_ARRAYS; k++)
-        free(*at[k]);
-    free(self->g);
-    free(self->q);
     hats_free(self->hats);
     preconditioned_free(self->matrix);
     cg_work_free(self->cg);
-    free(self);
+    owner_free(self);
 }
 
 /* The solids fraction of the particles where they are now. */

@@ -23,7 +23,6 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/alloc.h"
 #include "base/number.h"
@@ -86,21 +85,13 @@ static struct stochastic_drag_sigma sigma_of(const double *p)
 static void *stochastic_drag_create(struct simulation *sim,
                                     const double *parameters)
 {
-    struct stochastic_drag *const self = alloc_zeroed(1, sizeof *self);
+    struct stochastic_drag *const self = owner_create(sizeof *self);
 
     self->sigma = sigma_of(parameters);
     self->T = parameters[5];
     self->seed = (unsigned long)number_clamped(parameters[6], 0, INT_MAX);
-    self->y = alloc_doubles(sim->particles->capacity);
-    particles_attach(sim->particles, "stochastic_y", "-", self->y, 1);
+    self->y = particles_new_array(sim->particles, "stochastic_y", "-", 1);
     return self;
-}
-
-static void stochastic_drag_free(void *memory)
-{
-    struct stochastic_drag *const self = memory;
-    free(self->y);
-    free(self);
 }
 
 /* The normal number of particle i in a step, counted from 1 [EW18 34]. */
@@ -286,7 +277,6 @@ const struct effect stochastic_drag_effect = {
     .keys = {keys},
     .create = stochastic_drag_create,
     .after_particles = stochastic_drag_after_particles,
-    .free = stochastic_drag_free,
     .drag = stochastic_drag_drag,
     .counts = stochastic_drag_counts,
     .state = stochastic_drag_state,

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/effects/forces.h"
 
-#include <stdlib.h>
-
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/simulation.h"
@@ -24,22 +22,14 @@ void time_average_update(double alpha, int n, const double *now, double *mean)
 static void *time_average_create(struct simulation *sim,
                                  const double *parameters)
 {
-    struct time_average *const self = alloc_zeroed(1, sizeof *self);
+    struct time_average *const self = owner_create(sizeof *self);
     const int n = sim->mesh->n_cells;
 
     self->alpha = time_average_weight(sim->dt, parameters[0]);
     self->n = n;
-    self->eps = alloc_doubles(n);
-    self->eps_us = alloc_doubles(3 * n);
+    self->eps = owner_doubles(self, n);
+    self->eps_us = owner_doubles(self, 3 * n);
     return self;
-}
-
-static void time_average_free(void *memory)
-{
-    struct time_average *const self = memory;
-    free(self->eps);
-    free(self->eps_us);
-    free(self);
 }
 
 /* The mean starts from the first field, not from zero. */
@@ -92,5 +82,4 @@ const struct effect time_average_effect = {
     .after_step = time_average_after_step,
     .fields = time_average_fields,
     .state = time_average_state,
-    .free = time_average_free,
 };

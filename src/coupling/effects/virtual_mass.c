@@ -21,7 +21,6 @@
 #include "coupling/effects.h"
 
 #include <gsl/gsl_math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -40,33 +39,20 @@ struct virtual_mass {
 static void *virtual_mass_create(struct simulation *sim,
                                  const double *parameters)
 {
-    struct virtual_mass *const self = alloc_zeroed(1, sizeof *self);
-    const int cells = sim->mesh->n_cells, n = sim->particles->capacity;
+    struct virtual_mass *const self = owner_create(sizeof *self);
+    struct particles *const ps = sim->particles;
+    const int cells = sim->mesh->n_cells;
 
+    particles_add_implicit_drag(ps);
+    effect_force_inertia(sim);
     self->C = parameters[0];
     self->n_cells = cells;
-    self->past = alloc_doubles(3 * cells);
-    self->Du = alloc_doubles(3 * cells);
-    self->at = alloc_doubles(3 * n);
-    self->start = alloc_doubles(3 * n);
-    self->mass = alloc_doubles(n);
-    particles_add_implicit_drag(sim->particles);
-    effect_force_inertia(sim);
-    particles_attach(sim->particles, "Du_Dt", "m/s^2", self->at, 3);
-    particles_attach(sim->particles, "v_start", "m/s", self->start, 3);
-    particles_attach(sim->particles, "virtual_mass", "kg", self->mass, 1);
+    self->past = owner_doubles(self, 3 * cells);
+    self->Du = owner_doubles(self, 3 * cells);
+    self->at = particles_new_array(ps, "Du_Dt", "m/s^2", 3);
+    self->start = particles_new_array(ps, "v_start", "m/s", 3);
+    self->mass = particles_new_array(ps, "virtual_mass", "kg", 1);
     return self;
-}
-
-static void virtual_mass_free(void *memory)
-{
-    struct virtual_mass *const self = memory;
-    free(self->past);
-    free(self->Du);
-    free(self->at);
-    free(self->start);
-    free(self->mass);
-    free(self);
 }
 
 /* u . grad u of all cells, added to Du. */
@@ -199,7 +185,6 @@ const struct effect virtual_mass_effect = {
     .before_particles = virtual_mass_before_particles,
     .after_particles = virtual_mass_after_particles,
     .state = virtual_mass_state,
-    .free = virtual_mass_free,
     .estimate = virtual_mass_estimate,
     .added_mass = virtual_mass_added_mass,
     .cost = {23.0, 37.0, 11.0},

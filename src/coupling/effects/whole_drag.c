@@ -10,7 +10,6 @@
 
 #include <gsl/gsl_math.h>
 #include <stddef.h>
-#include <stdlib.h>
 
 /* --- viscous stress ------------------------------------------------------- */
 
@@ -40,24 +39,14 @@ static void *viscous_stress_create(struct simulation *sim,
                                    const double *parameters)
 {
     const struct mesh *const m = sim->mesh;
-    struct viscous_stress *const self = alloc_zeroed(1, sizeof *self);
+    struct viscous_stress *const self = owner_create(sizeof *self);
 
     (void)parameters;
-    self->force = alloc_doubles(3 * m->n_cells);
-    self->u_b = alloc_doubles(3 * (m->n_faces - m->n_internal));
-    if (m->oblique) self->slope = alloc_doubles(9 * m->n_cells);
-    self->at = alloc_doubles(3 * sim->particles->capacity);
+    self->force = owner_doubles(self, 3 * m->n_cells);
+    self->u_b = owner_doubles(self, 3 * (m->n_faces - m->n_internal));
+    if (m->oblique) self->slope = owner_doubles(self, 9 * m->n_cells);
+    self->at = owner_doubles(self, 3 * sim->particles->capacity);
     return self;
-}
-
-static void viscous_stress_free(void *memory)
-{
-    struct viscous_stress *const self = memory;
-    free(self->force);
-    free(self->u_b);
-    free(self->slope);
-    free(self->at);
-    free(self);
 }
 
 /* Area over length of a link [m]. */
@@ -169,7 +158,6 @@ const struct effect viscous_stress_effect = {
     .keys = {viscous_stress_keys},
     .create = viscous_stress_create,
     .before_particles = viscous_stress_before_particles,
-    .free = viscous_stress_free,
     .estimate = viscous_stress_estimate,
     .cost = {17.0, 64.0, 0.0},
 };

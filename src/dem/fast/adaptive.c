@@ -13,23 +13,19 @@
 #include "dem/fast/fast.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
 
-void adaptive_create(struct adaptive *a, const struct dem_options *o,
-                     int n_chunks)
+struct adaptive adaptive_create(void *owner, const struct dem_options *o,
+                                int n_chunks)
 {
-    a->next = o->shortest_step;
-    a->changed = alloc_zeroed((size_t)n_chunks, sizeof *a->changed);
-    a->closes = alloc_zeroed((size_t)n_chunks, sizeof *a->closes);
-}
+    const size_t n = (size_t)n_chunks;
+    struct adaptive a = {.next = o->shortest_step};
 
-void adaptive_release(struct adaptive *a)
-{
-    free(a->changed);
-    free(a->closes);
+    a.changed = owner_zeroed(owner, n, sizeof *a.changed);
+    a.closes = owner_zeroed(owner, n, sizeof *a.closes);
+    return a;
 }
 
 void adaptive_begin(struct adaptive *a, const struct rows *b)

@@ -59,7 +59,7 @@ static struct neighbours *create_neighbours(const struct dem *dem)
     if (o->n_prescribed > 0) {
         nb->prescribed =
             prescribed_particles_create(o->prescribed, o->n_prescribed);
-        nb->rows->own_inverse_mass = alloc_doubles(dem->ps->capacity);
+        nb->rows->own_inverse_mass = owner_doubles(nb->rows, dem->ps->capacity);
     }
     return nb;
 }
@@ -69,9 +69,9 @@ static void add_heun(struct fast *fast, int capacity)
     struct heun *const h = &fast->heun;
     const size_t n = (size_t)capacity;
 
-    h->place = alloc_zeroed(n, sizeof *h->place);
-    h->motion = alloc_zeroed(n, sizeof *h->motion);
-    h->load = alloc_zeroed(n, sizeof *h->load);
+    h->place = owner_zeroed(fast, n, sizeof *h->place);
+    h->motion = owner_zeroed(fast, n, sizeof *h->motion);
+    h->load = owner_zeroed(fast, n, sizeof *h->load);
 }
 
 static int fast_create(struct dem *dem)
@@ -80,11 +80,11 @@ static int fast_create(struct dem *dem)
 
     for (int s = 0; s < o->n_surfaces; s++)
         if (surface_wrong(&o->surfaces[s])) return 1;
-    struct fast *const fast = dem->state = alloc_zeroed(1, sizeof *fast);
+    struct fast *const fast = dem->state = owner_create(sizeof *fast);
     if (o->integrator->predicts) add_heun(fast, dem->ps->capacity);
     fast->neighbours = create_neighbours(dem);
     if (o->integrator->adapts)
-        adaptive_create(&fast->adaptive, o, fast->neighbours->n_chunks);
+        fast->adaptive = adaptive_create(fast, o, fast->neighbours->n_chunks);
     if (fast->neighbours->rows->sweep_options & SWEEP_ROLLING)
         neighbours_add_rolling(fast->neighbours);
     return 0;
@@ -96,12 +96,7 @@ static void fast_release(struct dem *dem)
 
     if (fast == NULL) return;
     neighbours_free(fast->neighbours);
-    adaptive_release(&fast->adaptive);
-    free(fast->heun.place);
-    free(fast->heun.motion);
-    free(fast->heun.load);
-    free(fast->heun.part);
-    free(fast);
+    owner_free(fast);
 }
 
 /* Allocates what a budget of energy needs, once. */
@@ -111,11 +106,11 @@ static void fast_add_budget(struct fast *fast, int capacity)
     const size_t n = (size_t)capacity;
 
     if (nb->rows->before != NULL) return;
-    nb->rows->before = alloc_zeroed(n, sizeof *nb->rows->before);
+    nb->rows->before = owner_zeroed(nb->rows, n, sizeof *nb->rows->before);
     for (int s = 0; s < nb->n_chunks; s++)
         nb->chunks[s].has_budget = 1;
     if (fast->heun.load != NULL)
-        fast->heun.part = alloc_zeroed(n, sizeof *fast->heun.part);
+        fast->heun.part = owner_zeroed(fast, n, sizeof *fast->heun.part);
 }
 
 static void fast_changed(struct dem *dem)

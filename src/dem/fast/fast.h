@@ -24,9 +24,9 @@ struct adaptive {
     double next;       /* [s] the length of the next step */
 };
 
-void adaptive_create(struct adaptive *a, const struct dem_options *o,
-                     int n_chunks);
-void adaptive_release(struct adaptive *a);
+/* The arrays belong to the owner (base/alloc.h). */
+struct adaptive adaptive_create(void *owner, const struct dem_options *o,
+                                int n_chunks);
 
 /* Once in a run, by one thread. */
 void adaptive_begin(struct adaptive *a, const struct rows *b);

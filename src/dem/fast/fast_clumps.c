@@ -37,10 +37,11 @@ void fast_clumps_locate(struct neighbours *nb)
 
     if (ps->clumps == NULL) return;
     if (b->ball == NULL) {
-        b->ball = alloc_zeroed((size_t)ps->capacity, sizeof *b->ball);
-        b->clump = alloc_zeroed((size_t)ps->clumps->capacity, sizeof *b->clump);
+        b->ball = owner_zeroed(b, (size_t)ps->capacity, sizeof *b->ball);
+        b->clump =
+            owner_zeroed(b, (size_t)ps->clumps->capacity, sizeof *b->clump);
         nb->clump_speed =
-            alloc_zeroed(FAST_CLUMPS_SLICES, sizeof *nb->clump_speed);
+            owner_zeroed(nb, FAST_CLUMPS_SLICES, sizeof *nb->clump_speed);
     }
     clumps_locate(ps);
     for (int i = 0; i < ps->n; i++)

@@ -27,7 +27,7 @@ static int most_cells(const struct grid *g)
 
 struct grid *grid_create(int capacity, const struct box_domain *box)
 {
-    struct grid *const g = alloc_zeroed(1, sizeof *g);
+    struct grid *const g = owner_create(sizeof *g);
     int *const axis = g->axis;
 
     g->box = *box;
@@ -42,16 +42,15 @@ struct grid *grid_create(int capacity, const struct box_domain *box)
                 axis[c] = axis[c + 1];
                 axis[c + 1] = swap;
             }
-    g->order = alloc_ints(capacity);
+    g->order = owner_ints(g, capacity);
     return g;
 }
 
 void grid_free(struct grid *g)
 {
     if (g == NULL) return;
-    free(g->order);
     free(g->start);
-    free(g);
+    owner_free(g);
 }
 
 /* Cells over the box where it is periodic, else over the particles as they are

@@ -20,16 +20,16 @@ void neighbours_watch(struct neighbours *nb, double overlap)
 struct neighbours *neighbours_create(struct particles *ps,
                                      const struct box_domain *box)
 {
-    struct neighbours *const nb = alloc_zeroed(1, sizeof *nb);
+    struct neighbours *const nb = owner_create(sizeof *nb);
 
     nb->ps = ps;
     nb->rows = rows_create(ps->capacity, box);
     nb->grid = grid_create(ps->capacity, box);
     nb->n_chunks = chunk_count(ps->capacity);
-    nb->chunks = alloc_zeroed((size_t)nb->n_chunks, sizeof *nb->chunks);
+    nb->chunks = owner_zeroed(nb, (size_t)nb->n_chunks, sizeof *nb->chunks);
     neighbours_watch(nb, HUGE_VAL);
     nb->barrier = barrier_create();
-    nb->rank = alloc_ints(ps->capacity);
+    nb->rank = owner_ints(nb, ps->capacity);
     nb->stale = 1;
     return nb;
 }
@@ -45,16 +45,13 @@ void neighbours_free(struct neighbours *nb)
     if (nb == NULL) return;
     for (int s = 0; s < nb->n_chunks; s++)
         chunk_release(&nb->chunks[s]);
-    free(nb->chunks);
     rows_free(nb->rows);
     grid_free(nb->grid);
     surfaces_free(nb->surfaces);
     prescribed_particles_free(nb->prescribed);
     barrier_free(nb->barrier);
-    free(nb->rank);
     free(nb->ring);
-    free(nb->clump_speed);
-    free(nb);
+    owner_free(nb);
 }
 
 /* An equal number for each thread. */

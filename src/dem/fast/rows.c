@@ -2,47 +2,34 @@
 #include "dem/fast/rows.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
 #include "dem/integrator.h"
 
 struct rows *rows_create(int capacity, const struct box_domain *box)
 {
-    struct rows *const b = alloc_zeroed(1, sizeof *b);
+    struct rows *const b = owner_create(sizeof *b);
     const size_t n = (size_t)capacity;
 
     b->box = *box;
-    b->place = alloc_zeroed(n, sizeof *b->place);
-    b->motion = alloc_zeroed(n, sizeof *b->motion);
-    b->acceleration = alloc_zeroed(n + 1, sizeof *b->acceleration);
-    b->listed = alloc_zeroed(n, sizeof *b->listed);
-    b->chosen = alloc_zeroed(n, sizeof *b->chosen);
+    b->place = owner_zeroed(b, n, sizeof *b->place);
+    b->motion = owner_zeroed(b, n, sizeof *b->motion);
+    b->acceleration = owner_zeroed(b, n + 1, sizeof *b->acceleration);
+    b->listed = owner_zeroed(b, n, sizeof *b->listed);
+    b->chosen = owner_zeroed(b, n, sizeof *b->chosen);
     return b;
 }
 
 void rows_free(struct rows *b)
 {
-    if (b == NULL) return;
-    free(b->place);
-    free(b->motion);
-    free(b->before);
-    free(b->acceleration);
-    free(b->listed);
-    free(b->chosen);
-    free(b->drag);
-    free(b->ball);
-    free(b->clump);
-    free(b->own_inverse_mass);
-    free(b);
+    owner_free(b);
 }
 
 void rows_add_implicit_drag(struct rows *b, const struct particles *ps)
 {
     if (ps->drag_coefficient == NULL) return;
     if (b->drag == NULL)
-        b->drag = alloc_zeroed((size_t)ps->capacity, sizeof *b->drag);
+        b->drag = owner_zeroed(b, (size_t)ps->capacity, sizeof *b->drag);
     b->drag_impulse = ps->drag_impulse;
 }
 

@@ -128,22 +128,20 @@ void population_state(struct population *l, struct state *s)
 void population_free(struct population *l)
 {
     if (l == NULL) return;
-    free(l->sources);
-    free(l->sinks);
     free(l->is_removed);
-    free(l);
+    owner_free(l);
 }
 
 struct population *population_create(const struct box_domain *box,
                                      int n_sources, int n_sinks)
 {
-    struct population *const l = alloc_zeroed(1, sizeof *l);
+    struct population *const l = owner_create(sizeof *l);
 
     l->box = *box;
     l->n_sources = n_sources;
     l->n_sinks = n_sinks;
-    l->sources = alloc_zeroed((size_t)n_sources, sizeof *l->sources);
-    l->sinks = alloc_zeroed((size_t)n_sinks, sizeof *l->sinks);
+    l->sources = owner_zeroed(l, (size_t)n_sources, sizeof *l->sources);
+    l->sinks = owner_zeroed(l, (size_t)n_sinks, sizeof *l->sinks);
     return l;
 }
 

@@ -6,7 +6,6 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -39,7 +38,7 @@ const char *sizes_wrong(const struct sizes_options *o)
 
 struct sizes *sizes_create(const struct sizes_options *o)
 {
-    struct sizes *const s = alloc_zeroed(1, sizeof *s);
+    struct sizes *const s = owner_create(sizeof *s);
 
     s->law = o->law;
     memcpy(s->own, o->own, sizeof s->own);
@@ -49,9 +48,7 @@ struct sizes *sizes_create(const struct sizes_options *o)
 
 void sizes_free(struct sizes *s)
 {
-    if (s == NULL) return;
-    free(s->piece);
-    free(s);
+    owner_free(s);
 }
 
 /* Rounding must not lead out of the cut-offs. */
@@ -317,7 +314,7 @@ static void close_pieces(struct sizes *s)
 static void begin_pieces(struct sizes *s, const struct sizes_options *o, int n)
 {
     s->falling = o->by_mass ? 3 : 0;
-    s->piece = alloc_zeroed((size_t)n, sizeof *s->piece);
+    s->piece = owner_zeroed(s, (size_t)n, sizeof *s->piece);
 }
 
 static void shape_uniform(struct sizes *s, const struct sizes_options *o)

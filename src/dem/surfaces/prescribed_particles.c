@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/surfaces/prescribed_particles.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -14,7 +13,7 @@ static const double fraction_within = 1e-12;
 struct prescribed_particles *
 prescribed_particles_create(const struct prescribed_particle *list, int n)
 {
-    struct prescribed_particles *const d = alloc_zeroed(1, sizeof *d);
+    struct prescribed_particles *const d = owner_create(sizeof *d);
 
     d->list = list;
     for (int k = 0; k < n; k++) {
@@ -22,10 +21,10 @@ prescribed_particles_create(const struct prescribed_particle *list, int n)
         if (prescribed_last(&list[k]) >= d->n_ids)
             d->n_ids = prescribed_last(&list[k]) + 1;
     }
-    d->range = alloc_ints(d->n);
-    d->is_on = alloc_ints(d->n);
-    d->found = alloc_zeroed((size_t)d->n, sizeof *d->found);
-    d->number = alloc_ints(d->n_ids);
+    d->range = owner_ints(d, d->n);
+    d->is_on = owner_ints(d, d->n);
+    d->found = owner_zeroed(d, (size_t)d->n, sizeof *d->found);
+    d->number = owner_ints(d, d->n_ids);
     for (int id = 0; id < d->n_ids; id++)
         d->number[id] = -1;
     for (int k = 0, q = 0; k < n; k++)
@@ -38,12 +37,7 @@ prescribed_particles_create(const struct prescribed_particle *list, int n)
 
 void prescribed_particles_free(struct prescribed_particles *d)
 {
-    if (d == NULL) return;
-    free(d->range);
-    free(d->is_on);
-    free(d->number);
-    free(d->found);
-    free(d);
+    owner_free(d);
 }
 
 void prescribed_particles_locate(struct prescribed_particles *d,

@@ -12,15 +12,15 @@
 /* Cosine of the angle by which n may turn in a step and be the same [-]. */
 static const double same = 0.9;
 
-void surface_contacts_init(struct surface_contacts *c,
+void surface_contacts_init(struct surface_contacts *c, void *owner,
                            const struct surface_scene *scene)
 {
     const size_t n = (size_t)scene->n;
 
     memset(c, 0, sizeof *c);
-    c->pose = alloc_zeroed(n, sizeof *c->pose);
-    c->built = alloc_zeroed(n, sizeof *c->built);
-    c->received = alloc_zeroed(n, sizeof *c->received);
+    c->pose = owner_zeroed(owner, n, sizeof *c->pose);
+    c->built = owner_zeroed(owner, n, sizeof *c->built);
+    c->received = owner_zeroed(owner, n, sizeof *c->received);
     for (int s = 0; s < scene->n; s++)
         c->pose[s] = motion_pose(&scene->surface[s].motion, 0.0);
 }
@@ -44,9 +44,6 @@ void surface_contacts_release(struct surface_contacts *c)
     free(c->previous.list);
     free(c->saved.list);
     surface_contacts_free_arrays(c);
-    free(c->pose);
-    free(c->built);
-    free(c->received);
 }
 
 void surface_contacts_save(struct surface_histories *f,

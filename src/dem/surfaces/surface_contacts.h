@@ -12,8 +12,6 @@
 #ifndef DEM_SURFACES_SURFACE_CONTACTS_H
 #define DEM_SURFACES_SURFACE_CONTACTS_H
 
-#include <stddef.h>
-
 #include "dem/fast/rows.h"
 #include "dem/fast/chunk.h"
 #include "dem/surfaces/surface.h"
@@ -155,7 +153,8 @@ struct surface_contacts {
     double power[ENERGY_PARTS + 1]; /* [W] of the surfaces: parts, all */
 };
 
-void surface_contacts_init(struct surface_contacts *c,
+/* Zero before; of the surfaces, the arrays belong to the owner. */
+void surface_contacts_init(struct surface_contacts *c, void *owner,
                            const struct surface_scene *scene);
 void surface_contacts_release(struct surface_contacts *c);
 

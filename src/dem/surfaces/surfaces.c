@@ -26,14 +26,14 @@ static double highest_speed(const struct surface_scene *scene)
 struct surfaces *surfaces_create(const struct surface *list, int n,
                                  const struct box_domain *box, int count)
 {
-    struct surfaces *const sf = alloc_zeroed(1, sizeof *sf);
+    struct surfaces *const sf = owner_create(sizeof *sf);
 
-    sf->wear = wear_create(list, n);
+    sf->wear = wear_create(sf, list, n);
     sf->scene = (struct surface_scene){list, n, box, sf->wear.n > 0, 0};
     sf->n_chunks = count;
-    sf->chunk = alloc_zeroed((size_t)count, sizeof *sf->chunk);
+    sf->chunk = owner_zeroed(sf, (size_t)count, sizeof *sf->chunk);
     for (int s = 0; s < count; s++)
-        surface_contacts_init(&sf->chunk[s], &sf->scene);
+        surface_contacts_init(&sf->chunk[s], sf, &sf->scene);
     sf->speed = highest_speed(&sf->scene);
     for (int k = 0; k < n; k++) {
         sf->carried |= list[k].motion.carrier != NULL;
@@ -47,10 +47,8 @@ void surfaces_free(struct surfaces *sf)
     if (sf == NULL) return;
     for (int s = 0; s < sf->n_chunks; s++)
         surface_contacts_release(&sf->chunk[s]);
-    free(sf->chunk);
     free(sf->index_of_id);
-    wear_release(&sf->wear);
-    free(sf);
+    owner_free(sf);
 }
 
 void surfaces_move(struct surfaces *sf, int s, double t)

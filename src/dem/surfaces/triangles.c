@@ -2,7 +2,6 @@
 #include "dem/surfaces/triangles.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -173,32 +172,28 @@ static void enter(struct triangles *t, int *member)
 
 struct triangles *triangles_create(int n, double (*corner)[3][3])
 {
-    struct triangles *const t = alloc_zeroed(1, sizeof *t);
+    struct triangles *const t = owner_create(sizeof *t);
 
     t->n = n;
-    t->corner = alloc_zeroed((size_t)n, sizeof *t->corner);
+    t->corner = owner_zeroed(t, (size_t)n, sizeof *t->corner);
     memcpy(t->corner, corner, (size_t)n * sizeof *t->corner);
     triangles_divide(t);
 
     const int cells = t->cells[0] * t->cells[1] * t->cells[2];
-    t->start = alloc_ints(cells + 1);
+    t->start = owner_ints(t, cells + 1);
     enter(t, NULL);
     for (int c = 0, sum = 0; c <= cells; c++) {
         sum += t->start[c];
         t->start[c] = sum; /* the end of the cell; becomes its start */
     }
-    t->member = alloc_ints(t->start[cells]);
+    t->member = owner_ints(t, t->start[cells]);
     enter(t, t->member);
     return t;
 }
 
 void triangles_free(struct triangles *t)
 {
-    if (t == NULL) return;
-    free(t->corner);
-    free(t->start);
-    free(t->member);
-    free(t);
+    owner_free(t);
 }
 
 static void triangles_add(struct triangle_list *list, int i)

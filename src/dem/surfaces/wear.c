@@ -2,7 +2,6 @@
 #include "dem/surfaces/wear.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
@@ -13,24 +12,18 @@ int wear_faces(const struct surface *s)
     return s->triangles != NULL ? s->triangles->n : 1;
 }
 
-struct wear wear_create(const struct surface *list, int n)
+struct wear wear_create(void *owner, const struct surface *list, int n)
 {
     struct wear w = {0};
 
-    w.first = alloc_ints(n);
+    w.first = owner_ints(owner, n);
     for (int k = 0; k < n; k++) {
         const int wears = list[k].wear.hardness > 0.0;
         w.first[k] = wears ? w.n : -1;
         w.n += wears ? wear_faces(&list[k]) : 0;
     }
-    if (w.n > 0) w.face = alloc_zeroed((size_t)w.n, sizeof *w.face);
+    if (w.n > 0) w.face = owner_zeroed(owner, (size_t)w.n, sizeof *w.face);
     return w;
-}
-
-void wear_release(struct wear *w)
-{
-    free(w->first);
-    free(w->face);
 }
 
 /* U^2 f(alpha) of the speeds U sin alpha and U cos alpha. */

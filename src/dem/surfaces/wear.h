@@ -39,8 +39,8 @@ struct wear {
     struct wear_face *face; /* those of one surface in their order */
 };
 
-struct wear wear_create(const struct surface *list, int n);
-void wear_release(struct wear *w);
+/* The arrays belong to the owner (base/alloc.h). */
+struct wear wear_create(void *owner, const struct surface *list, int n);
 int wear_faces(const struct surface *s);
 
 /* Volumes [m^3]: of an impact of a mass [kg] with the velocity v [m/s] relative

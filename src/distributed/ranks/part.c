@@ -232,8 +232,7 @@ static int part_add_particles(struct part *part, const struct settings *s,
     sim->dem = dem_create(sim->particles, &o);
     if (sim->dem == NULL) return 2;
     build_particles_limit(s, sim);
-    sim->held_force = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
+    sim->held_force = particles_new_array(sim->particles, "held_force", "N", 3);
     return 0;
 }
 
@@ -292,10 +291,10 @@ static void find_own(struct part *part)
     const struct mesh *const m = part->sim->mesh;
     const unsigned char *const own = halo_own(part->halo);
 
-    part->V = alloc_doubles(m->n_cells);
-    part->own_V = alloc_doubles(m->n_cells);
-    part->no_residual = alloc_doubles(3 * m->n_cells);
-    part->own_S = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    part->V = owner_doubles(part, m->n_cells);
+    part->own_V = owner_doubles(part, m->n_cells);
+    part->no_residual = owner_doubles(part, 3 * m->n_cells);
+    part->own_S = owner_doubles(part, 3 * (m->n_faces - m->n_internal));
     for (int c = 0; c < m->n_cells; c++)
         part->V[c] = part->own_V[c] = own[c] ? m->V[c] : 0.0;
     for (int f = m->n_internal; f < m->n_faces; f++)
@@ -328,7 +327,7 @@ static int part_add_fields(struct part *part, const struct settings *s,
 struct part *part_create(const struct settings *s, MPI_Comm comm,
                          const char *file, int *code)
 {
-    struct part *const part = alloc_zeroed(1, sizeof *part);
+    struct part *const part = owner_create(sizeof *part);
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
     double d = 1.0;
 
@@ -359,9 +358,5 @@ void part_free(struct part *part)
     partition_release(&part->p);
     free(part->places.up);
     free(part->places.down);
-    free(part->V);
-    free(part->own_V);
-    free(part->no_residual);
-    free(part->own_S);
-    free(part);
+    owner_free(part);
 }

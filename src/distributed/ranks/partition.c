@@ -285,13 +285,13 @@ static void make_forest(struct halo *h, const struct partition *p)
 
 struct halo *halo_create(const struct partition *p, MPI_Comm comm)
 {
-    struct halo *const h = alloc_zeroed(1, sizeof *h);
+    struct halo *const h = owner_create(sizeof *h);
     const int *const n = p->here.n;
 
     h->comm = comm;
     h->n = n[0] * n[1] * n[2];
-    h->own = alloc_zeroed((size_t)h->n, 1);
-    h->around = alloc_doubles(6 * h->n);
+    h->own = owner_zeroed(h, (size_t)h->n, 1);
+    h->around = owner_doubles(h, 6 * h->n);
     for (int c = 0; c < h->n; c++)
         h->own[c] = (unsigned char)partition_is_own(&p->here, c);
     h->unit[1] = MPI_DOUBLE; /* PETSc adds no others of one number */
@@ -309,9 +309,7 @@ void halo_free(struct halo *h)
     halo_must(PetscSFDestroy(&h->sf));
     for (int m = 2; m <= MOST_FIELDS; m++)
         MPI_Type_free(&h->unit[m]);
-    free(h->own);
-    free(h->around);
-    free(h);
+    owner_free(h);
 }
 
 void halo_refresh(struct halo *h, int m, double *field)

@@ -2,7 +2,6 @@
 #include "distributed/ranks/smoothing.h"
 
 #include <gsl/gsl_sf_bessel.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,7 +42,7 @@ static void smoothing_find_coefficients(struct diffuser *t, double z)
 static void *smoothing_create(const struct cell_of_particle *h,
                               const struct averaging_options *o)
 {
-    struct diffuser *const t = alloc_zeroed(1, sizeof *t);
+    struct diffuser *const t = owner_create(sizeof *t);
     const struct mesh *const m = h->mesh;
     const struct smoothing *const s = o->parts;
 
@@ -53,7 +52,7 @@ static void *smoothing_create(const struct cell_of_particle *h,
     const double lambda = 2.0 * halo_largest(s->h, mesh_diffusion_rate(m));
     t->factor = lambda > 0.0 ? 2.0 / lambda : 0.0;
     smoothing_find_coefficients(t, lambda * diffusion_time(s->bandwidth));
-    t->link = alloc_doubles(m->n_internal);
+    t->link = owner_doubles(t, m->n_internal);
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
         t->link[f] = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
@@ -61,7 +60,7 @@ static void *smoothing_create(const struct cell_of_particle *h,
     }
     for (int i = 0; i < 3; i++)
         t->y[i] = alloc_doubles(o->fields * m->n_cells);
-    t->sum = alloc_doubles(o->fields * m->n_cells);
+    t->sum = owner_doubles(t, o->fields * m->n_cells);
     return t;
 }
 
@@ -71,9 +70,7 @@ static void smoothing_release(void *state)
 
     for (int i = 0; i < 3; i++)
         free(t->y[i]);
-    free(t->sum);
-    free(t->link);
-    free(t);
+    owner_free(t);
 }
 
 /* next = factor (y - (2 / lambda) L y) - before, of the own cells, and then of

@@ -118,8 +118,8 @@ static void create_systems(struct solve *s, MPI_Comm comm)
         const PetscInt n = list_entries(s, row, i, j);
         create_matrix(s, which, n, i, j, comm);
     }
-    s->entry = alloc_zeroed(most, sizeof *s->entry);
-    s->diag = alloc_doubles(s->m->n_cells);
+    s->entry = owner_zeroed(s, most, sizeof *s->entry);
+    s->diag = owner_doubles(s, s->m->n_cells);
     solve_must(MatCreateVecs(s->A[0], &s->x, &s->b));
     free(row);
     free(i);
@@ -316,7 +316,7 @@ static double solve_largest(void *parts, double x)
 struct solve *solve_create(const struct mesh *m, struct halo *h,
                            const struct face_places *places, MPI_Comm comm)
 {
-    struct solve *const s = alloc_zeroed(1, sizeof *s);
+    struct solve *const s = owner_create(sizeof *s);
 
     s->m = m;
     s->h = h;
@@ -344,9 +344,7 @@ void solve_free(struct solve *s)
     }
     solve_must(VecDestroy(&s->b));
     solve_must(VecDestroy(&s->x));
-    free(s->entry);
-    free(s->diag);
-    free(s);
+    owner_free(s);
 }
 
 const struct shared_solution *solve_shared(const struct solve *s)

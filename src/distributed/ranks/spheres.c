@@ -66,7 +66,7 @@ struct spheres *spheres_create(const struct partition *p, const struct words *w,
 {
     char *words[] = {"winnow", "-log", "none", "-screen", "none", "-nocite"};
     const int threads = omp_get_max_threads();
-    struct spheres *const q = alloc_zeroed(1, sizeof *q);
+    struct spheres *const q = owner_create(sizeof *q);
 
     q->p = p;
     q->w = *w;
@@ -88,9 +88,7 @@ void spheres_free(struct spheres *q)
 {
     if (q == NULL) return;
     lammps_close(q->lammps);
-    free(q->id_before);
-    free(q->x_before);
-    free(q);
+    owner_free(q);
 }
 
 /* LAMMPS keeps the order of those that it takes; its ids begin at 1. */
@@ -287,8 +285,8 @@ static void attach(struct spheres *q, struct dem *dem)
     dem->ps->n = 1; /* arrays of no rows are not visited */
     particles_state(dem->ps, &s);
     dem->ps->n = 0;
-    q->id_before = alloc_ints(dem->ps->capacity);
-    q->x_before = alloc_doubles(3 * dem->ps->capacity);
+    q->id_before = owner_ints(q, dem->ps->capacity);
+    q->x_before = owner_doubles(q, 3 * dem->ps->capacity);
     spheres_tell(q, "fix kept all property/atom d2_kept %d", q->width);
 }
 

@@ -5,15 +5,14 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct mean *mean_create(int n)
 {
-    struct mean *const m = alloc_zeroed(1, sizeof *m);
+    struct mean *const m = owner_create(sizeof *m);
 
     m->n = n;
-    m->weight = alloc_doubles(3 * n);
+    m->weight = owner_doubles(m, 3 * n);
     m->value = m->weight + n;
     m->square = m->value + n;
     for (int i = 0; i < n; i++)
@@ -23,9 +22,7 @@ struct mean *mean_create(int n)
 
 void mean_free(struct mean *m)
 {
-    if (m == NULL) return;
-    free(m->weight);
-    free(m);
+    owner_free(m);
 }
 
 void mean_add(struct mean *m, double dt, const double *x, const double *w)
@@ -71,21 +68,18 @@ struct mean_blocks {
 
 struct mean_blocks *mean_blocks_create(int n)
 {
-    struct mean_blocks *const b = alloc_zeroed(1, sizeof *b);
+    struct mean_blocks *const b = owner_create(sizeof *b);
 
     b->n = n;
     b->length = 1;
-    b->weight = alloc_doubles(MOST_BLOCKS * n);
-    b->amount = alloc_doubles(MOST_BLOCKS * n);
+    b->weight = owner_doubles(b, MOST_BLOCKS * n);
+    b->amount = owner_doubles(b, MOST_BLOCKS * n);
     return b;
 }
 
 void mean_blocks_free(struct mean_blocks *b)
 {
-    if (b == NULL) return;
-    free(b->weight);
-    free(b->amount);
-    free(b);
+    owner_free(b);
 }
 
 /* Neighbours are joined to one block, and the second half of the array is free.

@@ -4,9 +4,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
 #include "base/number.h"
@@ -172,11 +170,11 @@ static void lay_out(struct profile *p, const struct box *b)
     p->step[1] = stride[p->line.across];
     p->step[2] = stride[deep];
     p->n = b->n[a];
-    p->x = alloc_doubles(p->n);
+    p->x = owner_doubles(p, p->n);
     for (int i = 0; i < p->n; i++)
         p->x[i] = probe_middle(b, a, i);
     p->n_deep = b->n[deep];
-    p->dz = alloc_doubles(p->n_deep);
+    p->dz = owner_doubles(p, p->n_deep);
     for (int i = 0; i < p->n_deep; i++)
         p->dz[i] = (z[i + 1] - z[i]) / (z[p->n_deep] - z[0]);
     p->row[0] = probe_row(b, p->line.across, p->line.at, &p->share[1]);
@@ -203,8 +201,9 @@ static void create_probes(struct profile *p, const struct mesh *m)
     const double dx = points_along(m, a, &p->n);
     const double dz = points_along(m, deep, &p->n_deep);
 
-    p->x = alloc_doubles(p->n);
-    p->probe = alloc_zeroed((size_t)p->n * (size_t)p->n_deep, sizeof *p->probe);
+    p->x = owner_doubles(p, p->n);
+    p->probe =
+        owner_zeroed(p, (size_t)p->n * (size_t)p->n_deep, sizeof *p->probe);
     for (int i = 0; i < p->n; i++) {
         double x[3];
         x[a] = p->x[i] = m->lo[a] + (i + 0.5) * dx;
@@ -220,7 +219,7 @@ struct profile *profile_create(const struct mesh *m,
                                const struct profile_line *line,
                                const struct profile_field *field)
 {
-    struct profile *const p = alloc_zeroed(1, sizeof *p);
+    struct profile *const p = owner_create(sizeof *p);
 
     assert(line->along != line->across);
     p->line = *line;
@@ -229,9 +228,9 @@ struct profile *profile_create(const struct mesh *m,
     else
         create_probes(p, m);
     p->field = *field;
-    p->sample = alloc_doubles(p->n);
-    p->weight = alloc_doubles(p->n);
-    p->amount = alloc_doubles(p->n);
+    p->sample = owner_doubles(p, p->n);
+    p->weight = owner_doubles(p, p->n);
+    p->amount = owner_doubles(p, p->n);
     p->mean = mean_create(p->n);
     p->blocks = mean_blocks_create(p->n);
     p->ends = m->lo[line->along] + m->hi[line->along];
@@ -241,15 +240,9 @@ struct profile *profile_create(const struct mesh *m,
 void profile_free(struct profile *p)
 {
     if (p == NULL) return;
-    free(p->x);
-    free(p->dz);
-    free(p->probe);
-    free(p->sample);
-    free(p->weight);
-    free(p->amount);
     mean_free(p->mean);
     mean_blocks_free(p->blocks);
-    free(p);
+    owner_free(p);
 }
 
 /* The same with probes; the weight is 0 where all of them are outside. */

@@ -89,11 +89,11 @@ static const double *extend(struct averaging_wall *self, int m,
 
 static struct mirrors *mirrors_create(const struct mesh *mesh)
 {
-    struct mirrors *const m = alloc_zeroed(1, sizeof *m);
+    struct mirrors *const m = owner_create(sizeof *m);
 
     m->wall = (struct averaging_wall){.move_out = move_out, .extend = extend};
     m->mesh = mesh;
-    m->closed = alloc_zeroed((size_t)mesh->n_cells, 1);
+    m->closed = owner_zeroed(m, (size_t)mesh->n_cells, 1);
     return m;
 }
 
@@ -101,9 +101,8 @@ static void mirrors_free(struct mirrors *m)
 {
     if (m == NULL) return;
     free(m->list);
-    free(m->closed);
     free(m->extended);
-    free(m);
+    owner_free(m);
 }
 
 /* Borrowed. */
@@ -270,13 +269,7 @@ static void among_grains_release(struct solid_bodies *b)
     for (int i = 0; i < b->ps->n; i++)
         body_surface_release(&g->surface[i]);
     mirrors_free(g->mirrors);
-    free(g->carrier);
-    free(g->surface);
-    free(g->impulse);
-    free(g->angular);
-    free(g->pushed);
-    free(g->held);
-    free(g);
+    owner_free(g);
 }
 
 static void among_grains_visit(struct solid_bodies *b, struct state *s)
@@ -297,17 +290,17 @@ static void among_grains_visit(struct solid_bodies *b, struct state *s)
 void among_grains_create(struct solid_bodies *b, int first)
 {
     const size_t n = (size_t)b->ps->n;
-    struct among_grains *const g = b->among = alloc_zeroed(1, sizeof *g);
+    struct among_grains *const g = b->among = owner_create(sizeof *g);
 
     b->free_among = among_grains_release;
     b->visit_among = among_grains_visit;
     g->first = first;
-    g->carrier = alloc_zeroed(n, sizeof *g->carrier);
-    g->surface = alloc_zeroed(n, sizeof *g->surface);
-    g->impulse = alloc_zeroed(n, sizeof *g->impulse);
-    g->angular = alloc_zeroed(n, sizeof *g->angular);
-    g->pushed = alloc_zeroed(n, sizeof *g->pushed);
-    g->held = alloc_doubles(3 * b->ps->n);
+    g->carrier = owner_zeroed(g, n, sizeof *g->carrier);
+    g->surface = owner_zeroed(g, n, sizeof *g->surface);
+    g->impulse = owner_zeroed(g, n, sizeof *g->impulse);
+    g->angular = owner_zeroed(g, n, sizeof *g->angular);
+    g->pushed = owner_zeroed(g, n, sizeof *g->pushed);
+    g->held = owner_doubles(g, 3 * b->ps->n);
     for (int i = 0; i < b->ps->n; i++) {
         among_grains_place(b, i);
         g->surface[i] = body_surface(b, i);

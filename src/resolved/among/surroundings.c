@@ -99,29 +99,23 @@ struct surroundings_filter *surroundings_create(const struct solid_bodies *b,
                                                 const struct fluid *fl,
                                                 double width)
 {
-    struct surroundings_filter *const f = alloc_zeroed(1, sizeof *f);
+    struct surroundings_filter *const f = owner_create(sizeof *f);
     const int cells = fl->mesh->n_cells;
 
     f->b = b;
     f->fl = fl;
     f->width = width;
-    f->chi = alloc_doubles(cells);
-    f->V = alloc_doubles(cells);
-    f->share = alloc_doubles(cells);
-    f->u = alloc_doubles(3 * cells);
-    f->box = alloc_ints(cells);
+    f->chi = owner_doubles(f, cells);
+    f->V = owner_doubles(f, cells);
+    f->share = owner_doubles(f, cells);
+    f->u = owner_doubles(f, 3 * cells);
+    f->box = owner_ints(f, cells);
     return f;
 }
 
 void surroundings_free(struct surroundings_filter *f)
 {
-    if (f == NULL) return;
-    free(f->chi);
-    free(f->V);
-    free(f->share);
-    free(f->u);
-    free(f->box);
-    free(f);
+    owner_free(f);
 }
 
 static void take_solid(void *by, int i, int c, const double r[3], double s)

@@ -7,7 +7,6 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- block outline -------------------------------------------------------- */
@@ -32,14 +31,6 @@ static double block_outline_distance(const struct body_outline *o,
     for (int k = 0; k < 3; k++)
         r[k] = b->Q[0][k] * y[0] + b->Q[1][k] * y[1] + b->Q[2][k] * y[2];
     return body_shape_distance(&b->shape, r);
-}
-
-static void block_outline_release(struct body_outline *o)
-{
-    struct block *const b = (struct block *)o;
-
-    free(b->corner);
-    free(b);
 }
 
 /* Rodrigues: x + sin(a) n x x + (1 - cos(a)) n x (n x x), for the axes. */
@@ -108,7 +99,7 @@ static void set_surface(struct block *b)
     const int n = block_triangles_count(&b->shape);
     const double centre[3] = {0.0, 0.0, 0.0};
 
-    b->corner = alloc_zeroed((size_t)n, sizeof *b->corner);
+    b->corner = owner_zeroed(b, (size_t)n, sizeof *b->corner);
     block_triangles_put(&b->shape, centre, b->corner);
     for (int c = 0; c < 3 * n; c++) {
         double *const x = b->corner[c / 3][c % 3];
@@ -127,11 +118,10 @@ static void set_surface(struct block *b)
 struct body_outline *block_outline_create(const struct body_shape *block,
                                           const double rotation[3])
 {
-    struct block *const b = alloc_zeroed(1, sizeof *b);
+    struct block *const b = owner_create(sizeof *b);
 
     b->shape = *block;
     b->outline.distance = block_outline_distance;
-    b->outline.free = block_outline_release;
     b->outline.width = body_shape_width(block);
     block_outline_set_rotation(b->Q, rotation);
     block_outline_set_moments(b);

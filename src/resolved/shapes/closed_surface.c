@@ -155,19 +155,6 @@ static double closed_surface_distance(const struct body_outline *o,
     return vector_dot(r, normal_at(s, *s->last, q)) < 0.0 ? -far : far;
 }
 
-static void closed_surface_release(struct body_outline *o)
-{
-    struct closed_surface *const s = (struct closed_surface *)o;
-
-    triangle_tree_free(s->tree);
-    free(s->corner);
-    free(s->last);
-    free(s->face);
-    free(s->edge);
-    free(s->point);
-    free(s);
-}
-
 /* --- volume and moments --------------------------------------------------- */
 
 /* Of the tetrahedra between the origin and each triangle, with their signs. */
@@ -318,9 +305,9 @@ static const char *closed_surface_join(struct closed_surface *s, int n)
     double(*const corner)[3][3] = s->corner;
 
     number_corners(n, corner, number);
-    s->face = alloc_zeroed((size_t)n, sizeof *s->face);
-    s->edge = alloc_zeroed((size_t)n, sizeof *s->edge);
-    s->point = alloc_zeroed((size_t)n, sizeof *s->point);
+    s->face = owner_zeroed(s, (size_t)n, sizeof *s->face);
+    s->edge = owner_zeroed(s, (size_t)n, sizeof *s->edge);
+    s->point = owner_zeroed(s, (size_t)n, sizeof *s->point);
     for (int t = 0; t < n; t++)
         triangle_normal((const double(*)[3])corner[t], s->face[t]);
     const char *const trouble = join_edges(s, n, number);
@@ -362,13 +349,12 @@ static void set_width(struct body_outline *o)
 struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
                                            const char **trouble)
 {
-    struct closed_surface *const s = alloc_zeroed(1, sizeof *s);
+    struct closed_surface *const s = owner_create(sizeof *s);
 
-    s->corner = alloc_zeroed((size_t)n, sizeof *s->corner);
+    s->corner = owner_zeroed(s, (size_t)n, sizeof *s->corner);
     memcpy(s->corner, corner, (size_t)n * sizeof *s->corner);
     s->outline.distance = closed_surface_distance;
-    s->outline.free = closed_surface_release;
-    s->last = alloc_ints(1);
+    s->last = owner_ints(s, 1);
     centre_on_centroid(s, n);
     s->outline.n_triangles = n;
     s->outline.corner = s->corner;
@@ -376,10 +362,10 @@ struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
     if (*trouble == NULL && !(s->outline.volume > 0.0))
         *trouble = "it has no volume";
     if (*trouble == NULL) {
-        s->tree = triangle_tree_create(n, s->corner);
+        s->tree = triangle_tree_create(s, n, s->corner);
         set_width(&s->outline);
         return &s->outline;
     }
-    closed_surface_release(&s->outline);
+    owner_free(s);
     return NULL;
 }

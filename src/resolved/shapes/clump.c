@@ -3,7 +3,6 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -34,8 +33,7 @@ static void plant(struct clump *c)
         c->corner[i / 9][i / 3 % 3][i % 3] = ball[i / 9].at[i % 3];
         c->widest = fmax(c->widest, ball[i / 9].R);
     }
-    triangle_tree_free(c->tree);
-    c->tree = triangle_tree_create(c->outline.n_balls, c->corner);
+    c->tree = triangle_tree_create(c, c->outline.n_balls, c->corner);
 }
 
 /* Square of the distance along the first n axes of y from a box. */
@@ -94,16 +92,6 @@ static double clump_distance(const struct body_outline *o, const double y[3])
     triangle_tree_walk(c->tree, &search, &s);
     *c->last = s.found;
     return s.least;
-}
-
-static void clump_release(struct body_outline *o)
-{
-    struct clump *const c = (struct clump *)o;
-
-    triangle_tree_free(c->tree);
-    free(c->corner);
-    free(c->last);
-    free(c);
 }
 
 /* --- moments -------------------------------------------------------------- */
@@ -282,19 +270,18 @@ static void add_union(struct moments *m, const struct clump *c,
 
 struct body_outline *clump_create(int n, const struct body_ball *ball)
 {
-    struct clump *const c = alloc_zeroed(1, sizeof *c);
+    struct clump *const c = owner_create(sizeof *c);
     struct body_outline *const o = &c->outline;
     double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
            hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     struct moments m = {0};
 
     o->distance = clump_distance;
-    o->free = clump_release;
     o->n_balls = n;
-    o->ball = alloc_zeroed((size_t)n, sizeof *o->ball);
+    o->ball = owner_zeroed(c, (size_t)n, sizeof *o->ball);
     memcpy(o->ball, ball, (size_t)n * sizeof *o->ball);
-    c->corner = alloc_zeroed((size_t)n, sizeof *c->corner);
-    c->last = alloc_ints(1);
+    c->corner = owner_zeroed(c, (size_t)n, sizeof *c->corner);
+    c->last = owner_ints(c, 1);
     plant(c);
     for (int i = 0; i < 3 * n; i++) {
         const struct body_ball *const b = &ball[i / 3];

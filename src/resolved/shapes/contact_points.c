@@ -128,8 +128,7 @@ void contact_points_add(struct body_outline *o)
     thin_out(&all, least_apart * spacing);
     o->flat = most_in_plane(o, &all);
     o->n_balls = all.n;
-    free(o->ball);
-    o->ball = alloc_zeroed((size_t)all.n, sizeof *o->ball);
+    o->ball = owner_zeroed(o, (size_t)all.n, sizeof *o->ball);
     for (int i = 0; i < all.n; i++)
         memcpy(o->ball[i].at, all.x[i], sizeof all.x[i]);
     free(all.x);

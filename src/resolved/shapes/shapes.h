@@ -76,9 +76,9 @@ void contact_points_between(struct body_outline *o, int k);
 
 struct triangle_tree;
 
-/* The corners [m] are borrowed. */
-struct triangle_tree *triangle_tree_create(int n, double (*corner)[3][3]);
-void triangle_tree_free(struct triangle_tree *t);
+/* It belongs to the owner (base/alloc.h); the corners [m] are borrowed. */
+struct triangle_tree *triangle_tree_create(void *owner, int n,
+                                           double (*corner)[3][3]);
 
 /* The triangle nearest to y [m], and q, its point that is. To begin with `near`
  * saves time, if that is one not far away. */

@@ -76,25 +76,18 @@ static void triangle_tree_grow(struct triangle_tree *t, int first, int n)
     triangle_tree_grow(t, first + n / 2, n - n / 2);
 }
 
-struct triangle_tree *triangle_tree_create(int n, double (*corner)[3][3])
+struct triangle_tree *triangle_tree_create(void *owner, int n,
+                                           double (*corner)[3][3])
 {
-    struct triangle_tree *const t = alloc_zeroed(1, sizeof *t);
+    struct triangle_tree *const t = owner_zeroed(owner, 1, sizeof *t);
 
     t->corner = corner;
-    t->order = alloc_zeroed((size_t)n, sizeof *t->order);
-    t->branch = alloc_zeroed(2 * (size_t)n, sizeof *t->branch);
+    t->order = owner_zeroed(owner, (size_t)n, sizeof *t->order);
+    t->branch = owner_zeroed(owner, 2 * (size_t)n, sizeof *t->branch);
     for (int i = 0; i < n; i++)
         t->order[i].number = i;
     triangle_tree_grow(t, 0, n);
     return t;
-}
-
-void triangle_tree_free(struct triangle_tree *t)
-{
-    if (t == NULL) return;
-    free(t->order);
-    free(t->branch);
-    free(t);
 }
 
 /* What has been found so far. */
