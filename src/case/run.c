@@ -2,7 +2,6 @@
 #include "case/run.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "base/clock.h"
 #include "base/thread_tuner.h"

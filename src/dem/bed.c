@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/bed.h"
 
-#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
 #include <limits.h>

@@ -3,7 +3,6 @@
  * says of it.  Chapter "Past one machine". */
 #include "coupling/processes.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

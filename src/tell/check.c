@@ -21,7 +21,6 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 /* A line with the place of the cell in question. */

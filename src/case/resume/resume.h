@@ -2,8 +2,6 @@
 #ifndef CASE_RESUME_RESUME_H
 #define CASE_RESUME_RESUME_H
 
-#include <stdio.h>
-
 #include "case/run.h"
 #include "case/settings.h"
 #include "dem/bed.h"

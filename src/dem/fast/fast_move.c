@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <omp.h>
-#include <string.h>
 
 #include "base/interrupt.h"
 #include "dem/fast/neighbours.h"

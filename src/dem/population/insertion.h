@@ -11,8 +11,6 @@
 #ifndef DEM_POPULATION_INSERTION_H
 #define DEM_POPULATION_INSERTION_H
 
-#include <stdio.h>
-
 #include "base/file.h"
 #include "dem/bed.h"
 #include "dem/box_domain.h"

@@ -9,7 +9,6 @@
 #include "mesh/poly/poly.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "base/alloc.h"
 
