@@ -605,8 +605,10 @@ FACT(every_law_and_method_has_its_functions)
     for (int i = 0; drag_laws[i] != NULL; i++) {
         const struct drag_law *const law = drag_laws[i];
         ck_assert_msg(
-            (law->resistance != NULL || law->own_keys != NULL) &&
-                (law->resistance == NULL) == (law->resistance_with != NULL) &&
+            (law->own_keys != NULL) == (law->resistance_with != NULL) &&
+                (law->resistance != NULL) + (law->factor != NULL) +
+                        (law->resistance_with != NULL) ==
+                    1 &&
                 law->eps_min < law->eps_max && law->Re_min < law->Re_max,
             "%s", law->name);
     }

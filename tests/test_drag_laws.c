@@ -13,8 +13,9 @@ static double factor(const char *name, double eps_f, double Re)
 {
     const struct drag_law *const law = drag_law_named(name);
 
-    ck_assert(law->resistance != NULL);
-    return law->resistance(eps_f, 1.0, 1.0, 1.0, Re / eps_f) / (18.0 * eps_f);
+    ck_assert(law != NULL);
+    return drag_resistance(law, eps_f, 1.0, 1.0, 1.0, Re / eps_f) /
+           (18.0 * eps_f);
 }
 
 /* The drag over Stokes' law, computed apart from this program from the formulas
@@ -197,7 +198,7 @@ FACT(ew18_a_5_whole_force_times_eps_is_the_drag)
     for (double eps = 0.4; eps < 1.0; eps += 0.1) {
         const double whole = drag_beetstra_force(eps, 1.2, 1.8e-5, 1e-3, 0.7);
         const double r =
-            drag_law_named("beetstra")->resistance(eps, 1.2, 1.8e-5, 1e-3, 0.7);
+            drag_resistance(&drag_beetstra, eps, 1.2, 1.8e-5, 1e-3, 0.7);
         ck_assert_double_eq_tol(r * M_PI / 6.0 * 1e-9 * 0.7 / (eps * whole),
                                 1.0, 1e-13);
     }

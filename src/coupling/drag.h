@@ -26,6 +26,8 @@ struct drag_law {
                                 warns outside of them */
     double (*resistance)(double eps_f, double rho_f, double mu, double d,
                          double u_r);
+    /* In its place, of a law that is one: the factor F of drag_by_factor. */
+    double (*factor)(double eps_f, double Re);
     /* The same for n particles, to rounding; NULL: one by one. */
     void (*resistance_many)(int n, const double *eps_f, double rho_f, double mu,
                             const double *d, const double *u_r,
@@ -38,16 +40,6 @@ struct drag_law {
     double (*resistance_with)(const double *own, double eps_f, double rho_f,
                               double mu, double d, double u_r);
 };
-
-/* beta / eps_s [kg/(m^3 s)] by the law. */
-static inline double drag_resistance(const struct drag_law *law, double eps_f,
-                                     double rho_f, double mu, double d,
-                                     double u_r)
-{
-    return law->resistance != NULL
-               ? law->resistance(eps_f, rho_f, mu, d, u_r)
-               : law->resistance_with(law->own, eps_f, rho_f, mu, d, u_r);
-}
 
 /* All laws, ended by NULL; drag_law_named: NULL if unknown. */
 extern const struct drag_law drag_syamlal_obrien, drag_gidaspow,
@@ -175,6 +167,18 @@ static inline double drag_by_factor(double (*F)(double eps_f, double Re),
 
     if (Re < fast) return 18.0 * mu / (d * d) * eps_f * F(eps, Re);
     return 18.0 * rho_f * eps_f * u_r / d * eps_f * F(eps, fast) / fast;
+}
+
+/* beta / eps_s [kg/(m^3 s)] by the law. */
+static inline double drag_resistance(const struct drag_law *law, double eps_f,
+                                     double rho_f, double mu, double d,
+                                     double u_r)
+{
+    if (law->factor != NULL)
+        return drag_by_factor(law->factor, eps_f, rho_f, mu, d, u_r);
+    return law->resistance != NULL
+               ? law->resistance(eps_f, rho_f, mu, d, u_r)
+               : law->resistance_with(law->own, eps_f, rho_f, mu, d, u_r);
 }
 
 /* Drag after Di Felice. */

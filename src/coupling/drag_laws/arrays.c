@@ -79,21 +79,15 @@ static double hill_koch_ladd_factor(double eps_f, double Re)
     return eps_f * whole_force(1.0 - eps_f, Re / 2.0);
 }
 
-static double hill_koch_ladd(double eps_f, double rho_f, double mu, double d,
-                             double u_r)
-{
-    return drag_by_factor(hill_koch_ladd_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 const struct drag_law drag_hill_koch_ladd = {
     .name = "hill-koch-ladd",
     .what = "random arrays of spheres, from resolved flow; slow flow above all",
     .equations = "Hill01, Benyahia06",
-    .function = "hill_koch_ladd",
+    .function = "hill_koch_ladd_factor",
     .eps_min = 0.36,
     .eps_max = 1.0,
     .Re_max = 200.0,
-    .resistance = hill_koch_ladd,
+    .factor = hill_koch_ladd_factor,
 };
 
 /* --- Beetstra ------------------------------------------------------------- */
@@ -120,12 +114,6 @@ double drag_beetstra_factor(double eps, double Re)
                (1.0 + pow(10.0, 3.0 * s) * pow(Re, -0.5 - 2.0 * s));
 }
 
-static double beetstra(double eps_f, double rho_f, double mu, double d,
-                       double u_r)
-{
-    return drag_by_factor(drag_beetstra_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 double drag_beetstra_force(double eps, double rho_f, double mu, double d,
                            double u_r)
 {
@@ -138,11 +126,11 @@ const struct drag_law drag_beetstra = {
     .name = "beetstra",
     .what = "random arrays of spheres, from resolved flow",
     .equations = "EW18 A.5, A.6",
-    .function = "beetstra",
+    .function = "drag_beetstra_factor",
     .eps_min = 0.4,
     .eps_max = 1.0,
     .Re_max = 1e3,
-    .resistance = beetstra,
+    .factor = drag_beetstra_factor,
 };
 
 /* --- Tenneti -------------------------------------------------------------- */
@@ -167,22 +155,16 @@ static double tenneti_factor(double eps_f, double Re)
                     s3 * Re * (0.95 + 0.61 * s3 / (eps_f * eps_f)));
 }
 
-static double tenneti(double eps_f, double rho_f, double mu, double d,
-                      double u_r)
-{
-    return drag_by_factor(tenneti_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 const struct drag_law drag_tenneti = {
     .name = "tenneti",
     .what = "random arrays of spheres, from resolved flow to Re = 300",
     .equations = "Tenneti11",
-    .function = "tenneti",
+    .function = "tenneti_factor",
     .eps_min = 0.5,
     .eps_max = 0.9,
     .Re_min = 0.01,
     .Re_max = 300.0,
-    .resistance = tenneti,
+    .factor = tenneti_factor,
 };
 
 /* --- Cello ---------------------------------------------------------------- */
@@ -236,18 +218,13 @@ static double cello_factor(double eps_f, double Re)
     return Re <= last_Re ? F : F * Re / last_Re;
 }
 
-static double cello(double eps_f, double rho_f, double mu, double d, double u_r)
-{
-    return drag_by_factor(cello_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 const struct drag_law drag_cello = {
     .name = "cello",
     .what = "a fit to several resolved simulations, Re to 1000",
     .equations = "Cello10",
-    .function = "cello",
+    .function = "cello_factor",
     .eps_min = 0.36,
     .eps_max = 1.0,
     .Re_max = 1e3,
-    .resistance = cello,
+    .factor = cello_factor,
 };

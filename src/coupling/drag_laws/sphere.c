@@ -98,27 +98,22 @@ static double di_felice_factor(double eps_f, double Re)
     return drag_sphere(Re) * pow(eps_f, -drag_di_felice_exponent(Re));
 }
 
-static double di_felice(double eps_f, double rho_f, double mu, double d,
-                        double u_r)
-{
-    return drag_by_factor(di_felice_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 double drag_di_felice_force(double eps, double rho_f, double mu, double d,
                             double u_r)
 {
-    return M_PI / 6.0 * d * d * d * di_felice(eps, rho_f, mu, d, u_r) * u_r;
+    return M_PI / 6.0 * d * d * d *
+           drag_resistance(&drag_di_felice, eps, rho_f, mu, d, u_r) * u_r;
 }
 
 const struct drag_law drag_di_felice = {
     .name = "di-felice",
     .what = "one sphere at the superficial slip, times a power of eps_f",
     .equations = "EW18 A.1-A.4",
-    .function = "di_felice",
+    .function = "di_felice_factor",
     .eps_min = 0.4,
     .eps_max = 1.0,
     .Re_max = 1e4,
-    .resistance = di_felice,
+    .factor = di_felice_factor,
 };
 
 /* The whole force is (1/2) C_d rho_f (pi d^2 / 4) u_r^2 eps_f^-chi, so its
@@ -128,21 +123,15 @@ static double di_felice_printed_factor(double eps_f, double Re)
     return di_felice_factor(eps_f, Re) / eps_f;
 }
 
-static double di_felice_printed(double eps_f, double rho_f, double mu, double d,
-                                double u_r)
-{
-    return drag_by_factor(di_felice_printed_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 const struct drag_law drag_di_felice_printed = {
     .name = "di-felice-printed",
     .what = "as EW18 prints Di Felice's law: 1 / eps_f times it",
     .equations = "EW18 A.1-A.4",
-    .function = "di_felice_printed",
+    .function = "di_felice_printed_factor",
     .eps_min = 0.4,
     .eps_max = 1.0,
     .Re_max = 1e4,
-    .resistance = di_felice_printed,
+    .factor = di_felice_printed_factor,
 };
 
 /* --- Rong ----------------------------------------------------------------- */
@@ -169,20 +158,15 @@ static double rong_factor(double eps_f, double Re)
     return root * root / 24.0 * pow(eps_f, -rong_exponent(eps_f, Re));
 }
 
-static double rong(double eps_f, double rho_f, double mu, double d, double u_r)
-{
-    return drag_by_factor(rong_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 const struct drag_law drag_rong = {
     .name = "rong",
     .what = "packings of spheres, from resolved flow; the form of Di Felice",
     .equations = "Rong13",
-    .function = "rong",
+    .function = "rong_factor",
     .eps_min = 0.37,
     .eps_max = 1.0,
     .Re_max = 3e3,
-    .resistance = rong,
+    .factor = rong_factor,
 };
 
 /* --- Huilin and Gidaspow -------------------------------------------------- */
@@ -211,21 +195,15 @@ static double huilin_gidaspow_factor(double eps_f, double Re)
            phi * wen_yu_factor(eps_f, Re);
 }
 
-static double huilin_gidaspow(double eps_f, double rho_f, double mu, double d,
-                              double u_r)
-{
-    return drag_by_factor(huilin_gidaspow_factor, eps_f, rho_f, mu, d, u_r);
-}
-
 const struct drag_law drag_huilin_gidaspow = {
     .name = "huilin-gidaspow",
     .what = "Gidaspow's law with its two branches blended",
     .equations = "LS 5.25-5.27",
-    .function = "huilin_gidaspow",
+    .function = "huilin_gidaspow_factor",
     .eps_min = 0.35,
     .eps_max = 1.0,
     .Re_max = 2e3,
-    .resistance = huilin_gidaspow,
+    .factor = huilin_gidaspow_factor,
 };
 
 /* --- grains that are no spheres ------------------------------------------- */
