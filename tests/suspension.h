@@ -227,7 +227,7 @@ static inline void discard(struct simulation *sim)
         if (sim->effects[i].effect->free != NULL)
             sim->effects[i].effect->free(sim->effects[i].memory);
     free(sim->effects);
-    coupling_free(sim->coupling);
+    owner_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
     population_free(sim->population);

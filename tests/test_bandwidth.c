@@ -162,7 +162,7 @@ FACT_FOR_EACH(no_cell_has_more_than_the_largest_bandwidth, 2)
     ck_assert_double_eq_tol(bandwidth_largest(w), 2.25 * base, 1e-12);
     r.ps->n = 0;
     ck_assert_double_eq_tol(bandwidth_largest(w), base, 1e-12);
-    bandwidth_free(w);
+    owner_free(w);
     r.ps->n = 28;
     row_free(&r);
 }

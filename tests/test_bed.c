@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/alloc.h"
 #include "dem/bed.h"
 #include "case/resume/resume.h"
 #include "dem/population/sizes.h"
@@ -324,7 +325,7 @@ FACT(bed_of_two_sizes_settles_and_each_has_its_mass)
     ck_assert_double_eq(range.max, 2e-3);
     ck_assert_double_eq_tol(range.volume * 1500.0 * 9.81 / weight, 1.0, 1e-12);
     particles_free(ps);
-    sizes_free(sizes);
+    owner_free(sizes);
 }
 
 FACT(bed_of_other_sizes_is_refused)
@@ -344,7 +345,7 @@ FACT(bed_of_other_sizes_is_refused)
     particles_free(made(path, &bed, &r, 0));
     ck_assert_int_eq(load(path, &bed, &o), BED_CREATED);
     unlink(path);
-    sizes_free(sizes);
+    owner_free(sizes);
 }
 
 /* In 2D, in any direction, and without particles. */
@@ -434,7 +435,7 @@ FACT(a_bed_that_is_stopped_settles_on_to_the_same_bits)
     assert_goes_on(&bed, s.looks - 1, whole, &r);
     kept_free(s.kept);
     particles_free(whole);
-    sizes_free(sizes);
+    owner_free(sizes);
 }
 
 /* Another bit of a number makes another bed, which may be possible. */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/alloc.h"
 #include "output/means/means.h"
 #include "facts.h"
 
@@ -21,7 +22,7 @@ static double error_of(int count, int times)
             mean_blocks_add(b, &x, &one);
     }
     const double error = mean_blocks_error(b, 0);
-    mean_blocks_free(b);
+    owner_free(b);
     gsl_rng_free(chance);
     return error;
 }
@@ -58,7 +59,7 @@ FACT(eight_blocks_have_the_error_of_12_6)
     mean_blocks_add(b, &(double){7.0}, &one);
     ck_assert_double_eq_tol(mean_blocks_error(b, 0), sqrt(63.0 / 12.0 / 7.0),
                             1e-14);
-    mean_blocks_free(b);
+    owner_free(b);
 }
 
 /* 64 steps of a staircase: blocks are joined twice, to 16 of 4 steps, and the
@@ -72,7 +73,7 @@ FACT(neighbours_are_joined_when_there_is_no_more_room)
     ck_assert_double_eq_tol(mean_blocks_error(b, 1),
                             8.0 * sqrt(63.0 / 12.0 / 7.0), 1e-12);
     ck_assert_double_eq(mean_blocks_error(b, 0), 0.0);
-    mean_blocks_free(b);
+    owner_free(b);
 }
 
 /* A block of no weight has no mean; the others have the error that they have
@@ -89,5 +90,5 @@ FACT(a_block_without_weight_counts_for_nothing)
     const double expected = sqrt(16.0 / 15.0 * 42.0) / 8.0;
     ck_assert_double_ge(mean_blocks_error(b, 0), expected * (1.0 - 1e-14));
     ck_assert(!isnan(mean_blocks_error(b, 0)));
-    mean_blocks_free(b);
+    owner_free(b);
 }

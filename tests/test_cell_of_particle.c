@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
 
@@ -28,7 +29,7 @@ FACT_FOR_EACH(every_particle_is_a_member_of_the_cell_that_holds_it_once,
         }
     for (int i = 0; i < N; i++)
         ck_assert_int_eq(seen[i], 1);
-    cell_of_particle_free(h);
+    owner_free(h);
     particles_free(ps);
     mesh_free(m);
 }
@@ -51,7 +52,7 @@ FACT(particles_are_found_where_they_went)
     ck_assert_int_eq(h->start[17], 0);
     ck_assert_int_eq(h->start[18], 3);
     ck_assert_int_eq(h->start[m->n_cells], 3);
-    cell_of_particle_free(h);
+    owner_free(h);
     particles_free(ps);
     mesh_free(m);
 }
@@ -80,7 +81,7 @@ FACT_FOR_EACH(offsets_end_at_the_walls_of_the_particles_cell, CLOUD_SHAPES)
                                 0.5 * (e[1] - e[0]) + 1e-14);
         }
     }
-    cell_of_particle_free(h);
+    owner_free(h);
     particles_free(ps);
     mesh_free(m);
 }
@@ -98,7 +99,7 @@ FACT(particles_outside_or_nowhere_are_counted)
     ck_assert_int_eq(h->cell[5], -1);
     ck_assert_int_eq(h->cell[50], -1);
     ck_assert_int_eq(h->cell[70], -1);
-    cell_of_particle_free(h);
+    owner_free(h);
     particles_free(ps);
     mesh_free(m);
 }

@@ -89,7 +89,7 @@ FACT(a_ball_on_and_in_a_tetrahedron)
                             1e-14);
     ck_assert_double_eq_tol(facets_in_sphere(f, 0, o, 1.4),
                             facets_in_sphere(f, 0, o, 1.4 + 1e-12), 1e-10);
-    facets_free(f);
+    owner_free(f);
     mesh_free(m);
 }
 
@@ -107,7 +107,7 @@ FACT(a_cube_on_and_in_a_tetrahedron)
                             8.0 / 3.0, 1e-14);
     ck_assert_double_eq_tol(facets_overlap(f, FACETS_CUBE, 0, middle, 0.2),
                             0.064, 1e-15);
-    facets_free(f);
+    owner_free(f);
     mesh_free(m);
 }
 
@@ -166,7 +166,7 @@ FACT_FOR_EACH(the_flux_is_the_volume, 8)
     ck_assert_double_eq_tol(facets_in_sphere(f, 0, o, R),
                             sum * 4.0 * R * R / N / N, 2e-5);
     ck_assert_double_gt(f->V[0], 0.0);
-    facets_free(f);
+    owner_free(f);
     mesh_free(m);
 }
 
@@ -194,7 +194,7 @@ FACT(a_box_by_its_facets_is_the_box)
         ck_assert_double_eq_tol(facets_overlap(f, FACETS_CUBE, 0, from, R),
                                 overlap_cube(R, lo, hi), tol);
     }
-    facets_free(f);
+    owner_free(f);
     mesh_free(m);
 }
 
@@ -229,7 +229,7 @@ static void add_up(struct mesh *m, double least, double most)
         ck_assert_double_eq_tol(sum[0] / (R * R * R), ball, 5e-12);
         ck_assert_double_eq_tol(sum[1] / (R * R * R), 8.0, 5e-12);
     }
-    facets_free(f);
+    owner_free(f);
 }
 
 FACT_FOR_EACH(the_parts_of_a_ball_in_any_cells_add_up_to_it, 5)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/alloc.h"
 #include "mesh/poly/poly.h"
 #include "averaging/averaging.h"
 
@@ -260,8 +261,8 @@ FACT(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
             }
             ck_assert_double_eq_tol(by_places, by_corners, 1e-15);
         }
-    gaussian_moments_free(N);
+    owner_free(N);
     wall_images_free(none);
-    facets_free(f);
+    owner_free(f);
     mesh_free(m);
 }

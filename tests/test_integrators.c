@@ -5,6 +5,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "base/alloc.h"
 #include "dem/energy.h"
 #include "dem/integrator.h"
 #include "dem/surfaces/surface.h"
@@ -354,5 +355,5 @@ FACT_FOR_EACH(no_step_that_adapts_passes_over_a_contact, 3)
     ck_assert_double_eq_tol(kinetic / start, 1.0, 1e-3);
     dem_free(dem);
     particles_free(ps);
-    triangles_free((struct triangles *)(uintptr_t)sheet.triangles);
+    owner_free((struct triangles *)(uintptr_t)sheet.triangles);
 }

@@ -41,7 +41,7 @@ static double wave_error(int n, double b, int periodic, double from, double to)
         ck_assert(X[3 * i + 2] == 0.0); /* one cell */
     }
     kernel_gradient_free(s);
-    cell_of_particle_free(h);
+    owner_free(h);
     particles_free(ps);
     mesh_free(m);
     free(f);
@@ -89,7 +89,7 @@ FACT(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row)
     for (int j = 1; j < 6; j++)
         ck_assert_double_eq_tol(X[j], 0.0, 1e-12);
     kernel_gradient_free(s);
-    cell_of_particle_free(h);
+    owner_free(h);
     particles_free(ps);
     mesh_free(m);
 }
@@ -113,7 +113,7 @@ FACT_FOR_EACH(ew18_b_10_a_constant_has_no_slope_anywhere, CLOUD_SHAPES)
         ck_assert_double_eq_tol(X[j], 0.0, 1e-11);
     kernel_gradient_free(s);
     free(f);
-    cell_of_particle_free(h);
+    owner_free(h);
     particles_free(ps);
     mesh_free(m);
 }

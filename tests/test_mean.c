@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/alloc.h"
 #include "output/means/means.h"
 #include "facts.h"
 #include "kept.h"
@@ -17,8 +18,8 @@ FACT(mean_and_spread_keep_their_digits_far_from_zero)
         mean_add(m, 0.25, &x[i], NULL);
     ck_assert_double_eq_tol(m->value[0], 1e9 + 10.0, 2e-7);
     ck_assert_double_eq_tol(mean_spread(m, 0), sqrt(22.5), 1e-6);
-    mean_free(m);
-    mean_free(NULL);
+    owner_free(m);
+    owner_free(NULL);
 }
 
 /* Weights 1, 2, 5 of 2, -1, 4: mean 20/8, spread from the definition. */
@@ -37,8 +38,8 @@ FACT(weights_count_as_repetitions)
     ck_assert_double_eq_tol(mean_spread(weighted, 0), sqrt(36.0 / 8.0), 2e-15);
     ck_assert_double_eq_tol(repeated->value[0], 2.5, 4e-16 * 8.0);
     ck_assert_double_eq_tol(mean_spread(repeated, 0), sqrt(36.0 / 8.0), 4e-15);
-    mean_free(weighted);
-    mean_free(repeated);
+    owner_free(weighted);
+    owner_free(repeated);
 }
 
 /* A stretch of 3 dt weighs three times as much. */
@@ -49,7 +50,7 @@ FACT(long_intervals_count_more)
     mean_add(m, 3.0, &(double){1.0}, NULL);
     mean_add(m, 1.0, &(double){5.0}, NULL);
     ck_assert_double_eq(m->value[0], 2.0);
-    mean_free(m);
+    owner_free(m);
 }
 
 /* A sample of weight 0 may be nan: a velocity where nothing moves. */
@@ -65,7 +66,7 @@ FACT(without_a_weight_nothing_counts)
     ck_assert(isnan(m->value[0]) && isnan(mean_spread(m, 0)));
     ck_assert_double_eq(m->value[1], 7.0);
     ck_assert_double_eq(mean_spread(m, 1), 0.0);
-    mean_free(m);
+    owner_free(m);
 }
 
 FACT(the_state_carries_a_mean_over_an_interruption)
@@ -86,7 +87,7 @@ FACT(the_state_carries_a_mean_over_an_interruption)
         mean_add(second, 0.1, &x[i], NULL);
     ck_assert(second->value[0] == through->value[0]); /* bit for bit */
     ck_assert(mean_spread(second, 0) == mean_spread(through, 0));
-    mean_free(through);
-    mean_free(first);
-    mean_free(second);
+    owner_free(through);
+    owner_free(first);
+    owner_free(second);
 }

@@ -37,7 +37,7 @@ static struct surface sheet(const struct motion *m)
 
 static void forget(struct surface *s)
 {
-    triangles_free((struct triangles *)(uintptr_t)s->triangles);
+    owner_free((struct triangles *)(uintptr_t)s->triangles);
 }
 
 static struct dem_options with(const struct surface *s, double step)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laws of a stress in the place of contacts, and what collisions do
  * besides. The rest are facts of runs: tests/tables/stress.txt. */
+#include "base/alloc.h"
 #include "coupling/effects/forces.h"
 
 #include <gsl/gsl_math.h>
@@ -209,6 +210,6 @@ FACT(snider01_a_closed_gas_gains_no_energy)
     square_sum(sim, 2, &sum);
     ck_assert_double_ge(now, 0.999 * first);
     ck_assert_double_eq_tol(sum, was, 1e-12 * GAS);
-    hats_free(h);
+    owner_free(h);
     build_free(sim);
 }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/alloc.h"
 #include "dem/population/insertion.h"
 #include "dem/population/population.h"
 #include "facts.h"
@@ -87,7 +88,7 @@ FACT_FOR_EACH(inserted_particles_overlap_no_others, 2)
     }
     ck_assert_int_eq(insertion_step(&in, ps, &box, 1.0), 0);
     particles_free(ps);
-    sizes_free(sizes);
+    owner_free(sizes);
 }
 
 /* Also where it is so crowded that most places are taken, the diameters are
@@ -115,7 +116,7 @@ FACT(dense_insertion_does_not_change_the_size_distribution)
     ck_assert_double_eq_tol(share[2], 0.2, 0.03);
     ck_assert_double_ge(closest(ps, &box), 0.0);
     particles_free(ps);
-    sizes_free(sizes);
+    owner_free(sizes);
 }
 
 /* Places are even: the mean of 2000 in each direction is the middle, to 5
@@ -186,7 +187,7 @@ FACT(a_mass_rate_is_met_within_one_sphere)
     }
     ck_assert_int_gt((int)in.n_due, 400);
     ck_assert_int_eq((int)insertion_count_due(&in, 1e9), 2000);
-    sizes_free(sizes);
+    owner_free(sizes);
 }
 
 /* --- a run with sources and sinks ----------------------------------------- */
@@ -238,7 +239,7 @@ static void end(struct run *r)
     dem_free(r->dem);
     population_free(r->life);
     particles_free(r->ps);
-    sizes_free(r->sizes);
+    owner_free(r->sizes);
 }
 
 /* 0.12 s: the first have been removed, and as many ids were used as particles

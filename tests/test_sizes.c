@@ -6,6 +6,7 @@
 #include <gsl/gsl_randist.h>
 #include <string.h>
 
+#include "base/alloc.h"
 #include "dem/population/sizes.h"
 #include "facts.h"
 
@@ -54,7 +55,7 @@ FACT_FOR_EACH(drawn_diameters_have_the_given_moments, KINDS)
             sum += gsl_pow_int(sizes_quantile(s, (i + 0.5) / N), k) / N;
         ck_assert_double_eq_tol(sum / sizes_moment(s, k), 1.0, 3e-4);
     }
-    sizes_free(s);
+    owner_free(s);
 }
 
 /* M_0 of the quantile of p is p, but for a jump of "discrete", where it is at
@@ -79,7 +80,7 @@ FACT_FOR_EACH(the_quantile_is_the_inverse_of_the_cumulative_distribution, KINDS)
     }
     ck_assert_double_eq_tol(sizes_moment(s, 0), 1.0, 1e-14);
     ck_assert_double_eq(sizes_moment_below(s, 0, 0.5 * sizes_min(s)), 0.0);
-    sizes_free(s);
+    owner_free(s);
 }
 
 struct bell {
@@ -120,7 +121,7 @@ FACT(xs11_case_4_has_the_moments_of_a_bell_with_cut_offs)
             const double ours = sizes_moment_below(s, k, border[g]);
             ck_assert_double_eq_tol(ours / exact, 1.0, 1e-11);
         }
-    sizes_free(s);
+    owner_free(s);
 }
 
 /* With cut-offs eight deviations away: mu, mu^2 + s^2, mu^3 + 3 mu s^2. */
@@ -137,7 +138,7 @@ FACT(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss)
     ck_assert_double_eq_tol(sizes_moment(s, 2), 1.01, 1e-13);
     ck_assert_double_eq_tol(sizes_moment(s, 3), 1.03, 1e-13);
     ck_assert_double_eq_tol(sizes_quantile(s, 0.841344746), 1.1, 1e-9);
-    sizes_free(s);
+    owner_free(s);
 }
 
 FACT(a_uniform_distribution_has_its_textbook_moments)
@@ -148,7 +149,7 @@ FACT(a_uniform_distribution_has_its_textbook_moments)
     ck_assert_double_eq_tol(sizes_moment(s, 2), 13.0 / 3.0 * 1e-6, 1e-19);
     ck_assert_double_eq_tol(sizes_moment(s, 3), 10e-9, 1e-21);
     ck_assert_double_eq_tol(sizes_quantile(s, 0.25), 1.5e-3, 1e-16);
-    sizes_free(s);
+    owner_free(s);
 }
 
 /* Moments exp(k mu + k^2 s^2 / 2); the 84 % quantile is the ratio; and half of
@@ -166,7 +167,7 @@ FACT(a_lognormal_distribution_has_its_textbook_moments)
                             1e-14);
     ck_assert_double_eq_tol(sizes_moment_below(s, 3, 1e-3 * exp(3.0 * v)),
                             0.5 * sizes_moment(s, 3), 1e-21);
-    sizes_free(s);
+    owner_free(s);
 }
 
 /* Given by mass, half of the mass lies below the median. */
@@ -177,7 +178,7 @@ FACT(a_lognormal_mass_has_its_median_by_mass)
     ck_assert_double_eq_tol(sizes_moment_below(s, 3, 1e-3) / sizes_moment(s, 3),
                             0.5, 1e-13);
     ck_assert_double_lt(sizes_quantile(s, 0.5), 0.7e-3);
-    sizes_free(s);
+    owner_free(s);
 }
 
 /* Of equal masses of two sizes, one twice as large, 8 of 9 particles are
@@ -191,8 +192,8 @@ FACT(fractions_by_mass_are_fractions_by_number_times_d_cubed)
                             1e-15);
     ck_assert_double_eq(sizes_quantile(mass, 0.9599), 1e-3);
     ck_assert_double_eq(sizes_quantile(mass, 0.9601), 2e-3);
-    sizes_free(number);
-    sizes_free(mass);
+    owner_free(number);
+    owner_free(mass);
 }
 
 /* A sieve analysis by mass comes back as the mass of what is drawn; between
@@ -208,7 +209,7 @@ FACT(a_sieve_analysis_by_mass_is_met_by_the_mass)
     ck_assert_double_eq_tol(sizes_moment_below(s, 3, 6.5e-4) / all, 0.4, 1e-14);
     ck_assert_double_eq(sizes_moment_below(s, 0, 2e-4),
                         sizes_moment_below(s, 0, 5e-4));
-    sizes_free(s);
+    owner_free(s);
 }
 
 static void refused(const char *law, struct sizes_options o, const char *why)

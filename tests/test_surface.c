@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One point and one surface: where it is nearest, on which side, how far. */
+#include "base/alloc.h"
 #include "dem/surfaces/surface.h"
 
 #include <gsl/gsl_math.h>
@@ -75,7 +76,7 @@ FACT_FOR_EACH(a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 3)
     assert_vector(h.q, 0.5, 0.5, 0.0);
     ck_assert_double_eq_tol(h.n[2], _i == 1 ? -1.0 : 1.0, 1e-14);
     ck_assert_double_eq_tol(vector_length(h.n), 1.0, 1e-14);
-    triangles_free((struct triangles *)(uintptr_t)s.triangles);
+    owner_free((struct triangles *)(uintptr_t)s.triangles);
 }
 
 FACT(a_triangle_without_an_area_has_no_normal)
@@ -123,7 +124,7 @@ FACT(a_surface_reaches_to_the_farthest_corner_from_its_centre)
     s.shape = &surface_stl;
     s.triangles = triangles_create(1, corner);
     ck_assert_double_eq_tol(surface_reach(&s, lo, hi), sqrt(4.0 + 4.0), 1e-14);
-    triangles_free((struct triangles *)(uintptr_t)s.triangles);
+    owner_free((struct triangles *)(uintptr_t)s.triangles);
 }
 
 FACT(what_makes_no_surface_is_refused)
@@ -177,7 +178,7 @@ FACT_FOR_EACH(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin, 2)
     ck_assert_double_eq_tol(
         surface_distance(&s, 0.0, (double[]){0.5, 0.07, 0.0}, 0.1), 0.07,
         1e-14);
-    triangles_free((struct triangles *)(uintptr_t)s.triangles);
+    owner_free((struct triangles *)(uintptr_t)s.triangles);
 }
 
 /* Where sphere 1 is that slid down a plane, sticking at first: with a neighbour

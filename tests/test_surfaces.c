@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/surface_contacts.h"
 #include "dem/surfaces/triangles.h"
@@ -34,7 +35,7 @@ static struct surface of_triangles(int n, double (*corner)[3][3])
 
 static void forget(struct surface *s)
 {
-    triangles_free((struct triangles *)(uintptr_t)s->triangles);
+    owner_free((struct triangles *)(uintptr_t)s->triangles);
 }
 
 static struct dem_options with(const struct contact_law *law, double step,

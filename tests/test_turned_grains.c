@@ -4,6 +4,7 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
+#include "base/alloc.h"
 #include "dem/attraction.h"
 #include "dem/energy.h"
 #include "dem/surfaces/surfaces.h"
@@ -210,7 +211,7 @@ static struct scene *create(const struct variant *v, const struct frame *t,
 
 static void discard(struct scene *s)
 {
-    triangles_free((struct triangles *)(uintptr_t)s->surface[2].triangles);
+    owner_free((struct triangles *)(uintptr_t)s->surface[2].triangles);
     dem_free(s->dem);
     particles_free(s->ps);
     free(s);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "averaging/diffusion.h"
+#include "base/alloc.h"
 #include "base/vector.h"
 #include "facts.h"
 #include "blocks.h"
@@ -29,7 +30,7 @@ static struct hall hall_of(struct mesh *m, double reach)
 static void hall_free(struct hall *h)
 {
     wall_images_free(h->mirrors);
-    facets_free(h->facets);
+    owner_free(h->facets);
     mesh_free(h->mesh);
 }
 

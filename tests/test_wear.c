@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "base/alloc.h"
 #include "dem/surfaces/surfaces.h"
 #include "facts.h"
 #include "spheres.h"
@@ -57,7 +58,7 @@ static struct surface floor_that_wears(double cutting, double archard)
 
 static void forget(struct surface *s)
 {
-    triangles_free((struct triangles *)(uintptr_t)s->triangles);
+    owner_free((struct triangles *)(uintptr_t)s->triangles);
 }
 
 static struct dem_options with(const struct surface *s, double step, double e,

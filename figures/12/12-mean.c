@@ -3,6 +3,7 @@
  *
  *     sh figures/run.sh figures/12/12-mean.c
  */
+#include "base/alloc.h"
 #include "output/means/means.h"
 
 #include <math.h>
@@ -52,7 +53,7 @@ int main(void)
 
         printf("%.0e %.1e %.1e\n", far, fabs(plain / spread - 1.0) + 1e-16,
                fabs(mean_spread(m, 0) / spread - 1.0) + 1e-16);
-        mean_free(m);
+        owner_free(m);
     }
     return 0;
 }

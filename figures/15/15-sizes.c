@@ -9,6 +9,7 @@
 #include <gsl/gsl_rng.h>
 #include <stdio.h>
 
+#include "base/alloc.h"
 #include "dem/population/sizes.h"
 
 enum { COUNT = 2160, LINES = 50 };
@@ -65,6 +66,6 @@ int main(void)
            100.0 * sizes_moment_below(s, 0, 0.83e-3),
            100.0 * sizes_moment_below(s, 3, 0.83e-3) / sizes_moment(s, 3));
     gsl_rng_free(random);
-    sizes_free(s);
+    owner_free(s);
     return 0;
 }

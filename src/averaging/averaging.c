@@ -120,7 +120,7 @@ void averaging_free(struct averaging *a)
     if (a == NULL) return;
     if (a->state != NULL) a->method->free(a->state);
     kernel_gradient_free(a->gradient);
-    cell_of_particle_free(a->cells);
+    owner_free(a->cells);
     free(a);
 }
 

@@ -26,11 +26,6 @@ struct cell_of_particle *cell_of_particle_create(const struct mesh *mesh,
     return h;
 }
 
-void cell_of_particle_free(struct cell_of_particle *h)
-{
-    owner_free(h);
-}
-
 /* 1 if the point is in cell c of the box, by the same edges as in mesh_cell_at,
  * which decides for points on the upper end. */
 static inline int cell_of_particle_is_in(const struct box *b, int c,

@@ -26,7 +26,6 @@ struct cell_of_particle {
 
 struct cell_of_particle *cell_of_particle_create(const struct mesh *mesh,
                                                  const struct particles *ps);
-void cell_of_particle_free(struct cell_of_particle *h);
 
 /* Locates the particles. Returns the number of particles outside the mesh (or
  * with a position that is not finite) and reports the first of them on stderr;

@@ -209,7 +209,7 @@ static void diffusion_free(void *state)
 {
     struct diffusion *const d = state;
 
-    bandwidth_free(d->vary);
+    owner_free(d->vary);
     separable_free(d->separable);
     if (d->steps != NULL) d->scheme->stepping->free(d->steps);
     csr_free(d->K);

@@ -27,11 +27,6 @@ struct hats *hats_create(const struct mesh *mesh, int capacity)
     return h;
 }
 
-void hats_free(struct hats *h)
-{
-    owner_free(h);
-}
-
 /* Of particle i along direction k, where it is at x [m]. */
 static void hats_find_one(struct hats *h, int i, int k, double x)
 {

@@ -25,7 +25,6 @@ struct hats {
 };
 
 struct hats *hats_create(const struct mesh *mesh, int capacity);
-void hats_free(struct hats *h);
 
 /* Finds the particles; all are inside the mesh. */
 void hats_find(struct hats *h, const struct particles *ps);

@@ -34,7 +34,8 @@ double alloc_peak(void);
 
 /* --- owner: an object of this size [bytes], all zero, to which arrays belong:
  * owner_free releases them with it. The arrays are as those above;
- * owner_free(NULL) is fine. */
+ * owner_free(NULL) is fine. Where a module has an x_create and no x_free, what
+ * it makes is one. */
 void *owner_create(size_t size);
 void *owner_zeroed(void *owner, size_t n, size_t size);
 double *owner_doubles(void *owner, int n);

@@ -271,7 +271,7 @@ void build_free(struct simulation *sim)
         (e->effect->free != NULL ? e->effect->free : owner_free)(e->memory);
     }
     free(sim->effects);
-    coupling_free(sim->coupling);
+    owner_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
     case_surfaces_free(sim);

@@ -41,11 +41,6 @@ struct coupling *coupling_create(struct simulation *sim,
     return cp;
 }
 
-void coupling_free(struct coupling *cp)
-{
-    owner_free(cp);
-}
-
 int coupling_start(struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;

@@ -108,7 +108,6 @@ struct coupling {
 
 struct coupling *coupling_create(struct simulation *sim,
                                  const struct coupling_options *options);
-void coupling_free(struct coupling *cp);
 
 /* Averages the initial particles for the first step. Non-zero if one is outside
  * the mesh, or if a cell is full. */

@@ -10,8 +10,7 @@
 #include "dem/population/population.h"
 #include "fluid/piso.h"
 
-/* Of the first particles that are inserted or removed; coupling_free releases
- * it. */
+/* Of the first particles that are inserted or removed. */
 static void replacement_create(struct coupling *cp, int n_cells)
 {
     struct replacement *const r = owner_zeroed(

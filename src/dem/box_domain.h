@@ -75,7 +75,6 @@ struct link_cells {
 
 struct link_cells *link_cells_create(int capacity,
                                      const struct box_domain *box);
-void link_cells_free(struct link_cells *l);
 
 /* Empties the cells and makes them at least `reach` wide [m]; 0: there is no
  * particle, and one cell. */

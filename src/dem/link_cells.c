@@ -23,11 +23,6 @@ struct link_cells *link_cells_create(int capacity, const struct box_domain *box)
     return l;
 }
 
-void link_cells_free(struct link_cells *l)
-{
-    owner_free(l);
-}
-
 void link_cells_clear(struct link_cells *l, double reach)
 {
     double total = HUGE_VAL;

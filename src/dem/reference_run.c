@@ -58,7 +58,7 @@ static void reference_run_release(struct dem *dem)
     if (run == NULL) return;
     free(run->loop.now.list);
     free(run->loop.before.list);
-    link_cells_free(run->loop.cells);
+    owner_free(run->loop.cells);
     owner_free(run);
 }
 

@@ -148,7 +148,7 @@ static void bodies_release(void *record)
 
     table_free(r->table);
     series_free(r->pictures);
-    surroundings_free(r->filter);
+    owner_free(r->filter);
     owner_free(r);
 }
 

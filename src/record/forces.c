@@ -79,11 +79,6 @@ static struct surface_loads *surface_loads_create(const struct simulation *sim,
     return l;
 }
 
-static void surface_loads_free(struct surface_loads *l)
-{
-    owner_free(l);
-}
-
 /* Adds impulse [N s] and angular impulse [N m s] between two moments. */
 static void add_between(const struct dem_surface *a,
                         const struct dem_surface *b, const double centre[3],
@@ -313,7 +308,7 @@ static void forces_release(void *memory)
 
     for (int i = 0; i < f->n; i++) {
         free(f->body[i].on);
-        surface_loads_free(f->body[i].surfaces);
+        owner_free(f->body[i].surfaces);
     }
     table_free(f->table);
     owner_free(f);

@@ -228,9 +228,9 @@ static struct contact_list *contact_list_create(const struct simulation *sim)
 static void contact_list_free(struct contact_list *c)
 {
     if (c == NULL) return;
-    link_cells_free(c->cells);
+    owner_free(c->cells);
     if (c->rows != NULL) {
-        rows_free(c->rows);
+        owner_free(c->rows);
         near_faces_release(&c->near);
         free(c->points.list);
     }

@@ -100,8 +100,8 @@ void recorder_free(struct recorder *r)
     table_free(r->history);
     MODELS_EACH(r->part, free, r->state[i_model]);
     field_output_free(r->pictures);
-    if (r->whole != r->snapshot) snapshot_free(r->whole);
-    snapshot_free(r->snapshot);
+    if (r->whole != r->snapshot) owner_free(r->whole);
+    owner_free(r->snapshot);
     free(r);
 }
 

@@ -158,7 +158,7 @@ static void find_errors(const struct second_half *h, double error[N_BLOCKED])
         mean_blocks_add(blocks, h->row[k], once);
     for (int q = 0; q < N_BLOCKED; q++)
         error[q] = mean_blocks_error(blocks, q);
-    mean_blocks_free(blocks);
+    owner_free(blocks);
 }
 
 /* --- as a part of the recorder -------------------------------------------- */

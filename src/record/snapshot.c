@@ -61,11 +61,6 @@ struct snapshot *snapshot_create(const struct simulation *sim)
     return s;
 }
 
-void snapshot_free(struct snapshot *s)
-{
-    owner_free(s);
-}
-
 static void take_fluid(struct snapshot *s, const struct fluid *fl)
 {
     const int n = fl->mesh->n_cells;

@@ -51,7 +51,6 @@ struct snapshot {
 };
 
 struct snapshot *snapshot_create(const struct simulation *sim);
-void snapshot_free(struct snapshot *s);
 /* All of it (state.h). */
 void snapshot_state(struct snapshot *s, const struct mesh *mesh,
                     struct state *state);

@@ -53,13 +53,8 @@ struct body_exit *body_exit_create(struct solid_bodies *b,
     }
     e->gone = owner_ints(e, b->ps->n);
     if (any) return e;
-    body_exit_free(e);
-    return NULL;
-}
-
-void body_exit_free(struct body_exit *e)
-{
     owner_free(e);
+    return NULL;
 }
 
 /* How far the whole body is beyond side w [m]. */

@@ -110,7 +110,6 @@ struct body_exit {
  * contacts' box changes, which else reaches beyond the outlets. */
 struct body_exit *body_exit_create(struct solid_bodies *b,
                                    const struct fluid *fl);
-void body_exit_free(struct body_exit *e);
 void body_exit_state(struct solid_bodies *b, struct state *s);
 
 /* Takes out those that are wholly outside. */

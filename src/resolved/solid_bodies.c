@@ -64,7 +64,7 @@ void solid_bodies_free(struct solid_bodies *b)
     for (int i = 0; i < b->ps->n; i++)
         body_outline_free(b->shape[i].outline);
     particles_free(b->ps);
-    body_exit_free(b->exit);
+    owner_free(b->exit);
     free(b->link);
     owner_free(b);
 }

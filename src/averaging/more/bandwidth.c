@@ -117,11 +117,6 @@ struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
     return w;
 }
 
-void bandwidth_free(struct bandwidth *w)
-{
-    owner_free(w);
-}
-
 const double *bandwidth_D(const struct bandwidth *w)
 {
     return w->D;

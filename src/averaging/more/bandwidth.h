@@ -41,7 +41,6 @@ struct bandwidth;
 /* For options that name a rule or regions; the cells are borrowed. */
 struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
                                    const struct averaging_options *o);
-void bandwidth_free(struct bandwidth *w);
 
 /* D on each internal face [-], borrowed. */
 const double *bandwidth_D(const struct bandwidth *w);

@@ -256,7 +256,7 @@ static void dpvm_free(void *state)
     free(d->stored.start);
     free(d->stored.index_offset);
     free(d->stored.w);
-    facets_free(d->facets);
+    owner_free(d->facets);
     free(d->half);
     free(d);
 }

@@ -169,7 +169,7 @@ static void two_grid_free(void *state)
     struct two_grid *const g = state;
 
     free(g->half);
-    facets_free(g->facets);
+    owner_free(g->facets);
     owner_free(g);
 }
 

@@ -185,11 +185,6 @@ struct facets *facets_create(const struct mesh *m)
     return f;
 }
 
-void facets_free(struct facets *f)
-{
-    owner_free(f);
-}
-
 int facets_contain(const struct facets *f, enum facets_body body, int c,
                    const double from[3], double R)
 {

@@ -36,7 +36,6 @@ struct facets {
 /* Requires the shape of the mesh, which a box does not have. The mesh is
  * borrowed. */
 struct facets *facets_create(const struct mesh *m);
-void facets_free(struct facets *f);
 
 /* A body around a point. The point is given from the centre of the cell. */
 enum facets_body { FACETS_SPHERE, FACETS_CUBE };
@@ -114,7 +113,6 @@ struct gaussian_moments {
 struct gaussian_moments *gaussian_moments_create(const struct facets *f,
                                                  const struct wall_images *m,
                                                  double b);
-void gaussian_moments_free(struct gaussian_moments *s);
 
 /* V N where r [m] is from the centre of the cell; 0 from exp(-9) on. */
 double gaussian_moments_value(const struct gaussian_moment *n,

@@ -124,7 +124,7 @@ static void images_poly_free(void *state)
 {
     struct images_poly *const s = state;
 
-    gaussian_moments_free(s->normals);
+    owner_free(s->normals);
     free(s);
 }
 
@@ -143,7 +143,7 @@ static void *images_poly_create(const struct cell_of_particle *h,
     s->normals = gaussian_moments_create(f, m, o->bandwidth);
     make_even(s, weights);
     wall_images_free(m);
-    facets_free(f);
+    owner_free(f);
     return weights;
 }
 
@@ -303,11 +303,6 @@ struct gaussian_moments *gaussian_moments_create(const struct facets *f,
         s->start[c + 1] = n;
     }
     return s;
-}
-
-void gaussian_moments_free(struct gaussian_moments *s)
-{
-    owner_free(s);
 }
 
 double gaussian_moments_value(const struct gaussian_moment *n,

@@ -293,7 +293,7 @@ struct bed_options build_particles_bed(const struct settings *s)
 
 void build_particles_free_bed(struct bed_options *b)
 {
-    sizes_free(b->sizes);
+    owner_free(b->sizes);
     b->sizes = NULL;
 }
 

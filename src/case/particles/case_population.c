@@ -165,7 +165,7 @@ static int complete_source(const struct settings *s, struct insert_setup *in)
 void case_population_release(struct settings *s)
 {
     for (int i = 0; i < s->particles.insert.n; i++) {
-        sizes_free(s->particles.insert.item[i].distribution);
+        owner_free(s->particles.insert.item[i].distribution);
         free(s->particles.insert.item[i].list);
     }
 }

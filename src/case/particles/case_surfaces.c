@@ -139,7 +139,7 @@ int case_surfaces_read(struct settings *s)
 void case_surfaces_release(struct settings *s)
 {
     for (int i = 0; i < s->particles.surfaces.n; i++) {
-        triangles_free(s->particles.surfaces.item[i].triangles);
+        owner_free(s->particles.surfaces.item[i].triangles);
         free(s->particles.surfaces.item[i].course.table);
     }
     for (int i = 0; i < s->particles.prescribed.n; i++)
@@ -183,7 +183,7 @@ static void free_surfaces(struct surface *made, int n)
 
     if (n > 0 && made[n - 1].name == case_walls_name) {
         memcpy(&own, &made[n - 1].triangles, sizeof own);
-        triangles_free(own);
+        owner_free(own);
     }
     for (int i = 0; i < n; i++)
         free(made[i].load.carrier);

@@ -57,7 +57,7 @@ static void pair_share_free(void *memory)
     struct pair_share *const self = memory;
 
     if (self == NULL) return;
-    link_cells_free(self->cells);
+    owner_free(self->cells);
     owner_free(self);
 }
 

@@ -110,7 +110,7 @@ static void particle_stress_free(void *memory)
 {
     struct particle_stress *const self = memory;
 
-    hats_free(self->hats);
+    owner_free(self->hats);
     preconditioned_free(self->matrix);
     cg_work_free(self->cg);
     owner_free(self);

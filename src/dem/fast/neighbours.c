@@ -45,10 +45,10 @@ void neighbours_free(struct neighbours *nb)
     if (nb == NULL) return;
     for (int s = 0; s < nb->n_chunks; s++)
         chunk_release(&nb->chunks[s]);
-    rows_free(nb->rows);
+    owner_free(nb->rows);
     grid_free(nb->grid);
     surfaces_free(nb->surfaces);
-    prescribed_particles_free(nb->prescribed);
+    owner_free(nb->prescribed);
     barrier_free(nb->barrier);
     free(nb->ring);
     owner_free(nb);

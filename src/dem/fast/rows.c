@@ -20,11 +20,6 @@ struct rows *rows_create(int capacity, const struct box_domain *box)
     return b;
 }
 
-void rows_free(struct rows *b)
-{
-    owner_free(b);
-}
-
 void rows_add_implicit_drag(struct rows *b, const struct particles *ps)
 {
     if (ps->drag_coefficient == NULL) return;

@@ -77,7 +77,6 @@ struct rows {
 };
 
 struct rows *rows_create(int capacity, const struct box_domain *box);
-void rows_free(struct rows *b);
 
 /* Allocates the rows of the implicit drag if the particles have one. */
 void rows_add_implicit_drag(struct rows *b, const struct particles *ps);

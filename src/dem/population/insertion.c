@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/alloc.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/statistics.h"
@@ -204,7 +205,7 @@ static void place_some(struct insertion *in, struct particles *ps,
     while (in->n_inserted < last && ps->n < ps->capacity &&
            place_next(in, &near, ps))
         continue;
-    link_cells_free(near.cells);
+    owner_free(near.cells);
 }
 
 /* The spheres are inserted AT_ONCE at a time, so that the diameters of all are
@@ -240,7 +241,7 @@ int insertion_overlap(const struct insertion_options *o,
         if (who[0] >= 0) break;
         add_to_cell(&c, particles_add(ps, one->x, one->d, 1.0));
     }
-    link_cells_free(c.cells);
+    owner_free(c.cells);
     particles_free(ps);
     return who[0] >= 0;
 }

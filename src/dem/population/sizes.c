@@ -46,11 +46,6 @@ struct sizes *sizes_create(const struct sizes_options *o)
     return s;
 }
 
-void sizes_free(struct sizes *s)
-{
-    owner_free(s);
-}
-
 /* Rounding must not lead out of the cut-offs. */
 double sizes_quantile(const struct sizes *s, double p)
 {

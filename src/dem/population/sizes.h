@@ -61,7 +61,6 @@ const char *sizes_wrong(const struct sizes_options *o);
 
 /* o has nothing wrong, and what it points to is copied. */
 struct sizes *sizes_create(const struct sizes_options *o);
-void sizes_free(struct sizes *s);
 
 /* The diameter [m] below which the share p of the particles is. */
 double sizes_quantile(const struct sizes *s, double p);

@@ -35,11 +35,6 @@ prescribed_particles_create(const struct prescribed_particle *list, int n)
     return d;
 }
 
-void prescribed_particles_free(struct prescribed_particles *d)
-{
-    owner_free(d);
-}
-
 void prescribed_particles_locate(struct prescribed_particles *d,
                                  const struct particles *ps)
 {

@@ -46,7 +46,6 @@ struct prescribed_particles {
 
 struct prescribed_particles *
 prescribed_particles_create(const struct prescribed_particle *list, int n);
-void prescribed_particles_free(struct prescribed_particles *d);
 
 /* Finds the indices of these particles. */
 void prescribed_particles_locate(struct prescribed_particles *d,

@@ -191,11 +191,6 @@ struct triangles *triangles_create(int n, double (*corner)[3][3])
     return t;
 }
 
-void triangles_free(struct triangles *t)
-{
-    owner_free(t);
-}
-
 static void triangles_add(struct triangle_list *list, int i)
 {
     list->number = alloc_room(list->number, list->n, &list->capacity,

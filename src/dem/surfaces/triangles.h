@@ -37,7 +37,6 @@ struct triangles {
 
 /* The corners are copied. */
 struct triangles *triangles_create(int n, double (*corner)[3][3]);
-void triangles_free(struct triangles *t);
 
 /* Those whose bounding box is within `reach` [m] of y in each direction, each
  * once, in ascending order within a cell; *found grows to hold them. */

@@ -43,7 +43,7 @@ static void release_part(struct engine *e)
     if (e->part == NULL) return;
     struct simulation *const sim = e->part->sim;
     second_half_free(e->rows);
-    snapshot_free(e->last);
+    owner_free(e->last);
     sim->processes = NULL;
     part_free(e->part);
     build_free(sim);

@@ -20,11 +20,6 @@ struct mean *mean_create(int n)
     return m;
 }
 
-void mean_free(struct mean *m)
-{
-    owner_free(m);
-}
-
 void mean_add(struct mean *m, double dt, const double *x, const double *w)
 {
     for (int i = 0; i < m->n; i++) {
@@ -75,11 +70,6 @@ struct mean_blocks *mean_blocks_create(int n)
     b->weight = owner_doubles(b, MOST_BLOCKS * n);
     b->amount = owner_doubles(b, MOST_BLOCKS * n);
     return b;
-}
-
-void mean_blocks_free(struct mean_blocks *b)
-{
-    owner_free(b);
 }
 
 /* Neighbours are joined to one block, and the second half of the array is free.

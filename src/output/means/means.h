@@ -23,7 +23,6 @@ struct mean {
 };
 
 struct mean *mean_create(int n);
-void mean_free(struct mean *m);
 
 /* Adds x[0 .. n-1] for an interval of dt [s], each further weighted by w[i] >=
  * 0; NULL for equal weights. A weight of 0 leaves its mean as it is. */
@@ -52,7 +51,6 @@ struct mean_blocks;
 
 /* For n numbers at once. */
 struct mean_blocks *mean_blocks_create(int n);
-void mean_blocks_free(struct mean_blocks *b);
 
 /* Adds a sample x[0 .. n-1] of weights w [dt, times the amount of the phase];
  * where a weight is 0 its x may be nan. */

@@ -240,8 +240,8 @@ struct profile *profile_create(const struct mesh *m,
 void profile_free(struct profile *p)
 {
     if (p == NULL) return;
-    mean_free(p->mean);
-    mean_blocks_free(p->blocks);
+    owner_free(p->mean);
+    owner_free(p->blocks);
     owner_free(p);
 }
 

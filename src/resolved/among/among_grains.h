@@ -40,7 +40,6 @@ struct surroundings_filter;
 struct surroundings_filter *surroundings_create(const struct solid_bodies *b,
                                                 const struct fluid *fl,
                                                 double width);
-void surroundings_free(struct surroundings_filter *f);
 
 /* Finds the fluid fraction of each cell; to be called when bodies have moved.
  */

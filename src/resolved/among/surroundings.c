@@ -80,7 +80,7 @@ void body_surface_release(struct surface *s)
     struct triangles *own;
 
     memcpy(&own, &s->triangles, sizeof own);
-    triangles_free(own);
+    owner_free(own);
 }
 
 /* --- surroundings --------------------------------------------------------- */
@@ -111,11 +111,6 @@ struct surroundings_filter *surroundings_create(const struct solid_bodies *b,
     f->u = owner_doubles(f, 3 * cells);
     f->box = owner_ints(f, cells);
     return f;
-}
-
-void surroundings_free(struct surroundings_filter *f)
-{
-    owner_free(f);
 }
 
 static void take_solid(void *by, int i, int c, const double r[3], double s)
