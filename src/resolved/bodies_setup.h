@@ -6,14 +6,16 @@
 
 #include "base/model.h"
 #include "dem/dem.h"
+#include "fluid/hooks.h"
 
 /* A way in which bodies hold the fluid. */
 
 struct solid_bodies;
 
 struct body_method {
-    MODEL_MEMBERS;                       /* base/model.h */
-    void (*set)(struct solid_bodies *b); /* its place in a step of the fluid */
+    MODEL_MEMBERS;         /* base/model.h */
+    int by_fraction;       /* 1: links have solid fractions */
+    struct immersed hooks; /* its place in a step of the fluid */
 };
 
 /* All of them, ended by NULL; the first is the default. */

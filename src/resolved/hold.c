@@ -186,22 +186,17 @@ static void hold_end(struct immersed *self, struct fluid *fl)
     free(lost);
 }
 
-static void hold_fluid(struct solid_bodies *b)
-{
-    b->hooks = (struct immersed){.begin = hold_begin,
-                                 .add_friction = add_friction,
-                                 .change_faces = change_faces,
-                                 .smooth_forces = smooth_forces,
-                                 .largest_term = largest_term,
-                                 .end = hold_end};
-}
-
 const struct body_method hold_method = {
     .name = "hold",
     .what = "friction by distance, implicit in the momentum equation",
     .equations = "EW18 1-5, 15, 16",
-    .function = "hold_fluid",
-    .set = hold_fluid,
+    .function = "add_friction",
+    .hooks = {.begin = hold_begin,
+              .add_friction = add_friction,
+              .change_faces = change_faces,
+              .smooth_forces = smooth_forces,
+              .largest_term = largest_term,
+              .end = hold_end},
 };
 
 /* --- fraction methods ----------------------------------------------------- */
@@ -365,15 +360,6 @@ static void fictitious_end(struct immersed *self, struct fluid *fl)
         self->impulse[k] += interim[k] - final[k];
 }
 
-static void set_fictitious(struct solid_bodies *b)
-{
-    b->by_fraction = 1;
-    b->hooks = (struct immersed){.begin = fraction_methods_mark,
-                                 .add_friction = fraction_methods_nothing,
-                                 .change_faces = fraction_methods_nothing,
-                                 .end = fictitious_end};
-}
-
 /* --- PISO-IB ----------------------------------------------------------------
  */
 
@@ -439,22 +425,16 @@ static void piso_ib_end(struct immersed *self, struct fluid *fl)
         }
 }
 
-static void set_piso_ib(struct solid_bodies *b)
-{
-    b->by_fraction = 1;
-    b->hooks = (struct immersed){.begin = keep_force,
-                                 .add_friction = add_force,
-                                 .change_faces = fraction_methods_nothing,
-                                 .corrected = correct_force,
-                                 .end = piso_ib_end};
-}
-
 const struct body_method fraction_methods_fictitious = {
     .name = "fictitious-domain",
     .what = "velocity set after the step, and projected again",
     .equations = "LS 5.17-5.20",
     .function = "project",
-    .set = set_fictitious,
+    .by_fraction = 1,
+    .hooks = {.begin = fraction_methods_mark,
+              .add_friction = fraction_methods_nothing,
+              .change_faces = fraction_methods_nothing,
+              .end = fictitious_end},
 };
 
 const struct body_method fraction_methods_piso_ib = {
@@ -462,5 +442,10 @@ const struct body_method fraction_methods_piso_ib = {
     .what = "force accumulated in the correctors of PISO",
     .equations = "LS 5.21",
     .function = "correct_force",
-    .set = set_piso_ib,
+    .by_fraction = 1,
+    .hooks = {.begin = keep_force,
+              .add_friction = add_force,
+              .change_faces = fraction_methods_nothing,
+              .corrected = correct_force,
+              .end = piso_ib_end},
 };

@@ -23,6 +23,8 @@ const struct body_method *const solid_bodies_methods[] = {
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o)
 {
+    const struct body_method *const by =
+        o->method != NULL ? o->method : solid_bodies_methods[0];
     struct solid_bodies *const b = owner_create(sizeof *b);
     double **const three[] = {&b->u_old,      &b->w_old,   &b->u_by_fluid,
                               &b->w_by_fluid, &b->impulse, &b->angular,
@@ -52,7 +54,8 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     b->body_of = owner_ints(b, cells);
     b->hold = owner_doubles(b, cells);
     b->hold_u = owner_doubles(b, 3 * cells);
-    (o->method != NULL ? o->method : solid_bodies_methods[0])->set(b);
+    b->by_fraction = by->by_fraction;
+    b->hooks = by->hooks;
     return b;
 }
 
@@ -246,7 +249,7 @@ const struct effect bodies_effect = {
     .name = "bodies",
     .what = "bodies with the flow around them resolved",
     .equations = "EW18 1-4",
-    .function = "hold_fluid",
+    .function = "add_friction",
     .mover = &mover,
     .failure = bodies_effect_trouble,
     .state = bodies_effect_state,
