@@ -38,13 +38,9 @@ enum slip_integration { SLIP_INTEGRATION_FROZEN, SLIP_INTEGRATION_EXPONENTIAL };
  * with the value 1 if it contains only the fluid's share of the pressure
  * gradient (A); and of the direction of the coupling, with the value of
  * two_way. Each list is ended by NULL. */
-extern const struct model coupling_semi_implicit, coupling_explicit;
 extern const struct model *const coupling_treatments[];
-extern const struct model coupling_frozen, coupling_exponential;
 extern const struct model *const coupling_slip_integrations[];
-extern const struct model coupling_form_a, coupling_form_b;
 extern const struct model *const coupling_forms[];
-extern const struct model coupling_two_way, coupling_one_way;
 extern const struct model *const coupling_directions[];
 
 struct coupling_options {

@@ -35,80 +35,73 @@ const struct key coupling_keys[] = {
      .choices = coupling_directions},
     KEY_END};
 
-const struct model coupling_semi_implicit = {
-    .name = "semi-implicit",
-    .what = "the fluid velocity in the drag is that of the new time level",
-    .equations = "XS11 3.13-3.15",
-    .function = "transfer_drag_terms",
-    .value = TREATMENT_SEMI_IMPLICIT,
-};
-
-const struct model coupling_explicit = {
-    .name = "explicit",
-    .what = "the drag is a constant force during the fluid's step",
-    .equations = "",
-    .function = "transfer_drag_terms",
-    .value = TREATMENT_EXPLICIT,
-};
-
-const struct model coupling_frozen = {
-    .name = "frozen",
-    .what = "constant drag during a sub-step, that of its start",
-    .equations = "XS11 3.18",
-    .function = "apply_frozen",
-    .value = SLIP_INTEGRATION_FROZEN,
-};
-
-const struct model coupling_exponential = {
-    .name = "exponential",
-    .what = "a slip that decays exponentially during a sub-step",
-    .equations = "XS11 3.16",
-    .function = "rows_advance_with_drag",
-    .value = SLIP_INTEGRATION_EXPONENTIAL,
-};
-
-const struct model coupling_form_a = {
-    .name = "A",
-    .what = "the fluid's equation has its share of the pressure gradient, "
-            "eps_f grad p",
-    .equations = "XS11 2.8",
-    .function = "pressure_gradient_before_particles",
-    .value = 1,
-};
-
-const struct model coupling_form_b = {
-    .name = "B",
-    .what = "the fluid's equation has all of grad p, and the reaction of the "
-            "particles' share",
-    .equations = "SX15 2b",
-    .function = "pressure_gradient_before_particles",
-    .value = 0,
-};
-
-const struct model coupling_two_way = {
-    .name = "two-way",
-    .what = "the momentum that particles gain is taken from the fluid",
-    .equations = "LS 5",
-    .function = "transfer_drag_terms",
-    .value = 1,
-};
-
-const struct model coupling_one_way = {
-    .name = "one-way",
-    .what = "particles do not act on the fluid",
-    .equations = "LS 5",
-    .function = "transfer_drag_terms",
-    .value = 0,
-};
-
-const struct model *const coupling_treatments[] = {&coupling_semi_implicit,
-                                                   &coupling_explicit, NULL};
+const struct model *const coupling_treatments[] = {
+    &(const struct model){
+        .name = "semi-implicit",
+        .what = "the fluid velocity in the drag is that of the new time level",
+        .equations = "XS11 3.13-3.15",
+        .function = "transfer_drag_terms",
+        .value = TREATMENT_SEMI_IMPLICIT,
+    },
+    &(const struct model){
+        .name = "explicit",
+        .what = "the drag is a constant force during the fluid's step",
+        .equations = "",
+        .function = "transfer_drag_terms",
+        .value = TREATMENT_EXPLICIT,
+    },
+    NULL};
 
 const struct model *const coupling_slip_integrations[] = {
-    &coupling_frozen, &coupling_exponential, NULL};
+    &(const struct model){
+        .name = "frozen",
+        .what = "constant drag during a sub-step, that of its start",
+        .equations = "XS11 3.18",
+        .function = "apply_frozen",
+        .value = SLIP_INTEGRATION_FROZEN,
+    },
+    &(const struct model){
+        .name = "exponential",
+        .what = "a slip that decays exponentially during a sub-step",
+        .equations = "XS11 3.16",
+        .function = "rows_advance_with_drag",
+        .value = SLIP_INTEGRATION_EXPONENTIAL,
+    },
+    NULL};
 
-const struct model *const coupling_forms[] = {&coupling_form_a,
-                                              &coupling_form_b, NULL};
+const struct model *const coupling_forms[] = {
+    &(const struct model){
+        .name = "A",
+        .what = "the fluid's equation has its share of the pressure gradient, "
+                "eps_f grad p",
+        .equations = "XS11 2.8",
+        .function = "pressure_gradient_before_particles",
+        .value = 1,
+    },
+    &(const struct model){
+        .name = "B",
+        .what =
+            "the fluid's equation has all of grad p, and the reaction of the "
+            "particles' share",
+        .equations = "SX15 2b",
+        .function = "pressure_gradient_before_particles",
+        .value = 0,
+    },
+    NULL};
 
-const struct model *const coupling_directions[] = {&coupling_two_way,
-                                                   &coupling_one_way, NULL};
+const struct model *const coupling_directions[] = {
+    &(const struct model){
+        .name = "two-way",
+        .what = "the momentum that particles gain is taken from the fluid",
+        .equations = "LS 5",
+        .function = "transfer_drag_terms",
+        .value = 1,
+    },
+    &(const struct model){
+        .name = "one-way",
+        .what = "particles do not act on the fluid",
+        .equations = "LS 5",
+        .function = "transfer_drag_terms",
+        .value = 0,
+    },
+    NULL};
