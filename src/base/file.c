@@ -34,9 +34,7 @@ static char *joined(const char *a, const char *b, const char *c)
     return s;
 }
 
-/* Prints that an action on a path failed and why (0: a write failed);
- * returns 1. */
-static int file_report_failure(const char *what, const char *path, int reason)
+int file_report_failure(const char *what, const char *path, int reason)
 {
     fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path,
             reason ? strerror(reason) : "a write failed");

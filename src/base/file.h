@@ -28,6 +28,10 @@ int file_commit(struct file *f);
 /* A whole file of so many bytes; non-zero after a message. */
 int file_write(const char *path, const char *bytes, size_t n);
 
+/* Prints that an action on a path failed, and why: errno, or 0 of a write;
+ * returns 1. */
+int file_report_failure(const char *what, const char *path, int reason);
+
 /* Discards the file: removes PATH.partial and releases f. file_discard(NULL) is
  * fine. */
 void file_discard(struct file *f);

@@ -66,16 +66,13 @@ static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
     const char *const unsupported = method_of(o)->unsupported(o);
-    double widest = 0.0;
 
     if (unsupported != NULL) {
         fprintf(stderr, "winnow: particles.list = \"%s\" does not support %s\n",
                 method_of(o)->name, unsupported);
         return 1;
     }
-    for (int i = 0; i < ps->n; i++)
-        widest = fmax(widest, ps->d[i]);
-    return dem_period_wrong(o, widest, dem_mean_diameter(ps));
+    return dem_period_wrong(o, particles_widest(ps), dem_mean_diameter(ps));
 }
 
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)

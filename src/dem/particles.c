@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <gsl/gsl_math.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -200,6 +201,15 @@ void particles_state(struct particles *ps, struct state *s)
     }
     if (ps->clumps != NULL) clumps_state(ps, s);
     state_end(s);
+}
+
+double particles_widest(const struct particles *ps)
+{
+    double widest = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    return widest;
 }
 
 double particles_volume(const struct particles *ps, int i)

@@ -81,6 +81,9 @@ void particles_permute_share(struct particles *ps, const int *order, int share,
 /* Visits all arrays, those that are attached too (state.h). */
 void particles_state(struct particles *ps, struct state *s);
 
+/* The largest diameter [m]; 0 without particles. */
+double particles_widest(const struct particles *ps);
+
 /* Volume of particle i [m^3]. */
 double particles_volume(const struct particles *ps, int i);
 

@@ -18,20 +18,12 @@
 #include "case/build.h"
 #include "coupling/simulation.h"
 #include "coupling/processes.h"
+#include "dem/dem_method.h"
 #include "distributed/words.h"
 
 static void export_put_line(void *to, const char *line)
 {
     fprintf(to, "%s\n", line);
-}
-
-static double export_mean_diameter(const struct particles *ps)
-{
-    double sum = 0.0;
-
-    for (int i = 0; i < ps->n; i++)
-        sum += ps->d[i];
-    return ps->n > 0 ? sum / ps->n : 0.0;
 }
 
 /* The type of a sphere; 1 where all are of one material. */
@@ -114,7 +106,7 @@ static int export_case(const struct settings *s, const char *dir)
     struct simulation *const sim = build_simulation(s, &code);
 
     if (sim == NULL) return code;
-    const struct words w = words_of(s, export_mean_diameter(sim->particles));
+    const struct words w = words_of(s, dem_mean_diameter(sim->particles));
     if (file_make_dirs(dir) != 0 ||
         write_file(dir, "data.lammps", s, &w, sim, 1) != 0 ||
         write_file(dir, "in.lammps", s, &w, sim, 0) != 0)

@@ -30,12 +30,6 @@ struct folder {
     struct manifest old;
 };
 
-static int folder_complaint(const char *what, const char *path)
-{
-    fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));
-    return 1;
-}
-
 /* --- ownership of the folder ---------------------------------------------- */
 
 /* Cuts the last name off a path; returns the length that is left. */
@@ -73,7 +67,7 @@ static int lock(struct folder *f)
     if (fcntl(f->file, F_SETLK, &l) == 0) return 0;
     f->fresh = 0;
     if (errno != EACCES && errno != EAGAIN)
-        return folder_complaint("lock", f->path);
+        return file_report_failure("lock", f->path, errno);
     fcntl(f->file, F_GETLK, &l);
     fprintf(stderr,
             "winnow: another run (process %ld) writes into %s; wait for its "
@@ -100,15 +94,17 @@ static int open_manifest(struct folder *f)
     f->fresh = f->file >= 0;
     if (f->file < 0 && errno == EEXIST)
         f->file = openat(f->here, manifest, how);
-    return f->file < 0 && errno != ENOENT ? folder_complaint("write", f->path)
-                                          : 0;
+    return f->file < 0 && errno != ENOENT
+               ? file_report_failure("write", f->path, errno)
+               : 0;
 }
 
 static int folder_open_locked(struct folder *f)
 {
     if (file_make_dirs(f->dir) != 0) return 1;
     f->here = open(f->dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (f->here < 0) return folder_complaint("open the folder", f->dir);
+    if (f->here < 0)
+        return file_report_failure("open the folder", f->dir, errno);
     for (int turn = 0; turn < 100; turn++) {
         if (open_manifest(f) != 0) return 1;
         if (f->file < 0) continue; /* removed, since it existed */
@@ -118,7 +114,7 @@ static int folder_open_locked(struct folder *f)
         f->file = -1;
     }
     errno = ENOENT;
-    return folder_complaint("write", f->path);
+    return file_report_failure("write", f->path, errno);
 }
 
 /* --- contents of the folder ----------------------------------------------- */
@@ -249,7 +245,7 @@ static int write_head(struct folder *f)
     errno = ENOSPC; /* if only a part is written */
     f->headed = ftruncate(f->file, 0) == 0 &&
                 write(f->file, MANIFEST_HEAD, (size_t)f->length) == f->length;
-    return f->headed ? 0 : folder_complaint("write", f->path);
+    return f->headed ? 0 : file_report_failure("write", f->path, errno);
 }
 
 /* Makes an empty list, where there is none yet. */
@@ -286,7 +282,7 @@ void folder_state(struct folder *f, struct state *s)
     long length = (long)f->length;
 
     if (!s->loading && fsync(f->file) != 0)
-        s->failed = folder_complaint("write", f->path);
+        s->failed = file_report_failure("write", f->path, errno);
     state_long(s, "manifest_bytes", "-", &length);
     if (!s->loading || s->failed) return;
     s->failed = manifest_cut(f->file, f->path, length, f->here, f->dir) != 0;
@@ -309,9 +305,9 @@ int folder_add(struct folder *f, const char *name)
         f->length += n;
         return 0;
     }
-    folder_complaint("write", f->path);
+    file_report_failure("write", f->path, errno);
     if (n > 0 && ftruncate(f->file, f->length) != 0)
-        folder_complaint("take half a line off", f->path);
+        file_report_failure("take half a line off", f->path, errno);
     return 1;
 }
 

@@ -42,13 +42,6 @@ void table_head_clear(struct table_head *h)
     *h = (struct table_head){0};
 }
 
-/* Prints which action on which table failed and why; returns 1. */
-static int table_report_failure(const char *what, const char *path)
-{
-    fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));
-    return 1;
-}
-
 static void table_put_head(FILE *out, int n, const char *const *names)
 {
     for (int i = 0; i < n; i++) {
@@ -99,7 +92,7 @@ static struct table *table_opened(const char *path, int n_columns)
     const int file = open(path, O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
 
     if (file < 0) {
-        table_report_failure("write", path);
+        file_report_failure("write", path, errno);
         return NULL;
     }
     struct table *const t = owner_create(sizeof *t);
@@ -138,7 +131,7 @@ static int head_wrong(const char *path, const char *head)
     char *line = NULL;
     size_t size = 0;
 
-    if (in == NULL) return table_report_failure("read", path);
+    if (in == NULL) return file_report_failure("read", path, errno);
     const int differs =
         getline(&line, &size, in) < 0 || strcmp(line, head) != 0;
     if (differs)
@@ -163,7 +156,7 @@ void table_state(struct table *t, struct state *s)
     long length = (long)t->length;
 
     if (!s->loading && fsync(t->file) != 0)
-        s->failed = table_report_failure("write", t->path);
+        s->failed = file_report_failure("write", t->path, errno);
     state_long(s, "bytes", "-", &length);
     if (!s->loading || s->failed) return;
     if (length > (long)t->length) {
@@ -173,7 +166,7 @@ void table_state(struct table *t, struct state *s)
                 t->path, (long)t->length, length);
         s->failed = 1;
     } else if (ftruncate(t->file, (off_t)length) != 0)
-        s->failed = table_report_failure("cut", t->path);
+        s->failed = file_report_failure("cut", t->path, errno);
     t->length = (off_t)length;
 }
 
@@ -197,8 +190,8 @@ int table_add(struct table *t, const double *row)
     }
     if (errno == 0)
         errno = ENOSPC; /* a part was written before the disk was full */
-    table_report_failure("write", t->path);
+    file_report_failure("write", t->path, errno);
     if (written > 0 && ftruncate(t->file, t->length) != 0)
-        table_report_failure("remove half a row from", t->path);
+        file_report_failure("remove half a row from", t->path, errno);
     return 1;
 }

@@ -219,12 +219,7 @@ static const struct body cube = {divide_cube, FACETS_CUBE, M_SQRT3};
 /* Distance [m] of the farthest point of the largest body from its centre. */
 static double dpvm_reach(const struct dpvm *d)
 {
-    const struct particles *const ps = d->h->ps;
-    double R = 0.0;
-
-    for (int i = 0; i < ps->n; i++)
-        R = fmax(R, 0.5 * ps->d[i]);
-    return d->body.corner * R;
+    return d->body.corner * (0.5 * particles_widest(d->h->ps));
 }
 
 static void find_halves(struct dpvm *d)

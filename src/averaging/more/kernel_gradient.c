@@ -20,13 +20,6 @@ struct kernel_gradient {
     int flat[3]; /* [-] 1: no two cells lie behind each other there */
 };
 
-/* Index of A_jk among xx, xy, xz, yy, yz, zz. */
-static int kernel_gradient_place(int j, int k)
-{
-    static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-    return at[j][k];
-}
-
 /* The neighbouring cells of a particle and their kernel weights. */
 struct kernel_weights {
     int cell, n;
@@ -65,7 +58,7 @@ static void find_matrix(const struct kernel_weights *v, double A[6])
             double sum = 0.0;
             for (int e = 0; e < v->n; e++)
                 sum += v->w[e] * v->r[3 * e + j] * v->r[3 * e + k];
-            A[kernel_gradient_place(j, k)] = sum;
+            A[vector_place(j, k)] = sum;
         }
 }
 
@@ -154,7 +147,7 @@ static void drop_flat_directions(const struct kernel_gradient *s, double A[6])
 {
     for (int j = 0; j < 3; j++)
         for (int k = 0; k < 3; k++)
-            if (s->flat[j]) A[kernel_gradient_place(j, k)] = 0.0;
+            if (s->flat[j]) A[vector_place(j, k)] = 0.0;
 }
 
 /* [EW18 B.6] for all particles, from particle to particle; each thread has its

@@ -70,11 +70,10 @@ static void position(const struct particles *ps, int i, double x[3])
 
 static void pair_share_sort(struct pair_share *self, const struct particles *ps)
 {
-    double widest = 0.0, x[3];
+    double x[3];
 
-    for (int i = 0; i < ps->n; i++)
-        widest = fmax(widest, ps->d[i]);
-    link_cells_clear(self->cells, widest + self->attraction->range);
+    link_cells_clear(self->cells,
+                     particles_widest(ps) + self->attraction->range);
     for (int i = 0; i < ps->n; i++) {
         position(ps, i, x);
         link_cells_add(self->cells, i, x);

@@ -59,14 +59,6 @@ int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n)
     return reached < 0 ? 0 : reached < size ? reached : size;
 }
 
-static void add_load(struct row_load *to, const struct row_load *from)
-{
-    for (int k = 0; k < 3; k++) {
-        to->F[k] += from->F[k];
-        to->turn[k] += from->turn[k];
-    }
-}
-
 void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
                      int end)
 {
@@ -78,11 +70,11 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
         const int shared = own->begin + chunk_shared_loads(own, t, n);
         const int last = shared < end ? shared : end;
         for (int q = begin - own->begin; q < last - own->begin; q++)
-            add_load(chunk_load(own, q), chunk_load(t, q + offset));
+            row_load_add(chunk_load(own, q), chunk_load(t, q + offset));
         for (int q = begin - own->begin;
              own->has_budget && q < last - own->begin; q++)
             for (int a = 0; a < ENERGY_PARTS; a++)
-                add_load(&own->part[q][a], &t->part[q + offset][a]);
+                row_load_add(&own->part[q][a], &t->part[q + offset][a]);
     }
 }
 

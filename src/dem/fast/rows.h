@@ -30,6 +30,15 @@ struct row_load {
     double turn[3], zero_too; /* [N] sum n x F_t (r/(R_i + R_j)) = -T/R */
 };
 
+static inline void row_load_add(struct row_load *to,
+                                const struct row_load *from)
+{
+    for (int k = 0; k < 3; k++) {
+        to->F[k] += from->F[k];
+        to->turn[k] += from->turn[k];
+    }
+}
+
 /* An implicit drag -k v and an added mass m_a (implicit_drag.h). */
 struct row_drag {
     double rate;            /* [1/s] r = k / (m + m_a) */

@@ -139,10 +139,8 @@ static struct near_particles near_particles_of(const struct insertion *in,
                                                long due)
 {
     const struct insertion_options *const o = &in->options;
-    double middle[3], widest = 0.0;
+    double middle[3], widest = particles_widest(ps);
 
-    for (int i = 0; i < ps->n; i++)
-        widest = fmax(widest, ps->d[i]);
     for (long k = in->n_inserted; k < due; k++)
         widest = fmax(widest, insertion_diameter(o, k));
     struct near_particles c = near_particles_create(o, ps, box, widest);

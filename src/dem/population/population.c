@@ -175,15 +175,6 @@ static int by_x(const void *a, const void *b)
     return (p->x > q->x) - (p->x < q->x);
 }
 
-static double overlaps_widest(const struct particles *ps)
-{
-    double d = 0.0;
-
-    for (int i = 0; i < ps->n; i++)
-        d = fmax(d, ps->d[i]);
-    return d;
-}
-
 /* The direction in which the spheres spread the farthest. */
 static int longest(const struct particles *ps)
 {
@@ -229,7 +220,8 @@ struct overlap overlaps_deepest(const struct particles *ps,
     struct placed *const list = alloc_zeroed((size_t)ps->n, sizeof *list);
     const int k = longest(ps);
     const double *const x = k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
-    const double reach = overlaps_widest(ps) * (1.0 + 1e-9), L = box->length[k];
+    const double reach = particles_widest(ps) * (1.0 + 1e-9),
+                 L = box->length[k];
     struct overlap found = {0, -1, 0.0};
 
     for (int i = 0; i < ps->n; i++)

@@ -151,14 +151,6 @@ static void put_spring(struct surface_contacts *c, int q, int *at)
     }
 }
 
-static void add_row(struct row_load *to, const struct row_load *from)
-{
-    for (int k = 0; k < 3; k++) {
-        to->F[k] += from->F[k];
-        to->turn[k] += from->turn[k];
-    }
-}
-
 /* Adds the loads to the particles, and their reactions to the totals of the
  * surface. */
 static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
@@ -171,7 +163,7 @@ static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
     double *const angular = c->received[t->surface].angular;
     double arm[3], torque[3];
 
-    add_row(&s->load[t->owner - s->begin], one);
+    row_load_add(&s->load[t->owner - s->begin], one);
     vector_between(t->q, pose[t->surface].centre, arm);
     vector_cross(arm, load, torque);
     for (int k = 0; k < 3; k++) {
@@ -193,7 +185,7 @@ static void accumulate_parts(struct surface_contacts *c, int q, struct chunk *s)
     for (int a = 0; a < ENERGY_PARTS; a++) {
         const struct row_load *const part = &c->pairs.part[2 * q][a];
         c->power[a] += vector_dot(part->F, t->v);
-        add_row(&to[a], part);
+        row_load_add(&to[a], part);
     }
 }
 
