@@ -54,7 +54,7 @@ void neighbours_free(struct neighbours *nb)
     owner_free(nb);
 }
 
-/* An equal number for each thread. */
+/* The chunks whose lists this thread makes, an equal number for each thread. */
 struct chunk_range neighbours_static_range(const struct neighbours *nb)
 {
     const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
@@ -64,23 +64,16 @@ struct chunk_range neighbours_static_range(const struct neighbours *nb)
 }
 
 /* In a step a contact costs about twice as much as the motion of a particle. */
-static long work_of_step(const struct chunk *s)
+static long work_of(const struct chunk *s)
 {
     return 2L * (s->contacts.n_pairs + s->contacts.n_walls) + s->end - s->begin;
-}
-
-/* Where the list is made, or contacts are chosen from it. */
-static long work_of_list(const struct chunk *s)
-{
-    return (long)s->pairs.n + s->end - s->begin;
 }
 
 /* Contacts are not distributed evenly over the chunks of a bed. Each chunk is
  * assigned by the midpoint of its cumulative cost. (With surfaces the static
  * partition is used, because there is no barrier between their motion and their
  * forces.) */
-static struct chunk_range range_by(const struct neighbours *nb,
-                                   long work_of(const struct chunk *s))
+struct chunk_range neighbours_balanced_range(const struct neighbours *nb)
 {
     const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
     struct chunk_range mine = {0, 0};
@@ -97,11 +90,6 @@ static struct chunk_range range_by(const struct neighbours *nb,
         before += own;
     }
     return mine;
-}
-
-struct chunk_range neighbours_balanced_range(const struct neighbours *nb)
-{
-    return range_by(nb, work_of_step);
 }
 
 void neighbours_barrier(const struct neighbours *nb)
@@ -346,12 +334,11 @@ static void permute_by_all(struct neighbours *nb)
                                 (double *)nb->rows->motion);
 }
 
-/* Sorts the particles and builds all neighbour lists, shared by the length of
- * the old ones; displacements are kept. */
+/* Sorts the particles and builds all neighbour lists; displacements are
+ * kept. */
 static void rebuild(struct neighbours *nb)
 {
     const struct chunk_range mine = neighbours_static_range(nb);
-    const struct chunk_range listed = range_by(nb, work_of_list);
     struct rows *const b = nb->rows;
 
     for (int s = mine.first; s < mine.last; s++) {
@@ -378,7 +365,7 @@ static void rebuild(struct neighbours *nb)
         rows_record_positions(b, nb->chunks[s].begin, nb->chunks[s].end,
                               nb->ahead);
     neighbours_barrier(nb);
-    for (int s = listed.first; s < listed.last; s++) {
+    for (int s = mine.first; s < mine.last; s++) {
         grid_find(nb->grid, &nb->chunks[s], b, nb->skin + nb->range);
         if (nb->surfaces != NULL)
             surfaces_find(nb->surfaces, s, &nb->chunks[s], b, nb->skin);
@@ -391,7 +378,7 @@ static void rebuild(struct neighbours *nb)
  * that all chunks had before it. */
 static void choose_contacts(struct neighbours *nb, int rebuilt, double least)
 {
-    const struct chunk_range mine = range_by(nb, work_of_list);
+    const struct chunk_range mine = neighbours_static_range(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
         chunk_choose_contacts(&nb->chunks[s], nb->rows);
