@@ -64,6 +64,25 @@ FACT(the_true_residual_is_the_one_reported)
     }
 }
 
+FACT(the_right_hand_side_may_be_the_third_vector_that_was_lent)
+{
+    struct setting s = poisson(8, 8, 8);
+    double *const x = alloc_doubles(s.b.n), *space[3];
+
+    for (int k = 0; k < 3; k++)
+        space[k] = noise_vector(s.b.n, 11);
+    struct cg_work *const lent = cg_work_lent(s.b.n, space);
+    cg_solve(s.M, s.rhs, s.x, 1e-10, 0.0, 100, s.w);
+    cg_solve(s.M, space[2], x, 1e-10, 0.0, 100, lent);
+    for (int i = 0; i < s.b.n; i++)
+        ck_assert_double_eq(x[i], s.x[i]);
+    for (int k = 0; k < 3; k++)
+        free(space[k]);
+    free(x);
+    cg_work_free(lent);
+    release(&s);
+}
+
 /* One iteration more than needed would reduce it a hundredfold. */
 FACT(the_residual_of_a_guess_is_reduced_as_asked)
 {

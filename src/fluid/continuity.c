@@ -84,23 +84,24 @@ static void continuity_residual_rows(int first, int last,
                                      struct largest *partial)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict source = fl->pressure->source, *restrict V = m->V;
-    double *restrict defect =
-        fl->pressure->divergence; /* work space that is not in use here */
-    double *restrict through = fl->pressure->resistance;
+    const double *restrict V = m->V;
+    const struct pressure_system *const pressure = fl->pressure;
+    /* Work space that is not in use here. */
+    double *restrict defect = pressure->per_flux;
+    double *restrict through = pressure->resistance;
     const int range = parallel_ranges_of(m->n_cells, first);
     struct largest l = partial[range];
 
     for (int c = first; c < last; c++) {
-        defect[c] = source[c];
+        defect[c] = pressure_source(pressure, c);
         through[c] = 0.0;
     }
     face_loops_sum(first, last, fl->faces, face_loops_outflow, fl->phi, defect);
     face_loops_sum(first, last, fl->faces, half_size, fl->phi, through);
     for (int c = first; c < last; c++) {
         l.defect = continuity_larger(l.defect, fabs(defect[c]));
-        l.through =
-            continuity_larger(l.through, through[c] + 0.5 * fabs(source[c]));
+        l.through = continuity_larger(
+            l.through, through[c] + 0.5 * fabs(pressure_source(pressure, c)));
         l.cfl = continuity_larger(l.cfl, through[c] * fl->options.dt /
                                              (fl->eps[c] * V[c]));
     }

@@ -182,7 +182,8 @@ void ddt_end(struct fluid *fl)
     }
     fl->eps_nm1 = fl->eps_n;
     fl->eps_n = oldest;
-    memcpy(fl->eps_n, fl->eps, (size_t)n * sizeof *fl->eps);
+    if (fl->options.coupled)
+        memcpy(fl->eps_n, fl->eps, (size_t)n * sizeof *fl->eps);
     fl->dt_older = fl->options.dt;
     for (int i = 0; i < 3 * n && fl->impulse_weight != 1.0; i++)
         fl->momentum->residual[i] *= fl->impulse_weight;

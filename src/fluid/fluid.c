@@ -38,6 +38,8 @@ void fluid_free(struct fluid *fl)
 void fluid_reset_eps_history(struct fluid *fl)
 {
     const size_t size = (size_t)fl->mesh->n_cells * sizeof *fl->eps;
+
+    if (!fl->options.coupled) return;
     memcpy(fl->eps_n, fl->eps, size);
     memcpy(fl->eps_nm1, fl->eps, size);
 }

@@ -100,7 +100,7 @@ struct fluid {
     double *grad_p;      /* [Pa/m] 3 a cell */
     double *phi;         /* [m^3/s] superficial flux, owner to neighbour */
     /* The fluid fraction [-] at the new time, which the coupling writes, at the
-     * end of the last step and at its start. */
+     * end of the last step and at its start; without particles one array. */
     double *eps, *eps_n, *eps_nm1;
     double mean_gradient[3]; /* [Pa/m] now; a part of grad_p */
     double *F;               /* [N/m^3] explicit force on the fluid, 3 a cell */

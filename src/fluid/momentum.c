@@ -164,29 +164,11 @@ static void spread_diagonal(int first, int last, struct momentum_system *eqn)
     vec3_spread(last - first, eqn->diag + first, eqn->diag3 + 3L * first);
 }
 
-/* Sets the diagonal that divides the velocity. H contains the force of the slip
- * walls with the old velocity. Where viscous diffusion crosses the cell within
- * a step this would be unstable from one corrector to the next, and the force
- * is implicit in the new velocity. */
-static void slip_diagonal(int first, int last, struct fluid *fl)
-{
-    struct momentum_system *const momentum = fl->momentum;
-
-    for (int c = first; c < last; c++)
-        for (int i = 3 * c; i < 3 * c + 3; i++) {
-            const double slip = momentum->diag3[i] - momentum->diag[c];
-            const int stiff = slip > 0.25 * fl->levels->ddt[c];
-            momentum->slip[i] = slip;
-            momentum->slip_implicit[i] = stiff ? slip : 0.0;
-        }
-}
-
 static void add_slip_faces(struct fluid *fl)
 {
     PARALLEL_RANGES(fl->mesh->n_cells, 4, spread_diagonal, fl->momentum);
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         if (b->kind == BOUNDARY_SLIP) add_slip_face(fl, f);
-    PARALLEL_RANGES(fl->mesh->n_cells, 12, slip_diagonal, fl);
 }
 
 static void momentum_add_boundaries(struct fluid *fl)
@@ -194,7 +176,7 @@ static void momentum_add_boundaries(struct fluid *fl)
     fl->report.backflow_faces = 0;
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         add_boundary_face(fl, b, j, f);
-    if (fl->momentum->slip != NULL) add_slip_faces(fl);
+    if (fl->momentum->diag3 != NULL) add_slip_faces(fl);
 }
 
 /* [XS11 2.8] without its pressure; with eps = 1 and no particles [LS 3.13]. */

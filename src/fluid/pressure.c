@@ -251,7 +251,7 @@ static void rhs_rows(int first, int last, const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
 
     for (int c = first; c < last; c++)
-        pressure->divergence[c] = -pressure->source[c];
+        pressure->divergence[c] = -pressure_source(pressure, c);
     face_loops_sum(first, last, fl->faces, inflow, fl->phi,
                    pressure->divergence);
 }
@@ -271,7 +271,7 @@ static double scale_rows(int first, int last, const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
 
     for (int c = first; c < last; c++)
-        pressure->divergence[c] = fabs(pressure->source[c]);
+        pressure->divergence[c] = fabs(pressure_source(pressure, c));
     face_loops_sum(first, last, fl->faces, mean_size, fl, pressure->divergence);
     return reduce_range(first, last, pressure->divergence,
                         pressure->divergence);

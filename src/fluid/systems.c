@@ -72,8 +72,8 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->grad_p, 3, CELL, ALWAYS},
         {&fl->p, 1, CELL, ALWAYS},
         {&fl->eps, 1, CELL, ALWAYS},
-        {&fl->eps_n, 1, CELL, ALWAYS},
-        {&fl->eps_nm1, 1, CELL, ALWAYS},
+        {&fl->eps_n, 1, CELL, COUPLED},
+        {&fl->eps_nm1, 1, CELL, COUPLED},
         {&fl->p_face, 1, FACE, ALWAYS},
         {&fl->phi, 1, FACE, ALWAYS},
         {&fl->F, 3, CELL, COUPLED},
@@ -86,13 +86,8 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->momentum->diag3, 3, CELL, SLIP_WALLS},
         {&fl->momentum->b, 3, CELL, ALWAYS},
         {&fl->momentum->H, 3, CELL, ALWAYS},
-        {&fl->momentum->residual, 3, CELL, ALWAYS},
-        {&fl->momentum->slip, 3, CELL, SLIP_WALLS},
-        {&fl->momentum->slip_implicit, 3, CELL, SLIP_WALLS},
         {&fl->momentum->owner_weight, 1, INNER_FACE, WEIGHTS},
-        {&fl->pressure->boundary_conductance, 1, CELL, ALWAYS},
-        {&fl->pressure->source, 1, CELL, ALWAYS},
-        {&fl->pressure->divergence, 1, CELL, ALWAYS},
+        {&fl->pressure->source, 1, CELL, COUPLED},
         {&fl->jump->owner_part, 1, INNER_FACE, COUPLED},
         {&fl->jump->neighbour_part, 1, INNER_FACE, COUPLED},
         {&fl->jump->pressure_offset, 1, INNER_FACE, COUPLED},
@@ -134,6 +129,7 @@ static void allocate_arrays(struct fluid *fl)
     for (int i = 0; i < n; i++)
         if (needed[list[i].need])
             *list[i].at = alloc_doubles(list[i].per * count[list[i].place]);
+    if (!o->coupled) fl->eps_n = fl->eps_nm1 = fl->eps;
 }
 
 static void systems_free_arrays(struct fluid *fl)
@@ -141,8 +137,10 @@ static void systems_free_arrays(struct fluid *fl)
     struct array list[MOST_ARRAYS];
     const int n = systems_list_arrays(fl, list);
 
+    if (!fl->options.coupled) fl->eps_n = fl->eps_nm1 = NULL;
     for (int i = 0; i < n; i++)
         free(*list[i].at);
+    free(fl->momentum->own_residual);
 }
 
 /* Geometric coefficients of each face, computed once. */
@@ -250,9 +248,23 @@ static struct preconditioned pressure_matrix(const struct fluid *fl)
     return A;
 }
 
+void systems_own_residual(struct fluid *fl)
+{
+    struct momentum_system *const m = fl->momentum;
+    const int n = 3 * fl->mesh->n_cells;
+
+    if (m == NULL || m->own_residual != NULL)
+        return; /* no arrays: an outline */
+    m->own_residual = alloc_doubles(n);
+    memcpy(m->own_residual, m->residual, (size_t)n * sizeof *m->residual);
+    m->residual = m->own_residual;
+}
+
 /* The pressure needs what has no array in the table, and the vectors of its
  * solver, from one prediction of the velocity to the next: then those of
- * BiCGStab are free. */
+ * BiCGStab are free. The right-hand side is read before the third of these
+ * vectors is written; and from the last solution of a step to the first of the
+ * next the residual is where they are. */
 static void create_solvers(struct fluid *fl)
 {
     struct pressure_system *const pressure = fl->pressure;
@@ -262,11 +274,14 @@ static void create_solvers(struct fluid *fl)
     fl->momentum->bicgstab = bicgstab_work_create(n, fl->faces->n);
     bicgstab_lend(fl->momentum->bicgstab, space);
     pressure->per_force = space[0];
-    pressure->resistance = space[0] + n;
+    pressure->resistance = pressure->boundary_conductance = space[0] + n;
     pressure->per_flux = space[0] + 2L * n;
     pressure->m_face = space[1];
     pressure->conductance = space[2];
     pressure->explicit_flux = space[4];
+    pressure->divergence = space[3] + 2L * n;
+    fl->momentum->residual = space[3];
+    if (fl->options.outer_correctors > 0) systems_own_residual(fl);
     pressure->cg = cg_work_lent(
         n, (double *const[]){space[3], space[3] + n, space[3] + 2L * n});
 }

@@ -20,22 +20,20 @@
 struct momentum_system {
     struct ldu *matrix; /* [kg/s] the a_N */
     double *diag;       /* [kg/s] a_P */
-    double *diag3;      /* [kg/s] a_P and, on slip walls, their stress; NULL
-                           without slip walls */
-    /* That stress over the velocity, 3 a cell, and the part of it that is
-     * implicit in the corrector because it is stiff [kg/s]; NULL without slip
-     * walls. */
-    double *slip, *slip_implicit;
-    int oblique_slip; /* 1: a slip wall is not normal to an axis */
-    double *b;        /* [N] right-hand side without the pressure and the old
-                         velocity */
-    double *H;        /* [N] b - sum a_N u_N; the whole right-hand side, while
-                         the velocity is predicted */
-    double *residual; /* [N] residual carried into the next step */
-    double inertia;   /* [-] the largest of a cell over the largest term, with
-                         the last residual; [N] before it is known */
-    double *defect;   /* [m^3/s] d(eps V)/dt + sum phi of the convecting
-                         flux: the residual of continuity */
+    double *diag3;      /* [kg/s] a_P and, on slip walls, their stress over the
+                           velocity, 3 a cell; NULL without slip walls */
+    int oblique_slip;   /* 1: a slip wall is not normal to an axis */
+    double *b;          /* [N] right-hand side without the pressure and the old
+                           velocity */
+    double *H;          /* [N] b - sum a_N u_N; the whole right-hand side, while
+                           the velocity is predicted */
+    double *residual;   /* [N] residual carried into the next step; in the room
+                           of the solvers, or own_residual */
+    double *own_residual; /* NULL: no solver works before the next step */
+    double inertia; /* [-] the largest of a cell over the largest term, with
+                       the last residual; [N] before it is known */
+    double *defect; /* [m^3/s] d(eps V)/dt + sum phi of the convecting
+                       flux: the residual of continuity */
     double *owner_weight; /* [-] weight of the owner in the face velocity; NULL
  where it is needed for a block of faces only */
     struct bicgstab_work *bicgstab;
@@ -46,6 +44,10 @@ static inline const double *momentum_diagonal(const struct momentum_system *m)
 {
     return m->diag3 != NULL ? m->diag3 : m->diag;
 }
+
+/* systems.c: the residual has memory of its own, for a fluid in which a solver
+ * works between it and the next step. */
+void systems_own_residual(struct fluid *fl);
 
 /* momentum.c: fills the matrix, diag3 and b from the state. */
 void momentum_assemble(struct fluid *fl);
@@ -91,14 +93,15 @@ struct pressure_system {
     double *resistance; /* [kg/(m^3 s)] 1 / m_P = a_P / (eps gamma V) */
     double *per_flux;   /* [kg/(m^3 s)] time derivative per superficial flux */
     double *boundary_conductance; /* [m^3/(Pa s)] from a cell to a given
-                                     pressure: the row sums of the matrix */
+                                     pressure: the row sums of the matrix; in
+                                     the place of the resistance */
     double *m_face;               /* [m^3 s/kg] mobility of a face */
     double *conductance;          /* [m^3/(Pa s)] m_face S.S / S.d */
     double *explicit_flux; /* [m^3/s] part of the flux that all correctors have
                               in common: by the old flux and the time
                               derivative, and by the inertia of the jumps */
-    double *source;        /* [m^3/s] d(eps V)/dt or the solid's flux */
-    double *divergence;    /* [m^3/s] */
+    double *source;     /* [m^3/s] d(eps V)/dt or the solid's flux; NULL: 0 */
+    double *divergence; /* [m^3/s] until its solver has begun */
     double scale;    /* [m^3/s] its scale: 2-norm of the sums of |phi| over the
                         faces of each cell */
     int pinned_cell; /* cell whose pressure is fixed, or -1 if there is an
@@ -106,6 +109,12 @@ struct pressure_system {
     struct preconditioned matrix;
     struct cg_work *cg;
 };
+
+/* The source of cell c [m^3/s]. */
+static inline double pressure_source(const struct pressure_system *p, int c)
+{
+    return p->source != NULL ? p->source[c] : 0.0;
+}
 
 /* pressure.c: mobilities and the matrix; after each prediction, whose solver
  * works in the same arrays (systems.c). */

@@ -131,8 +131,14 @@ static void neighbour_rows(int first, int last, const struct fluid *fl)
     ldu_rows(first, last, momentum->matrix, NULL, u, H);
     for (int i = 3 * first; i < 3 * last; i++)
         H[i] = b[i] - H[i];
-    for (int i = 3 * first; i < 3 * last && momentum->slip != NULL; i++)
-        H[i] -= momentum->slip[i] * u[i];
+    for (int end; first < last && momentum->diag3 != NULL; first = end) {
+        const double *restrict diag3 = momentum->diag3;
+        double diag[3 * VEC3_BLOCK];
+        end = velocity_block_end(first, last);
+        vec3_spread(end - first, momentum->diag + first, diag);
+        for (int i = 3 * first; i < 3 * end; i++)
+            H[i] -= (diag3[i] - diag[i - 3 * first]) * u[i];
+    }
 }
 
 /* H [N] of (6.2): known terms less what the neighbours' velocities
@@ -143,6 +149,26 @@ void velocity_neighbour_sum(struct fluid *fl)
 
     PARALLEL_BLOCKS(fl->mesh->n_cells, 12, neighbour_rows, fl);
     if (momentum->oblique_slip) add_slip_residual(fl, momentum->H);
+}
+
+/* H contains the force of the slip walls with the old velocity. Where viscous
+ * diffusion crosses the cell within a step this would be unstable from one
+ * corrector to the next, and the force is implicit in the new velocity: added
+ * to both sides for a block of cells, the right and the diagonal a. */
+static void add_stiff_slip(int first, int last, const struct fluid *fl,
+                           double *restrict right, double *restrict a)
+{
+    const double *restrict diag3 = fl->momentum->diag3 + 3L * first;
+    const double *restrict u = fl->u + 3L * first;
+    double ddt[3 * VEC3_BLOCK];
+
+    vec3_spread(last - first, fl->levels->ddt + first, ddt);
+    for (int i = 0; i < 3 * (last - first); i++) {
+        const double slip = diag3[i] - a[i];
+        const double stiff = slip > 0.25 * ddt[i] ? slip : 0.0;
+        right[i] += stiff * u[i];
+        a[i] += stiff;
+    }
 }
 
 static void correct_rows(int first, int last, struct fluid *fl)
@@ -157,10 +183,7 @@ static void correct_rows(int first, int last, struct fluid *fl)
         const int n = 3 * (end - first);
         add_known(first, end, fl, momentum->H + at, right);
         vec3_spread(end - first, momentum->diag + first, a);
-        for (int i = 0; i < n && momentum->slip_implicit != NULL; i++) {
-            right[i] += momentum->slip_implicit[at + i] * u[i];
-            a[i] += momentum->slip_implicit[at + i];
-        }
+        if (momentum->diag3 != NULL) add_stiff_slip(first, end, fl, right, a);
         for (int i = 0; i < n; i++)
             u[i] = right[i] / a[i];
     }

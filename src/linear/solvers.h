@@ -78,7 +78,8 @@ struct solve_report {
 struct cg_work;
 
 struct cg_work *cg_work_create(int n);
-/* The same in three vectors of n numbers that nothing else uses meanwhile. */
+/* The same in three vectors of n numbers that nothing else uses meanwhile; the
+ * third may be the right-hand side, which is lost. */
 struct cg_work *cg_work_lent(int n, double *const space[3]);
 void cg_work_free(struct cg_work *w);
 

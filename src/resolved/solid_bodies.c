@@ -9,6 +9,7 @@
 #include "base/alloc.h"
 #include "coupling/effect.h"
 #include "coupling/simulation.h"
+#include "fluid/systems.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/body_cells.h"
 #include "resolved/body_motion.h"
@@ -142,6 +143,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     int free = 0;
 
     fl->immersed = &b->hooks;
+    systems_own_residual(fl); /* the end of a step may solve for a pressure */
     b->mu = fl->options.mu;
     if (b->turn != NULL) body_turn_begin(b);
     for (int i = 0; i < b->ps->n; i++) {

@@ -15,11 +15,11 @@ static const char insert[] = "particles.insert";
 /* [byte] The largest memory that was measured in runs, with the copy of the
  * state that a checkpoint is. A particle took 1256 in a bed that falls from a
  * lattice and 1724 in one that had settled. A cell of a box took 146 without a
- * fluid, 1012 to 1339 with a fluid alone, 1408 to 1758 with particles in it; of
- * a mesh that has corners of its own 1170, 1773 to 2066 and 2567 to 2792. */
+ * fluid, 946 to 1225 with a fluid alone, 1368 to 1659 with particles in it; of
+ * a mesh that has corners of its own 997, 1706 to 1878 and 2110 to 2653. */
 static const double per_particle = 1480.0;
-static const double per_cell[2][3] = {{150.0, 1200.0, 1600.0},
-                                      {1200.0, 1950.0, 2700.0}};
+static const double per_cell[2][3] = {{150.0, 1080.0, 1500.0},
+                                      {1100.0, 1800.0, 2400.0}};
 
 /* So that sixteen numbers a particle are still numbered by an int. */
 static const double most_particles = 134217727.0;

@@ -281,8 +281,8 @@ static void solve_measure(struct solve *s, struct fluid *fl)
     for (int c = 0; c < s->m->n_cells; c++) {
         if (!s->own[c]) continue;
         const double flow = p->resistance[c];
-        defect = fmax(defect, fabs(p->divergence[c]));
-        through = fmax(through, flow + 0.5 * fabs(p->source[c]));
+        defect = fmax(defect, fabs(p->per_flux[c]));
+        through = fmax(through, flow + 0.5 * fabs(pressure_source(p, c)));
         cfl = fmax(cfl, flow * dt / (fl->eps[c] * s->m->V[c]));
         for (int k = 0; k < 3; k++)
             sum[k] += fl->impulse_weight * fl->options.rho * dt *

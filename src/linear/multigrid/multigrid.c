@@ -217,8 +217,9 @@ struct multigrid {
     double scale;               /* of y of the finest level, after a cycle */
 };
 
-/* Adds the level above g and returns its graph; or NULL if the aggregates are
- * more than 0.8 of the unknowns of g. */
+/* Adds the level above g, which it frees, and returns its graph; or NULL if the
+ * aggregates are more than 0.8 of the unknowns of g. The level of g itself is
+ * made last, because to coarsen a graph takes the most memory. */
 static struct graph *add_level(struct multigrid *mg, struct graph *g)
 {
     struct level *const v = &mg->level[mg->n_levels];
@@ -232,11 +233,12 @@ static struct graph *add_level(struct multigrid *mg, struct graph *g)
         coarse = NULL;
     } else {
         v[-1].parent = parent;
-        level_init(v, coarse, 0);
         level_connect(v, g, coarse, parent, bundle);
         mg->n_levels++;
     }
     free(bundle);
+    level_init(&v[-1], g, &v[-1] == mg->level);
+    graph_free(g);
     return coarse;
 }
 
@@ -248,13 +250,11 @@ void *multigrid_create(int n, int n_links, const int *owner,
     struct graph *g =
         graph_create(n, n_links, owner, neighbour, strength, link, V);
 
-    level_init(&mg->level[mg->n_levels++], g, 1);
-    while (g != NULL && g->n > DENSE && mg->n_levels < LEVELS) {
-        struct graph *const fine = g;
-
-        g = add_level(mg, fine);
-        graph_free(fine);
-    }
+    mg->n_levels = 1;
+    while (g != NULL && g->n > DENSE && mg->n_levels < LEVELS)
+        g = add_level(mg, g);
+    if (g != NULL)
+        level_init(&mg->level[mg->n_levels - 1], g, mg->n_levels == 1);
     mg->links = g;
 
     const int left = mg->level[mg->n_levels - 1].n;
