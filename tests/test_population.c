@@ -225,7 +225,7 @@ static void go_on(struct run *r, int steps)
 
     for (int k = 0; k < steps; k++) {
         if (population_mark(r->life, r->ps, 1e-4) > 0)
-            population_remove(r->life, r->dem);
+            dem_remove(r->dem, r->life->is_removed);
         population_insert(r->life, r->ps, r->dem, 1e-4 * (double)r->step);
         for (int i = 0; i < r->ps->n; i++)
             r->ps->ey[i] = -9.81 * r->ps->m[i];

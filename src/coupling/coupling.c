@@ -174,7 +174,7 @@ static int move_others(struct simulation *sim)
 
     for (int i = 0; i < sim->n_effects && !failed; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->mover != NULL)
+        if (e->effect->mover != NULL && e->effect->mover->move != NULL)
             failed = e->effect->mover->move(e->memory, sim);
         if (e->effect->failure != NULL)
             failed |= e->effect->failure(e->memory) != NULL;

@@ -117,11 +117,11 @@ struct effect_columns {
 
 struct effect_mover {
     /* Moves it by a step, after fluid and particles; non-zero if the
-     * computation broke down. */
+     * computation broke down. NULL: it has moved with the particles. */
     int (*move)(void *memory, struct simulation *sim);
     /* Moves the particles by so many steps, and itself with them, in place of
-     * dem_run; `move` then has nothing left to do. Non-zero as dem_run. NULL:
-     * it does not move with the particles. */
+     * dem_run. Non-zero as dem_run. NULL: it does not move with the particles.
+     */
     int (*move_particles)(void *memory, struct simulation *sim, int steps);
     /* Adds its momentum [N s] to the sum that is conserved in a closed box. */
     void (*momentum)(const void *memory, double total[3]);

@@ -136,7 +136,7 @@ static int replacement_step(struct simulation *sim)
     const int removed = population_mark(population, ps, sim->dt);
 
     if (sim->coupling != NULL && removed > 0) collect_unpaid(sim);
-    if (removed > 0) population_remove(population, sim->dem);
+    if (removed > 0) dem_remove(sim->dem, population->is_removed);
     const int first = population_insert(population, ps, sim->dem, sim->t);
     if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
     return replacement_apply(sim, first);

@@ -282,17 +282,8 @@ static void after_particles(void *memory, struct simulation *sim)
     among_grains_end(memory);
 }
 
-/* They have moved along with the particles. */
-static int among_effect_move(void *memory, struct simulation *sim)
-{
-    (void)memory, (void)sim;
-    return 0;
-}
-
-static const struct effect_mover among_mover = {.move = among_effect_move,
-                                                .move_particles =
-                                                    among_effect_along,
-                                                .momentum = momentum};
+static const struct effect_mover among_mover = {
+    .move_particles = among_effect_along, .momentum = momentum};
 
 const struct effect among_effect = {
     .name = "bodies",

@@ -155,11 +155,9 @@ static int grain_table_find_columns(const struct csv *t, int column[4],
 static struct insertion_sphere *spheres_of(const struct csv *t,
                                            char wrong[CSV_WRONG])
 {
-    struct insertion_sphere *const list =
-        alloc_zeroed((size_t)t->n_rows, sizeof *list);
     char names[100];
     double factor;
-    int column[4], foreign = 0;
+    int column[4];
 
     if (grain_table_find_columns(t, column, &factor) != 0) {
         csv_names(t, names, sizeof names);
@@ -167,15 +165,12 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
                  "expected columns x, y, z and d, diameter or radius [m]; its "
                  "columns are: %s",
                  names);
-        free(list);
         return NULL;
     }
-    for (int k = 0; k < 4 && !foreign; k++)
-        foreign = csv_check_unit(t, column[k], "m", wrong);
-    if (foreign) {
-        free(list);
-        return NULL;
-    }
+    for (int k = 0; k < 4; k++)
+        if (csv_check_unit(t, column[k], "m", wrong) != 0) return NULL;
+    struct insertion_sphere *const list =
+        alloc_zeroed((size_t)t->n_rows, sizeof *list);
     for (int i = 0; i < t->n_rows; i++) {
         const double *const row = &t->value[(long)i * t->n_columns];
         int good = 1;

@@ -77,11 +77,6 @@ int population_mark(struct population *l, const struct particles *ps, double dt)
     return n;
 }
 
-void population_remove(struct population *l, struct dem *dem)
-{
-    dem_remove(dem, l->is_removed);
-}
-
 int population_insert(struct population *l, struct particles *ps,
                       struct dem *dem, double t)
 {

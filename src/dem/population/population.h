@@ -53,16 +53,13 @@ struct population *population_create(const struct box_domain *box,
                                      int n_sources, int n_sinks);
 void population_free(struct population *l);
 
-/* Between two steps of the loop: first mark, then remove if any were marked,
- * then insert.
+/* Between two steps of the loop: first mark, then dem_remove with is_removed if
+ * any were marked, then insert.
  *
  * Marks the particles that are removed before a step of dt [s], and adds them
  * to the totals. Returns their number. */
 int population_mark(struct population *l, const struct particles *ps,
                     double dt);
-/* Removes the marked particles. The others keep their tangential displacements.
- */
-void population_remove(struct population *l, struct dem *dem);
 /* Inserts the particles that are due at time t [s]. They follow the others,
  * from the returned index on. */
 int population_insert(struct population *l, struct particles *ps,

@@ -151,13 +151,6 @@ static int read_facet(struct source *in, struct stl *s, int *room)
     return expect(in, "endloop") != 0 || expect(in, "endfacet") != 0;
 }
 
-/* Names may have spaces: they end with their line. */
-static void stl_skip_line(struct source *in)
-{
-    while (*in->at != '\0' && *in->at != '\n')
-        in->at++;
-}
-
 static int stl_read_text(struct source *in, struct stl *s)
 {
     int room = 0, open = 0;
@@ -171,7 +164,7 @@ static int stl_read_text(struct source *in, struct stl *s)
         } else if (solid != open &&
                    (solid || strcasecmp(word, "endsolid") == 0)) {
             open = solid;
-            stl_skip_line(in);
+            in->at += strcspn(in->at, "\n"); /* a name may have spaces */
         } else {
             return stl_wrong(in, "expected %s, found \"%s\"",
                              open ? "\"facet\" or \"endsolid\"" : "\"solid\"",

@@ -294,25 +294,6 @@ void surfaces_check_lost(const struct surfaces *sf, int s,
     }
 }
 
-const struct surface_histories *
-surfaces_contact_history(struct surfaces *sf, int s, const struct particles *ps)
-{
-    if (ps != NULL) surfaces_save_history(sf, s, ps);
-    return &sf->chunk[s].saved;
-}
-
-void surfaces_clear_history(struct surfaces *sf)
-{
-    for (int s = 0; s < sf->n_chunks; s++)
-        sf->chunk[s].saved.n = sf->chunk[s].current.n = 0;
-}
-
-void surfaces_restore_history(struct surfaces *sf,
-                              const struct surface_history *one)
-{
-    surface_contacts_save(&sf->chunk[0].saved, one);
-}
-
 /* Between two runs a carrier may have changed its velocity, or come back into a
  * periodic box. */
 static void update_carried(struct surfaces *sf)

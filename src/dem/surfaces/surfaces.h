@@ -63,15 +63,6 @@ void surfaces_check_lost(const struct surfaces *sf, int s,
                          const struct chunk *chunk, const struct rows *b,
                          int marks, double skin, struct rows_survey *found);
 
-/* The contact histories of chunk s, of the particles ps, or as kept if that is
- * NULL; none from now on; and one that the next run starts with. */
-const struct surface_histories *
-surfaces_contact_history(struct surfaces *sf, int s,
-                         const struct particles *ps);
-void surfaces_clear_history(struct surfaces *sf);
-void surfaces_restore_history(struct surfaces *sf,
-                              const struct surface_history *one);
-
 /* Visits all that the next run depends on (state.h). */
 void surfaces_state(struct surfaces *sf, const struct chunk *chunks, int most,
                     struct state *s);

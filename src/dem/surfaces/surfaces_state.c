@@ -171,8 +171,8 @@ int surface_history_list(struct surfaces *sf, const struct particles *ps,
     int n = 0;
 
     for (int s = 0; sf != NULL && s < sf->n_chunks; s++) {
-        const struct surface_histories *const f =
-            surfaces_contact_history(sf, s, ps);
+        const struct surface_histories *const f = &sf->chunk[s].saved;
+        if (ps != NULL) surfaces_save_history(sf, s, ps);
         for (int q = 0; q < f->n; q++, n++) {
             if (list == NULL) continue;
             list[n].id = f->list[q].id;
@@ -191,7 +191,8 @@ int surface_history_restore(struct surfaces *sf, const struct dem_history *list,
 {
     int many = 0;
 
-    if (sf != NULL) surfaces_clear_history(sf);
+    for (int s = 0; sf != NULL && s < sf->n_chunks; s++)
+        sf->chunk[s].saved.n = sf->chunk[s].current.n = 0;
     while (many < n && list[n - many - 1].other == SURFACE_SPRING)
         many++;
     for (int q = n - many; q < n && sf != NULL; q++) {
@@ -199,7 +200,7 @@ int surface_history_restore(struct surfaces *sf, const struct dem_history *list,
         memcpy(one.n, list[q].n, sizeof one.n);
         memcpy(one.xi, list[q].xi, sizeof one.xi);
         memcpy(one.roll_angle, list[q].roll_angle, sizeof one.roll_angle);
-        surfaces_restore_history(sf, &one);
+        surface_contacts_save(&sf->chunk[0].saved, &one);
     }
     return many;
 }

@@ -105,12 +105,6 @@ static void mirrors_free(struct mirrors *m)
     owner_free(m);
 }
 
-/* Borrowed. */
-static struct averaging_wall *mirrors_wall(struct mirrors *m)
-{
-    return &m->wall;
-}
-
 int mirrors_stuck(const struct mirrors *m)
 {
     return m->stuck;
@@ -317,7 +311,7 @@ void among_grains_begin(struct solid_bodies *b, struct simulation *sim)
         take_pose(b, i, 0.0);
     if (sim->averaging == NULL) return;
     g->mirrors = mirrors_create(sim->mesh);
-    averaging_set_wall(sim->averaging, mirrors_wall(g->mirrors));
+    averaging_set_wall(sim->averaging, &g->mirrors->wall);
     mirrors_update(g->mirrors, b);
 }
 
