@@ -155,7 +155,6 @@ static inline void create_life(struct simulation *sim, const struct scene *s,
     const double L = s->size;
 
     sim->population = population_create(&box, s->fed > 0.0, s->sink > 0.0);
-    sim->insert_remove = &replacement_functions;
     if (s->fed > 0.0)
         sim->population->sources[0].options =
             (struct insertion_options){.hi = {L, L, L},
@@ -230,7 +229,7 @@ static inline void discard(struct simulation *sim)
     owner_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    population_free(sim->population);
+    owner_free(sim->population);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     mesh_free(sim->mesh);

@@ -237,7 +237,7 @@ static void go_on(struct run *r, int steps)
 static void end(struct run *r)
 {
     dem_free(r->dem);
-    population_free(r->life);
+    owner_free(r->life);
     particles_free(r->ps);
     owner_free(r->sizes);
 }

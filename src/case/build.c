@@ -276,7 +276,7 @@ void build_free(struct simulation *sim)
     dem_free(sim->dem);
     case_surfaces_free(sim);
     free(sim->attractions);
-    if (sim->population != NULL) sim->insert_remove->free(sim->population);
+    owner_free(sim->population);
     free(sim->materials);
     particles_free(sim->particles);
     fluid_free(sim->fluid);

@@ -6,8 +6,10 @@
 #include "coupling/effect.h"
 #include "coupling/effects.h"
 #include "coupling/processes.h"
+#include "coupling/replacement.h"
 #include "coupling/simulation.h"
 #include "coupling/transfer.h"
+#include "dem/population/population.h"
 
 #include <math.h>
 #include <string.h>
@@ -198,7 +200,7 @@ int coupling_step(struct simulation *sim)
     int failed = 0;
 
     processes_join(sim, PROCESSES_STEP);
-    if (sim->population != NULL) failed = sim->insert_remove->step(sim);
+    if (sim->population != NULL) failed = replacement_step(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
     if (sim->fluid != NULL && !failed)
@@ -252,7 +254,7 @@ static void exchange_state(struct simulation *sim, struct state *s)
  */
 void coupling_state(struct simulation *sim, struct state *s)
 {
-    if (sim->population != NULL) sim->insert_remove->state(sim->population, s);
+    if (sim->population != NULL) population_state(sim->population, s);
     if (sim->coupling != NULL) exchange_state(sim, s);
 }
 

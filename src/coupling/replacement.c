@@ -127,9 +127,7 @@ void replacement_momentum(const struct simulation *sim, double brought[3])
     }
 }
 
-/* Removes and inserts particles before the step. With coupling, the averaged
- * fields and the drag terms are then those of the new particles. */
-static int replacement_step(struct simulation *sim)
+int replacement_step(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
     struct population *const population = sim->population;
@@ -141,6 +139,3 @@ static int replacement_step(struct simulation *sim)
     if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
     return replacement_apply(sim, first);
 }
-
-const struct population_functions replacement_functions = {
-    replacement_step, population_state, population_free};

@@ -17,8 +17,10 @@
 
 #include "coupling/simulation.h"
 
-/* Those of sim->population (dem/population/population.h). */
-extern const struct population_functions replacement_functions;
+/* Removes and inserts particles before a step, by sim->population. With
+ * coupling, the averaged fields and the drag terms are then those of the new
+ * particles. Non-zero as the next one. */
+int replacement_step(struct simulation *sim);
 
 /* After particles were removed, or inserted from index `first` on: averages
  * anew, replaces the fluid, and makes the drag terms of the next step. Non-zero

@@ -27,13 +27,6 @@ struct seconds {
     double processor;
 };
 
-/* Insertion and removal of particles (population/). */
-struct population_functions {
-    int (*step)(struct simulation *sim); /* non-zero: a cell is too full */
-    void (*state)(struct population *l, struct state *s);
-    void (*free)(struct population *l);
-};
-
 struct simulation {
     struct mesh *mesh;
     struct fluid *fluid;
@@ -44,8 +37,7 @@ struct simulation {
     const char **surface_names; /* n_surfaces */
     struct prescribed_particle
         *prescribed; /* particles of prescribed motion; NULL: none */
-    struct population *population; /* NULL: no insertion or removal */
-    const struct population_functions *insert_remove; /* its functions */
+    struct population *population;  /* NULL: no insertion or removal */
     struct case_walls *walls;       /* of a polyhedral mesh; or NULL */
     struct placement_region region; /* where particles may be placed */
     struct materials *materials;    /* NULL: all are of one */

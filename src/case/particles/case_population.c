@@ -438,7 +438,6 @@ void case_population_add(const struct settings *s, struct simulation *sim)
     const struct box_domain box = box_of(s);
     struct population *const l = sim->population =
         population_create(&box, n, m);
-    sim->insert_remove = &replacement_functions;
     for (int i = 0; i < n; i++) {
         struct insertion_options *const o = &l->sources[i].options;
         *o = s->particles.insert.item[i].of;

@@ -59,11 +59,7 @@ int population_mark(struct population *l, const struct particles *ps, double dt)
     int n = 0;
 
     if (l->n_sinks == 0) return 0;
-    if (l->capacity < ps->n) {
-        free(l->is_removed);
-        l->capacity = ps->capacity;
-        l->is_removed = alloc_ints(l->capacity);
-    }
+    if (l->is_removed == NULL) l->is_removed = owner_ints(l, ps->capacity);
     for (int i = 0; i < ps->n; i++) {
         l->is_removed[i] = 0;
         for (int s = 0; s < l->n_sinks && !l->is_removed[i]; s++)
@@ -118,13 +114,6 @@ void population_state(struct population *l, struct state *s)
         state_end(s);
     }
     state_end(s);
-}
-
-void population_free(struct population *l)
-{
-    if (l == NULL) return;
-    free(l->is_removed);
-    owner_free(l);
 }
 
 struct population *population_create(const struct box_domain *box,

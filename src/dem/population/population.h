@@ -45,13 +45,11 @@ struct population {
     struct population_sink *sinks;
     struct population_totals totals;
     int *is_removed; /* [-] 1 for each particle that is to be removed */
-    int capacity;    /* [-] entries of it */
 };
 
 /* Sources and sinks are all 0, for the caller to fill in. */
 struct population *population_create(const struct box_domain *box,
                                      int n_sources, int n_sinks);
-void population_free(struct population *l);
 
 /* Between two steps of the loop: first mark, then dem_remove with is_removed if
  * any were marked, then insert.
