@@ -44,21 +44,22 @@ static inline void vec3_spread(int n, const double *restrict a,
 }
 
 /* y[3 i + k] += factor a[i] x[3 i + k] for n cells; y is apart from the rest.
- */
+ * Of eight cells the numbers stay in registers. */
 static inline void vec3_add(int n, double factor, const double *restrict a,
                             const double *restrict x, double *restrict y)
 {
-    double a3[3 * VEC3_BLOCK];
+    int i = 0;
 
-    for (int i = 0; i < n; i += VEC3_BLOCK) {
-        const int m = n - i < VEC3_BLOCK ? n - i : VEC3_BLOCK;
-        const double *restrict from = x + 3L * i;
-        double *restrict to = y + 3L * i;
+    for (; i + 8 <= n; i += 8) {
+        double a3[24];
 
-        vec3_spread(m, a + i, a3);
-        for (int j = 0; j < 3 * m; j++)
-            to[j] += factor * a3[j] * from[j];
+        vec3_spread(8, a + i, a3);
+        for (int j = 0; j < 24; j++)
+            y[3L * i + j] += factor * a3[j] * x[3L * i + j];
     }
+    for (; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            y[3L * i + k] += factor * a[i] * x[3L * i + k];
 }
 
 /* sum[k] += a[i] x[3 i + k] over n cells. */
