@@ -271,13 +271,13 @@ void breakdown_warn(int *told, const struct simulation *sim)
     *told = 1;
     overlap_describe(sim, text);
     fprintf(stderr,
-            "winnow: t = %g s: %s: more than %g (%s). That is more than the "
-            "grains should have: %s\n",
+            "winnow: t = %g s: %s: more than %g (particles.expected_overlap). "
+            "That is more than the grains should have: try a stiffer material "
+            "with a smaller particles.step, or give the key the overlap that "
+            "is meant%s\n",
             sim->t, text, dem_deepest(sim->dem).expected,
-            "particles.expected_overlap",
             passed_stability(sim) > 0.0
-                ? "their exchange of momentum with the fluid is not stable, as "
-                  "winnow check says"
-                : "try a stiffer material with a smaller particles.step, or "
-                  "give the key the overlap that is meant");
+                ? "; and cells hold more than the \"largest stable solid "
+                  "fraction\" of winnow check"
+                : "");
 }
