@@ -29,8 +29,8 @@ int main(void)
                 if (eps < law->eps_min - 1e-9 || eps > law->eps_max)
                     printf(" ?");
                 else
-                    printf(" %.4f",
-                           F / beetstra->resistance(eps, 1.0, 1.0, 1.0, u));
+                    printf(" %.4f", F / drag_resistance(beetstra, eps, 1.0, 1.0,
+                                                        1.0, u));
             }
         putchar('\n');
     }
