@@ -222,10 +222,7 @@ static inline struct simulation *build(const struct scene *s)
 
 static inline void discard(struct simulation *sim)
 {
-    for (int i = 0; i < sim->n_effects; i++)
-        if (sim->effects[i].effect->free != NULL)
-            sim->effects[i].effect->free(sim->effects[i].memory);
-    free(sim->effects);
+    effects_free(sim);
     owner_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);

@@ -66,7 +66,7 @@ plot liquid index lags using 1:2 with lines linetype 1 title "liquid", \
      gas index lags using 1:2 with lines linetype 2 title "gas", 0 linecolor "#555555" notitle
 set title "liquid (Fig. 13)"
 set xrange [0:25]
-set yrange [0:1.6]
+set yrange [0:2]
 set xlabel "Re of the mean flow"
 set ylabel "integral time [{/:Italic d}/{/:Italic u}]"
 times = "figures/24/24-liquid-times".bed.".txt"
@@ -74,5 +74,7 @@ stats times using 1:2 nooutput
 # in the periodic boxes the unit of time is that of Re = 8
 plot times using 1:2 with points linetype 1 pointtype 7 title "bed, to the first zero", \
      [3:12] STATS_intercept + STATS_slope * x with lines linetype 1 linewidth 1 title "a line through these", \
+     "figures/24/24-liquid-times-8-8.txt" using 1:2 with points linetype 3 pointtype 9 title "bed twice as wide", \
+     "" using 1:3 with points linetype 3 pointtype 8 title "the same, mean from 4 to 5", \
      "figures/24/24-suspension.txt" using 5:($13*$5/8) with points linetype 2 pointtype 5 title "periodic boxes"
 unset multiplot

@@ -266,11 +266,7 @@ void build_free(struct simulation *sim)
 {
     if (sim == NULL) return;
     if (sim->processes != NULL) sim->processes->free(sim->processes);
-    for (int i = 0; i < sim->n_effects; i++) {
-        const struct effect_state *const e = &sim->effects[i];
-        (e->effect->free != NULL ? e->effect->free : owner_free)(e->memory);
-    }
-    free(sim->effects);
+    effects_free(sim);
     owner_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);

@@ -93,7 +93,7 @@ struct effect_tally {
 /* An active effect: its descriptor and its state. */
 struct effect_state {
     const struct effect *effect;
-    void *memory; /* released by effect->free */
+    void *memory; /* released by effects_free */
     struct effect_tally tally;
 };
 

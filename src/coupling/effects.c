@@ -13,6 +13,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 void effects_add(struct simulation *sim, const struct effect *e, void *memory)
 {
@@ -27,6 +28,15 @@ void *effects_memory(const struct simulation *sim, const struct effect *e)
     for (int i = 0; i < sim->n_effects; i++)
         if (sim->effects[i].effect == e) return sim->effects[i].memory;
     return NULL;
+}
+
+void effects_free(struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        (e->effect->free != NULL ? e->effect->free : owner_free)(e->memory);
+    }
+    free(sim->effects);
 }
 
 /* Each adds its part to the sum of the forces [LS 5.8, EW18 12]. */

@@ -41,6 +41,9 @@ void effects_add(struct simulation *sim, const struct effect *e, void *memory);
 /* The memory of that effect; NULL if it is not active. */
 void *effects_memory(const struct simulation *sim, const struct effect *e);
 
+/* Frees the effects of a case with their memory. */
+void effects_free(struct simulation *sim);
+
 /* The stages of a step at which effects are called (effect.h). */
 enum effects_stage {
     EFFECTS_BEFORE_PARTICLES,
