@@ -66,7 +66,7 @@ plot liquid index lags using 1:2 with lines linetype 1 title "liquid", \
      gas index lags using 1:2 with lines linetype 2 title "gas", 0 linecolor "#555555" notitle
 set title "liquid (Fig. 13)"
 set xrange [0:25]
-set yrange [0:2]
+set yrange [0:3]
 set xlabel "Re of the mean flow"
 set ylabel "integral time [{/:Italic d}/{/:Italic u}]"
 times = "figures/24/24-liquid-times".bed.".txt"

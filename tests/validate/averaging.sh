@@ -1,7 +1,7 @@
 #!/bin/sh
 # Long runs of the averaging: the Mueller bed on the meshes A to E, by pcm and by
 # diffusion, means from 1 s to END; SX15 fig. 4-7 have 18 s. On one core 18 s
-# take ten minutes a method on A to C and an hour on D; E is run to 3 s
+# take ten minutes a method on A to C and forty on D; E is run to 3 s
 # at most, which takes two hours.
 #
 #   sh tests/validate/averaging.sh build/winnow [END [MESH...]]
