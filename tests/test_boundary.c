@@ -373,4 +373,10 @@ FACT(slip_walls_hold_what_moves_across_a_layer_of_cells)
     struct fluid *const thick = fluid_create(two, &o);
     ck_assert_int_eq(thick->faces->n, two->n_faces);
     discard(thick);
+    /* With a periodic third direction the last slip walls are along it. */
+    struct mesh *const around = mesh_create_box(
+        &(struct box_spec){{1, 1, 1}, {9, 9, 1}, {1, 1, 1}, {0, 0, 1}});
+    struct fluid *const endless = fluid_create(around, &o);
+    ck_assert_int_eq(endless->faces->n, around->n_faces);
+    discard(endless);
 }
