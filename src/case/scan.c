@@ -144,7 +144,7 @@ static int unreadable(const struct place *at, const char *file, const char *why)
     else
         fprintf(stderr, "winnow: %s:%d: cannot read what is included, %s: %s\n",
                 at->file, at->line, file, why);
-    return 4;
+    return at->file == NULL ? 4 : 2;
 }
 
 /* A byte order mark or a zero byte, which libconfig reports as a syntax error.

@@ -69,10 +69,7 @@ static int wrong_syntax(const config_t *tree, const char *file)
     fprintf(stderr, "winnow: %s:%d: %s%s\n", in, config_error_line(tree),
             complaint, advice(complaint));
     print_source_line(in, config_error_line(tree));
-    return config_error_type(tree) == CONFIG_ERR_FILE_IO ||
-                   strstr(complaint, "cannot open include") != NULL
-               ? 4
-               : 2;
+    return 2;
 }
 
 /* libconfig looks for included files in one folder: that of the case. */

@@ -15,8 +15,9 @@
 enum { SOURCE_TEXT = 512 }; /* bytes of a place or a value, at most */
 
 /* Reads the file and what it includes, looked for beside it. 0; or after one
- * message 2 for wrong syntax, 4 for a file that cannot be read. tree is
- * initialised in any case, and borrows `file`. What is read is kept. */
+ * message 2 for wrong syntax or a file that cannot be included, 4 for a case
+ * that cannot be read. tree is initialised in any case, and borrows `file`.
+ * What is read is kept. */
 int source_read(config_t *tree, struct inputs **files, const char *file);
 
 /* 1 if the value is a default. */
