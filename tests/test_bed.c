@@ -52,8 +52,11 @@ static struct particles *made(const char *file, const struct bed_options *bed,
     struct dem *const dem = dem_create(ps, &o);
     struct dem_report moved;
 
-    ck_assert_int_eq(bed_cache_create(NULL, file, ps, dem, bed, &o, r),
-                     BED_CREATED);
+    struct input in = file != NULL ? input_of(file) : (struct input){0};
+    ck_assert_int_eq(
+        bed_cache_create(file != NULL ? &in : NULL, ps, dem, bed, &o, r),
+        BED_CREATED);
+    input_release(&in);
     for (int i = 0; i < ps->n; i++)
         ps->ey[i] = -9.81 * ps->m[i];
     if (steps > 0) ck_assert_int_eq(dem_run(dem, steps, &moved), 0);
@@ -164,7 +167,9 @@ static int load(const char *path, const struct bed_options *bed,
     struct bed_report r;
 
     ck_assert_int_eq(access(path, R_OK), 0);
-    const int code = bed_cache_create(NULL, path, ps, dem, bed, o, &r);
+    struct input in = input_of(path);
+    const int code = bed_cache_create(&in, ps, dem, bed, o, &r);
+    input_release(&in);
     dem_free(dem);
     particles_free(ps);
     return code;
@@ -402,7 +407,7 @@ static void assert_goes_on(struct bed_options *bed, int stop,
     struct bed_report r;
 
     bed->saver = &saver;
-    ck_assert_int_eq(bed_cache_create(NULL, NULL, half, dem, bed, &o, &r),
+    ck_assert_int_eq(bed_cache_create(NULL, half, dem, bed, &o, &r),
                      BED_STOPPED);
     ck_assert_int_eq(r.stopped, 130);
     dem_free(dem);

@@ -175,6 +175,8 @@ static void refused(void (*visit)(struct state *s), const char *said)
     char *const heard = scratch_heard(dir);
     ck_assert_int_ne(failed, 0);
     ck_assert_ptr_nonnull(strstr(heard, said));
+    ck_assert_ptr_nonnull(strstr(heard, "; another version of the program"));
+    ck_assert_ptr_nonnull(strstr(heard, "without --resume\n"));
     free(heard);
     state_file_free(f);
 }

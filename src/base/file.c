@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "base/file.h"
 
 #include "base/alloc.h"
@@ -32,6 +33,30 @@ static char *joined(const char *a, const char *b, const char *c)
     memcpy(s + la, b, lb);
     memcpy(s + la + lb, c, lc);
     return s;
+}
+
+/* The folder that a path leads to, as a new string; NULL if it is not there. */
+static char *file_folder(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    char *const folder =
+        slash == NULL ? strdup(".") : strndup(path, (size_t)(slash + 1 - path));
+    char *const real = realpath(folder, NULL);
+
+    free(folder);
+    return real;
+}
+
+int file_is_within(const char *path, const char *beside)
+{
+    char *const in = file_folder(path), *const of = file_folder(beside);
+    const size_t n = of != NULL ? strlen(of) : 0;
+    const int is = in != NULL && of != NULL && strncmp(in, of, n) == 0 &&
+                   (n == 1 || in[n] == '/' || in[n] == '\0');
+
+    free(in);
+    free(of);
+    return is;
 }
 
 int file_report_failure(const char *what, const char *path, int reason)
@@ -254,10 +279,14 @@ void input_release(struct input *in)
     free(in->asked);
 }
 
+char *input_named(const struct input *in)
+{
+    return joined(in->asked != NULL ? in->asked : "", in->path, "");
+}
+
 int input_refuse(const struct input *in, int line, const char *format, ...)
 {
-    char *const named =
-        joined(in->asked != NULL ? in->asked : "", in->path, "");
+    char *const named = input_named(in);
     char message[512];
     va_list values;
 

@@ -42,6 +42,10 @@ void file_remove_part(const char *path);
 /* Makes a folder and those above it, as mkdir -p; non-zero after a message. */
 int file_make_dirs(const char *path);
 
+/* 1 if the folder of a path is there, and is that of another path or lies in
+ * it, wherever links lead. */
+int file_is_within(const char *path, const char *beside);
+
 /* "A/B" as a new string, released with free(). */
 char *file_join(const char *folder, const char *name);
 
@@ -74,6 +78,9 @@ struct input input_of(const char *path);
  * that names it; returns 1. */
 int input_refuse(const struct input *in, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* The path, after the place that names it, as a new string. */
+char *input_named(const struct input *in);
 void input_release(struct input *in);
 
 /* Files that were read, each once, the last one first. */

@@ -2,6 +2,7 @@
 #include "base/state.h"
 
 #include <assert.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -117,13 +118,30 @@ void state_several(struct state *s, const char *name, const char *unit,
         *x[k] = all[k];
 }
 
-/* One message, and nothing more is visited. */
+/* The bytes of a file are those that were written (state_file.h). */
+int state_wrong(const struct state *s, const char *format, ...)
+{
+    char message[2 * STATE_PATH];
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(message, sizeof message, format, values);
+    va_end(values);
+    if (s->file == NULL)
+        fprintf(stderr, "winnow: the state: %s\n", message);
+    else
+        fprintf(stderr,
+                "winnow: %s: %s; another version of the program, or another "
+                "case, wrote it: %s\n",
+                s->file, message, s->remedy);
+    return 1;
+}
+
 static void state_refuse(struct state *s, const char *name, long value,
                          long least, long most)
 {
-    fprintf(stderr, "winnow: the state has %s/%s = %ld; expected %ld to %ld\n",
-            s->path, name, value, least, most);
-    s->failed = 1;
+    s->failed = state_wrong(s, "%s/%s = %ld; expected %ld to %ld", s->path,
+                            name, value, least, most);
 }
 
 void state_count(struct state *s, const char *name, int *n, int max)
@@ -156,9 +174,8 @@ void state_indices_of(struct state *s, const char *name, int *x, size_t stride,
 
 void state_demand(struct state *s, int holds, const char *what)
 {
-    if (!s->loading || s->failed || holds) return;
-    fprintf(stderr, "winnow: the state has %s with %s\n", s->path, what);
-    s->failed = 1;
+    if (s->loading && !s->failed && !holds)
+        s->failed = state_wrong(s, "%s has %s", s->path, what);
 }
 
 int state_rises(const int *x, long n, int first, int last)

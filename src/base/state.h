@@ -31,6 +31,8 @@ struct state {
     void *store;           /* of visit; borrowed */
     char path[STATE_PATH]; /* of the part at hand */
     long most; /* [-] entries that the store has room for; 0: not known */
+    const char *file;   /* that has it, for messages; borrowed; NULL: none */
+    const char *remedy; /* of a file that is refused; borrowed */
 };
 
 /* Parts are nested; the names within one are distinct. */
@@ -74,6 +76,10 @@ void state_indices_of(struct state *s, const char *name, int *x, size_t stride,
 
 /* Refuses what was loaded, after a message, unless it holds. */
 void state_demand(struct state *s, int holds, const char *what);
+
+/* Prints what is wrong with what was saved, and the remedy. Returns 1. */
+int state_wrong(const struct state *s, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* 1 if none is below the one before, and these are the first and the last. */
 int state_rises(const int *x, long n, int first, int last);

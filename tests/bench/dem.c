@@ -61,9 +61,11 @@ static struct particles *settled(const char *law, const char *path)
 
     snprintf(name, sizeof name, "%.*s/%s.settled",
              (int)(strrchr(path, '/') - path), path, law);
-    if (bed_cache_create(NULL, name, ps, dem, &bed, &o, &r) != BED_CREATED ||
+    struct input in = input_of(name);
+    if (bed_cache_create(&in, ps, dem, &bed, &o, &r) != BED_CREATED ||
         !r.settled)
         exit(1);
+    input_release(&in);
     dem_free(dem);
     return ps;
 }

@@ -67,24 +67,21 @@ static void build_particles_print_settled(const struct settings *s,
                 r->time, r->kinetic, warning);
 }
 
-/* The bed from the file `path`, or made anew and kept there; NULL: it is not
- * kept. Returns what bed_create does. */
+/* The bed from the file, or made anew and kept there; NULL: it is not kept.
+ * Returns what bed_create does. */
 static int make_bed(const struct settings *s, struct simulation *sim,
                     const struct dem_options *o, const struct bed_saver *saver,
-                    const char *path, struct bed_report *r)
+                    const struct input *file, struct bed_report *r)
 {
     struct bed_options b = build_particles_bed(s);
-    struct inputs **const files =
-        s->particles.bed_file != NULL ? settings_files(s) : NULL;
 
     b.region = sim->region;
     b.saver = saver;
     sim->particles = bed_particles(s);
     sim->dem = dem_create(sim->particles, o);
-    const int found =
-        sim->dem == NULL
-            ? BED_REFUSED
-            : bed_cache_create(files, path, sim->particles, sim->dem, &b, o, r);
+    const int found = sim->dem == NULL ? BED_REFUSED
+                                       : bed_cache_create(file, sim->particles,
+                                                          sim->dem, &b, o, r);
     build_particles_free_bed(&b);
     return found;
 }
@@ -103,7 +100,8 @@ static int remake_bed(const struct settings *s, struct simulation *sim,
     particles_free(sim->particles);
     sim->dem = NULL;
     sim->particles = NULL;
-    return make_bed(s, sim, o, saver, path, r);
+    const struct input none = {.path = (char *)path};
+    return make_bed(s, sim, o, saver, &none, r);
 }
 
 /* The bed is kept in a file that the case names, which must be written, or in
@@ -116,11 +114,15 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     char path[SETTINGS_PATH];
     struct bed_report r;
 
-    if (named != NULL) settings_beside(s, named, path, sizeof path);
     const int cached = named == NULL && bed_cache_file(s, path, sizeof path);
-    const int was_there = cached && access(path, R_OK) == 0;
-    int found =
-        make_bed(s, sim, o, saver, named != NULL || cached ? path : NULL, &r);
+    struct input ours = cached ? input_of(path) : (struct input){0};
+    const int was_there = ours.text != NULL;
+    int found = make_bed(s, sim, o, saver,
+                         named != NULL ? settings_input(s, named)
+                         : cached      ? &ours
+                                       : NULL,
+                         &r);
+    input_release(&ours);
     if (found == BED_REFUSED && was_there)
         found = remake_bed(s, sim, o, saver, path, &r);
     if (found == BED_UNSAVED && cached) found = BED_CREATED;

@@ -349,20 +349,19 @@ static int check_period(const struct settings *s)
 }
 
 /* A bed that is not there yet will be written, and no case writes beyond its
- * own folder: is it in there? 0, or 2 after a message. */
+ * own folder. 0, or 2 after a message. */
 static int check_bed_file(const struct settings *s)
 {
     const char *const name = s->particles.bed_file;
     char path[SETTINGS_PATH];
 
-    if (name == NULL || (name[0] != '/' && strstr(name, "..") == NULL))
-        return 0;
+    if (name == NULL) return 0;
     settings_beside(s, name, path, sizeof path);
-    if (access(path, F_OK) == 0) return 0;
+    if (access(path, F_OK) == 0 || file_is_within(path, s->file)) return 0;
     return settings_wrong(s, KEY_OF(s, particles.bed_file),
                           "%s is not there, and a bed is written beside the "
-                          "case or in a folder there alone: expected a name "
-                          "that neither begins with / nor has .. in it",
+                          "case alone, or in a folder that is there: expected "
+                          "a name that does not lead elsewhere",
                           path);
 }
 

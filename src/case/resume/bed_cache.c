@@ -121,19 +121,20 @@ static int bed_cache_save(const char *path, struct particles *ps,
     return failed;
 }
 
+static const char bed_remedy[] = "remove the file to make the bed anew";
+
 /* Non-zero after a message: the first line that differs says what the bed was
  * made with instead. */
-static int is_of_another(const char *path, const char *was, const char *now)
+static int is_of_another(const struct input *in, const char *was,
+                         const char *now)
 {
     while (*was != '\0' || *now != '\0') {
         const int a = (int)strcspn(was, "\n"), b = (int)strcspn(now, "\n");
-        if (a != b || strncmp(was, now, (size_t)a) != 0) {
-            fprintf(stderr,
-                    "winnow: %s: this bed was made with \"%.*s\", not with "
-                    "\"%.*s\"; remove the file to make it anew\n",
-                    path, a, was, b, now);
-            return 1;
-        }
+        if (a != b || strncmp(was, now, (size_t)a) != 0)
+            return input_refuse(in, 0,
+                                "this bed was made with \"%.*s\", not with "
+                                "\"%.*s\"; %s",
+                                a, was, b, now, bed_remedy);
         was += a + (was[a] == '\n');
         now += b + (now[b] == '\n');
     }
@@ -141,7 +142,7 @@ static int is_of_another(const char *path, const char *was, const char *now)
 }
 
 /* Non-zero after a message. */
-static int bed_cache_load(struct state_file *f, const char *path,
+static int bed_cache_load(struct state_file *f, const struct input *in,
                           struct particles *ps, struct bed_histories *histories,
                           const struct bed_options *bed,
                           const struct dem_options *dem)
@@ -149,58 +150,49 @@ static int bed_cache_load(struct state_file *f, const char *path,
     char *const was = state_file_text(f, made_with);
     char *const now = bed_made_with(bed, dem);
     struct state *const s = state_file_state(f);
-    int wrong = is_of_another(path, was, now);
+    int wrong = is_of_another(in, was, now);
 
-    if (!wrong) {
-        bed_state(ps, histories, bed, dem, s);
-        wrong = s->failed || state_file_all_visited(f) != 0;
-        if (wrong)
-            fprintf(stderr, "winnow: remove %s to make the bed anew\n", path);
-    }
+    s->remedy = bed_remedy;
+    if (!wrong) bed_state(ps, histories, bed, dem, s);
+    wrong = wrong || s->failed || state_file_all_visited(f) != 0;
     free(was);
     free(now);
     return wrong;
 }
 
-static int load_or_create(struct inputs **files, const char *path,
-                          struct particles *ps, struct bed_histories *histories,
+static int load_or_create(const struct input *in, struct particles *ps,
+                          struct bed_histories *histories,
                           const struct bed_options *bed,
                           const struct dem_options *dem, struct bed_report *r)
 {
     const char *why = NULL;
-    struct state_file *const f =
-        path == NULL    ? NULL
-        : files != NULL ? state_file_of(input_kept(files, path), &why)
-                        : state_file_open(path, &why);
+    struct state_file *const f = in != NULL ? state_file_of(in, &why) : NULL;
 
     if (f == NULL && why != NULL) {
-        fprintf(stderr,
-                "winnow: %s: %s; remove the file to make the bed anew\n", path,
-                why);
+        input_refuse(in, 0, "%s; %s", why, bed_remedy);
         return BED_REFUSED;
     }
     if (f == NULL) {
         const int code = bed_create(ps, bed, dem, r, histories);
-        return path != NULL && code == BED_CREATED &&
-                       bed_cache_save(path, ps, histories, bed, dem) != 0
+        return in != NULL && code == BED_CREATED &&
+                       bed_cache_save(in->path, ps, histories, bed, dem) != 0
                    ? BED_UNSAVED
                    : code;
     }
-    const int wrong = bed_cache_load(f, path, ps, histories, bed, dem);
+    const int wrong = bed_cache_load(f, in, ps, histories, bed, dem);
     state_file_free(f);
     if (!wrong) bed_measure(ps, bed, dem, r);
     return wrong ? BED_REFUSED : BED_CREATED;
 }
 
-int bed_cache_create(struct inputs **files, const char *path,
-                     struct particles *ps, struct dem *run,
-                     const struct bed_options *bed,
+int bed_cache_create(const struct input *file, struct particles *ps,
+                     struct dem *run, const struct bed_options *bed,
                      const struct dem_options *dem, struct bed_report *r)
 {
     struct bed_histories histories = {0, NULL};
 
     *r = (struct bed_report){.settled = 1};
-    const int code = load_or_create(files, path, ps, &histories, bed, dem, r);
+    const int code = load_or_create(file, ps, &histories, bed, dem, r);
     if (code == BED_CREATED || code == BED_UNSAVED)
         dem_restore_histories(run, histories.list, histories.n);
     free(histories.list);

@@ -62,14 +62,12 @@ void bed_cache_forget(const struct settings *s);
  * file, as without a folder that can be written, which is no error. */
 int bed_cache_file(const struct settings *s, char *path, size_t room);
 
-/* The bed from the file `path`, or made anew and kept there; NULL: it is not
- * kept. The file stays in `files`, if that is not NULL. `run` was created for
- * ps, which has no particles yet. Returns what bed_create does; BED_REFUSED
- * also if the file is of another bed, and BED_UNSAVED, after a message, if it
- * cannot be written. */
-int bed_cache_create(struct inputs **files, const char *path,
-                     struct particles *ps, struct dem *run,
-                     const struct bed_options *bed,
+/* The bed from a file, or made anew and kept there; NULL: it is not kept. `run`
+ * was created for ps, which has no particles yet. Returns what bed_create does;
+ * BED_REFUSED also if the file is of another bed, and BED_UNSAVED, after a
+ * message, if it cannot be written. */
+int bed_cache_create(const struct input *file, struct particles *ps,
+                     struct dem *run, const struct bed_options *bed,
                      const struct dem_options *dem, struct bed_report *r);
 
 /* --- case text: all that a case says, with its overrides. */

@@ -116,13 +116,6 @@ static int state_file_save(void *store, const struct state_array *a)
     return failed;
 }
 
-static int state_file_refuse(const struct state_file *f,
-                             const struct state_array *a, const char *why)
-{
-    fprintf(stderr, "winnow: %s: %s %s\n", f->path, a->path, why);
-    return 1;
-}
-
 static int has_shape(hid_t data, const struct state_array *a)
 {
     hsize_t shape[2], there[2] = {0, 0};
@@ -194,7 +187,8 @@ static int state_file_load(void *store, const struct state_array *a)
     const hid_t data = opened_array(f->file, a->path, &bytes);
 
     if (data < 0)
-        return state_file_refuse(f, a, "is not there, which this case needs");
+        return state_wrong(&f->state, "%s is not there, which this case needs",
+                           a->path);
     const char *why = NULL;
     if (!has_shape(data, a))
         why = "has another number of entries than this case";
@@ -207,7 +201,7 @@ static int state_file_load(void *store, const struct state_array *a)
         why = "has an entry that is no finite number";
     H5Dclose(data);
     f->arrays++;
-    return why != NULL ? state_file_refuse(f, a, why) : 0;
+    return why != NULL ? state_wrong(&f->state, "%s %s", a->path, why) : 0;
 }
 
 /* --- files ---------------------------------------------------------------- */
@@ -222,15 +216,18 @@ static hid_t in_memory(void)
     return access;
 }
 
-static struct state_file *file_of(hid_t file, const char *path, int loading)
+/* The path becomes its own. */
+static struct state_file *file_of(hid_t file, char *path, int loading)
 {
     struct state_file *const f = alloc_zeroed(1, sizeof *f);
 
     f->file = file;
-    f->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
+    f->path = path;
     f->state.loading = loading;
     f->state.visit = loading ? state_file_load : state_file_save;
     f->state.store = f;
+    f->state.file = f->path;
+    f->state.remedy = "run the case anew, without --resume";
     return f;
 }
 
@@ -271,7 +268,7 @@ static herr_t state_file_remains(void *of)
 
 struct state_file *state_file_create(void)
 {
-    struct state_file *const f = file_of(-1, "state", 0);
+    struct state_file *const f = file_of(-1, strdup("state"), 0);
     H5FD_file_image_callbacks_t ours = {.image_realloc = memory_grown,
                                         .image_free = memory_left,
                                         .udata_copy = state_file_same,
@@ -463,7 +460,7 @@ struct state_file *state_file_of(const struct input *in, const char **why)
             ? state_file_opened(in->path, in->text, in->length - LAST_LINE)
             : H5I_INVALID_HID;
     if (file < 0) return NULL;
-    struct state_file *const f = file_of(file, in->path, 1);
+    struct state_file *const f = file_of(file, input_named(in), 1);
     f->state.most = (long)(in->length / sizeof(int));
     *why = "its time or a text in it is of another form";
     if (has_form(f)) return f;
@@ -476,8 +473,7 @@ int state_file_all_visited(const struct state_file *f)
     const long arrays = attribute(f->file, "arrays");
 
     if (arrays == f->arrays) return 0;
-    fprintf(stderr,
-            "winnow: %s: it has %ld arrays, of which this case knows %ld\n",
-            f->path, arrays, f->arrays);
-    return 1;
+    return state_wrong(&f->state,
+                       "it has %ld arrays, of which this case knows %ld",
+                       arrays, f->arrays);
 }
