@@ -153,9 +153,9 @@ static void cells_state(struct fluid *fl, struct state *s)
 
 static void faces_state(struct fluid *fl, struct state *s)
 {
-    const int n = fl->mesh->n_faces;
+    const int n = fl->mesh->n_faces, inner = fl->mesh->n_internal;
 
-    state_reals(s, "p_face", "Pa", fl->p_face, n, 1);
+    state_reals(s, "p_face", "Pa", fl->p_face + inner, n - inner, 1);
     state_reals(s, "phi", "m^3/s", fl->phi, n, 1);
     state_reals(s, "phi_older", "m^3/s", fl->phi_older, n, 1);
 }

@@ -96,7 +96,8 @@ struct fluid {
     double t;            /* [s] */
     double *u;           /* [m/s] interstitial velocity, 3 a cell */
     double *p;           /* [Pa] without the hydrostatic part */
-    double *p_face;      /* [Pa] at these faces */
+    double *p_face;      /* [Pa] at the boundary faces; at the others until
+                            grad_p is known (systems.c) */
     double *grad_p;      /* [Pa/m] 3 a cell */
     double *phi;         /* [m^3/s] superficial flux, owner to neighbour */
     /* The fluid fraction [-] at the new time, which the coupling writes, at the

@@ -40,8 +40,10 @@ static int two_steps(const struct fluid_options *o)
     return o->time != NULL && o->time->time_levels > 1;
 }
 
-/* What an array has a number for, and the condition under which it exists. */
-enum place { CELL, FACE, INNER_FACE, PLACES };
+/* What an array has a number for, and the condition under which it exists. A
+ * ROOM has three a cell or one a face, whichever is more; WORK too, and one a
+ * boundary face beyond. */
+enum place { CELL, FACE, INNER_FACE, ROOM, WORK, PLACES };
 enum need {
     ALWAYS,
     COUPLED,    /* with particles */
@@ -74,7 +76,6 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->eps, 1, CELL, ALWAYS},
         {&fl->eps_n, 1, CELL, COUPLED},
         {&fl->eps_nm1, 1, CELL, COUPLED},
-        {&fl->p_face, 1, FACE, ALWAYS},
         {&fl->phi, 1, FACE, ALWAYS},
         {&fl->F, 3, CELL, COUPLED},
         {&fl->eps_us, 3, CELL, COUPLED},
@@ -88,6 +89,11 @@ static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->momentum->H, 3, CELL, ALWAYS},
         {&fl->momentum->owner_weight, 1, INNER_FACE, WEIGHTS},
         {&fl->pressure->source, 1, CELL, COUPLED},
+        {&fl->pressure->per_force, 3, CELL, ALWAYS},
+        {&fl->pressure->m_face, 1, ROOM, ALWAYS},
+        {&fl->pressure->conductance, 1, ROOM, ALWAYS},
+        {&fl->pressure->explicit_flux, 1, ROOM, ALWAYS},
+        {&fl->pressure->work, 1, WORK, ALWAYS},
         {&fl->jump->owner_part, 1, INNER_FACE, COUPLED},
         {&fl->jump->neighbour_part, 1, INNER_FACE, COUPLED},
         {&fl->jump->pressure_offset, 1, INNER_FACE, COUPLED},
@@ -113,8 +119,13 @@ static void allocate_arrays(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     const struct fluid_options *const o = &fl->options;
     const int biased = piso_nondissipative(fl);
+    const int vector = 3 * m->n_cells, inner = m->n_internal;
     const int count[PLACES] = {
-        [CELL] = m->n_cells, [FACE] = m->n_faces, [INNER_FACE] = m->n_internal};
+        [CELL] = m->n_cells,
+        [FACE] = m->n_faces,
+        [INNER_FACE] = inner,
+        [ROOM] = vector > fl->faces->n ? vector : fl->faces->n,
+        [WORK] = (vector > inner ? vector : inner) + m->n_faces - inner};
     const int needed[NEEDS] = {[ALWAYS] = 1,
                                [COUPLED] = o->coupled,
                                [BIASED] = biased,
@@ -130,6 +141,7 @@ static void allocate_arrays(struct fluid *fl)
         if (needed[list[i].need])
             *list[i].at = alloc_doubles(list[i].per * count[list[i].place]);
     if (!o->coupled) fl->eps_n = fl->eps_nm1 = fl->eps;
+    fl->p_face = fl->pressure->work + (count[WORK] - m->n_faces);
 }
 
 static void systems_free_arrays(struct fluid *fl)
@@ -260,30 +272,28 @@ void systems_own_residual(struct fluid *fl)
     m->residual = m->own_residual;
 }
 
-/* The pressure needs what has no array in the table, and the vectors of its
- * solver, from one prediction of the velocity to the next: then those of
- * BiCGStab are free. The right-hand side is read before the third of these
- * vectors is written; and from the last solution of a step to the first of the
- * next the residual is where they are. */
+/* Between two predictions of the velocity the pressure has its numbers of cells
+ * and faces in the vectors of BiCGStab. In the fourth, `work`, are by turns the
+ * residual, from the last solution of a step until the next step has begun; the
+ * vectors of conjugate gradients, of which the third begins as the right-hand
+ * side; and the pressures of the inner faces, until they have become a
+ * gradient. Those of the boundary faces lie behind, and stay. */
 static void create_solvers(struct fluid *fl)
 {
-    struct pressure_system *const pressure = fl->pressure;
+    struct pressure_system *const p = fl->pressure;
+    double *const work = p->work;
     const int n = fl->mesh->n_cells;
-    double *space[5];
 
-    fl->momentum->bicgstab = bicgstab_work_create(n, fl->faces->n);
-    bicgstab_lend(fl->momentum->bicgstab, space);
-    pressure->per_force = space[0];
-    pressure->resistance = pressure->boundary_conductance = space[0] + n;
-    pressure->per_flux = space[0] + 2L * n;
-    pressure->m_face = space[1];
-    pressure->conductance = space[2];
-    pressure->explicit_flux = space[4];
-    pressure->divergence = space[3] + 2L * n;
-    fl->momentum->residual = space[3];
-    if (fl->options.outer_correctors > 0) systems_own_residual(fl);
-    pressure->cg = cg_work_lent(
-        n, (double *const[]){space[3], space[3] + n, space[3] + 2L * n});
+    p->resistance = p->boundary_conductance = p->per_force + n;
+    p->per_flux = p->per_force + 2L * n;
+    p->divergence = work + 2L * n;
+    p->cg = cg_work_lent(n, (double *const[]){work, work + n, p->divergence});
+    fl->momentum->residual = work;
+    fl->momentum->bicgstab = bicgstab_work_lent(
+        n, (double *const[]){p->per_force, p->m_face, p->conductance, work,
+                             p->explicit_flux});
+    if (fl->options.outer_correctors > 0 || fl->options.shared != NULL)
+        systems_own_residual(fl);
 }
 
 void systems_create(struct fluid *fl)
@@ -313,7 +323,7 @@ void systems_create(struct fluid *fl)
 void systems_free(struct fluid *fl)
 {
     ldu_free(fl->momentum->matrix);
-    bicgstab_work_free(fl->momentum->bicgstab);
+    free(fl->momentum->bicgstab);
     preconditioned_free(fl->pressure->matrix);
     cg_work_free(fl->pressure->cg);
     deferred_free(fl->deferred);

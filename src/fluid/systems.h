@@ -27,8 +27,8 @@ struct momentum_system {
                            velocity */
     double *H;          /* [N] b - sum a_N u_N; the whole right-hand side, while
                            the velocity is predicted */
-    double *residual;   /* [N] residual carried into the next step; in the room
-                           of the solvers, or own_residual */
+    double *residual;   /* [N] residual carried into the next step; in the
+                           pressure's work, or own_residual */
     double *own_residual; /* NULL: no solver works before the next step */
     double inertia; /* [-] the largest of a cell over the largest term, with
                        the last residual; [N] before it is known */
@@ -102,6 +102,7 @@ struct pressure_system {
                               derivative, and by the inertia of the jumps */
     double *source;     /* [m^3/s] d(eps V)/dt or the solid's flux; NULL: 0 */
     double *divergence; /* [m^3/s] until its solver has begun */
+    double *work;       /* what is needed for a while (systems.c) */
     double scale;    /* [m^3/s] its scale: 2-norm of the sums of |phi| over the
                         faces of each cell */
     int pinned_cell; /* cell whose pressure is fixed, or -1 if there is an

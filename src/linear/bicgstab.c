@@ -18,7 +18,7 @@
  * written. */
 struct bicgstab_work {
     int n;
-    double *r, *shadow, *ph, *v, *t;
+    double *r, *shadow, *ph, *v, *t; /* borrowed */
     const double *diag; /* borrowed, with this many numbers a row */
     int diagonals;
 };
@@ -45,25 +45,17 @@ struct products {
     struct component_sums a[PARALLEL_RANGES_COUNT], b[PARALLEL_RANGES_COUNT];
 };
 
-struct bicgstab_work *bicgstab_work_create(int n, int lent)
+struct bicgstab_work *bicgstab_work_lent(int n, double *const space[5])
 {
     struct bicgstab_work *const w = alloc_zeroed(1, sizeof *w);
-    double **const all[] = {&w->r, &w->shadow, &w->ph, &w->v, &w->t};
 
-    w->n = n;
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        *all[i] = alloc_doubles(3 * n > lent ? 3 * n : lent);
+    *w = (struct bicgstab_work){.n = n,
+                                .r = space[0],
+                                .shadow = space[1],
+                                .ph = space[2],
+                                .v = space[3],
+                                .t = space[4]};
     return w;
-}
-
-void bicgstab_work_free(struct bicgstab_work *w)
-{
-    if (w == NULL) return;
-    double *const all[] = {w->r, w->shadow, w->ph, w->v, w->t};
-
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        free(all[i]);
-    free(w);
 }
 
 static struct lanes bicgstab_spread(const struct component_sums *c)
@@ -431,15 +423,6 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
     report.after = bicgstab_worst(&s.rr) / scale;
     report.converged = bicgstab_worst(&s.rr) <= target;
     return report;
-}
-
-void bicgstab_lend(const struct bicgstab_work *w, double *space[5])
-{
-    space[0] = w->r;
-    space[1] = w->shadow;
-    space[2] = w->ph;
-    space[3] = w->v;
-    space[4] = w->t;
 }
 
 const double *bicgstab_residual(const struct bicgstab_work *w)

@@ -138,9 +138,9 @@ struct solve_report cg_many_solve(const struct csr *A, const double *weight,
 
 struct bicgstab_work;
 
-/* lent: the numbers in a vector that it lends, at least. */
-struct bicgstab_work *bicgstab_work_create(int n, int lent);
-void bicgstab_work_free(struct bicgstab_work *w);
+/* In five vectors of 3 n numbers that nothing else uses during a solution; the
+ * first is then the residual. To be freed. */
+struct bicgstab_work *bicgstab_work_lent(int n, double *const space[5]);
 
 /* Solves A x = b from the guess in x. Stops when, for each component, |b - A
  * x|_2 <= max(tolerance |b|_2, absolute). The scale |b| is the 2-norm over all
@@ -153,10 +153,6 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag,
                                    double tolerance /* [-] */,
                                    double absolute /* unit of b */,
                                    int max_iterations, struct bicgstab_work *w);
-
-/* Five vectors of at least 3 n numbers that are free between the solutions; the
- * first is the residual. */
-void bicgstab_lend(const struct bicgstab_work *w, double *space[5]);
 
 /* The residual b - A x of the last solution, 3 n numbers, by the recurrence of
  * the iteration. */

@@ -349,6 +349,8 @@ static int visit_one(void *store, const struct state_array *a)
         visit_cells(v, a->path, a->width, a->values);
     else if (a->rows == m->n_faces)
         visit_faces(v, a->path, a->values);
+    else if (a->rows == m->n_faces - m->n_internal)
+        visit_faces(v, a->path, (double *)a->values - m->n_internal);
     else
         visit_same(v, a);
     return 0;
