@@ -62,10 +62,17 @@ int dem_period_wrong(const struct dem_options *o, double widest, double mean)
     return 0;
 }
 
+const char *dem_unsupported(const struct dem_options *o)
+{
+    const struct dem_method *const by = method_of(o);
+
+    return by->unsupported != NULL ? by->unsupported(o) : NULL;
+}
+
 static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
-    const char *const unsupported = method_of(o)->unsupported(o);
+    const char *const unsupported = dem_unsupported(o);
 
     if (unsupported != NULL) {
         fprintf(stderr, "winnow: particles.list = \"%s\" does not support %s\n",
@@ -90,7 +97,8 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     dem->constants =
         owner_zeroed(dem, (size_t)n * (size_t)n, sizeof *dem->constants);
     materials_table(o->law, &o->material, o->materials, dem->constants);
-    if (dem->method->create(dem) == 0) return dem;
+    if (dem->method->create == NULL || dem->method->create(dem) == 0)
+        return dem;
     dem_free(dem);
     return NULL;
 }
@@ -122,7 +130,7 @@ void dem_start_energy_budget(struct dem *dem)
 {
     if (dem->energy == NULL)
         dem->energy = owner_zeroed(dem, 1, sizeof *dem->energy);
-    dem->method->changed(dem); /* what the contacts store is summed anew */
+    dem_changed(dem); /* what the contacts store is summed anew */
 }
 
 const struct energy *dem_energy(const struct dem *dem)
@@ -132,7 +140,7 @@ const struct energy *dem_energy(const struct dem *dem)
 
 void dem_changed(struct dem *dem)
 {
-    dem->method->changed(dem);
+    if (dem->method->changed != NULL) dem->method->changed(dem);
 }
 
 void dem_change_material(struct dem *dem, const struct material *m)

@@ -44,21 +44,25 @@ double dem_least_diameter(const struct particles *ps);
 /* Largest gap [m] at which a force acts. */
 double dem_range(const struct dem_options *o);
 
+/* The option that their method does not support, in words; NULL: none. */
+const char *dem_unsupported(const struct dem_options *o);
+
 struct dem_method {
     MODEL_MEMBERS;   /* base/model.h */
     int no_contacts; /* [-] 1: particles pass through each other */
-    /* The option that it does not support, in words; NULL: none. */
+    /* For dem_unsupported; NULL: it supports all. */
     const char *(*unsupported)(const struct dem_options *o);
     /* Gap [m] up to which it lists pairs of particles that have this mean
      * diameter [m]; NULL: 0. */
     double (*skin)(const struct dem_options *o, double mean);
-    /* Sets dem->state; non-zero after a message. free releases it. */
+    /* Sets dem->state; non-zero after a message. NULL: that is set later. free
+     * releases it. */
     int (*create)(struct dem *dem);
     void (*free)(struct dem *dem);
     /* Moves the particles by this number of steps and fills in the report,
      * dem->deepest and dem->energy. */
     void (*run)(struct dem *dem, int steps, struct dem_report *r);
-    /* The particles were changed, or the budget begins. */
+    /* The particles were changed, or the budget begins; NULL: no matter. */
     void (*changed)(struct dem *dem);
     /* dem->deepest has been set anew; NULL: it is read where it is. */
     void (*limit_overlap)(struct dem *dem);

@@ -223,7 +223,7 @@ static int check_integrator(const struct settings *s)
 static int validate_check_list(const struct settings *s)
 {
     const struct dem_options o = build_particles_dem(s, 1.0);
-    const char *const unknown = o.method->unsupported(&o);
+    const char *const unknown = dem_unsupported(&o);
     if (unknown == NULL) return 0;
     return settings_wrong(
         s, KEY_OF(s, particles.list), "%s does not support %s%s; %s does",

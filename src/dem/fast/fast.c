@@ -13,12 +13,6 @@
  * that has no room for that. The optima are flat. */
 enum { SKIN_PARTS = 3, THINNEST_SKIN = 6 };
 
-static const char *fast_unsupported(const struct dem_options *o)
-{
-    (void)o;
-    return NULL;
-}
-
 static double skin_of(const struct dem_options *o, double mean)
 {
     double skin = mean / SKIN_PARTS;
@@ -231,7 +225,6 @@ const struct dem_method fast_verlet = {
     .equations = "LS 5.15, 5.16",
     .function = "neighbours_refresh",
     .keys = {skin_keys},
-    .unsupported = fast_unsupported,
     .skin = skin_of,
     .create = fast_create,
     .free = fast_release,

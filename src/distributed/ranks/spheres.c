@@ -338,39 +338,20 @@ static void spheres_release(struct dem *dem)
     spheres_free(dem->state);
 }
 
-/* What LAMMPS does not know has been refused by distributed/refusal.h. */
-static const char *spheres_unknown(const struct dem_options *o)
-{
-    return o == NULL ? "options" : NULL;
-}
-
 static double skin(const struct dem_options *o, double mean)
 {
     return o->skin > 0.0 ? o->skin : mean / 6.0;
 }
 
-/* LAMMPS is started later, by spheres_begin. */
-static int create_later(struct dem *dem)
-{
-    return dem == NULL;
-}
-
-static void spheres_changed(struct dem *dem)
-{
-    (void)dem;
-}
-
+/* LAMMPS is started by spheres_begin. What it does not know has been refused
+ * before (processes_check.c). */
 const struct dem_method spheres_method = {.name = "lammps",
                                           .what = "by LAMMPS, on all ranks",
                                           .equations = "",
                                           .function = "spheres_begin",
-                                          .unsupported = spheres_unknown,
                                           .skin = skin,
-                                          .create = create_later,
                                           .free = spheres_release,
-                                          .run = spheres_run,
-                                          .changed = spheres_changed,
-                                          .limit_overlap = spheres_changed};
+                                          .run = spheres_run};
 
 /* --- settle: a bed comes to rest on all ranks.
  *
