@@ -170,7 +170,7 @@ FACT_FOR_EACH(a_law_stores_the_integral_of_its_elastic_force, LAWS)
 {
     const struct dem_options o = spheres_options(NULL, 1.0, 1.0);
     const struct contact_law law = law_number(_i);
-    const struct material_pair pair = materials_same(&o.material);
+    const struct material_pair pair = materials_mixed(&o.material, &o.material);
     const struct contact_constants k = law.constants(&pair);
     const double deepest = 2e-4, h = deepest / 1000;
     double sum = 0.0;

@@ -13,6 +13,33 @@ double attraction_damp(const struct attraction *a, double R_star, double gap,
     return c * implicit_drag_gain(2.0 * c * per_mass * dt) * closing;
 }
 
+double attraction_of_pair(const struct attraction *a, int material_i,
+                          int material_j, double R_i, double R_j, double gap,
+                          double closing, double per_mass, double dt)
+{
+    double F = 0.0;
+
+    if (gap > a->range) return F;
+    if (a->law->pair != NULL)
+        F = a->law->pair(a, material_i, material_j, R_i, R_j, gap);
+    if (a->law->damping != NULL)
+        F += attraction_damp(a, R_i * R_j / (R_i + R_j), gap, closing, per_mass,
+                             dt);
+    return F;
+}
+
+double attraction_of_wall(const struct attraction *a, double R, double gap,
+                          double closing, double per_mass, double dt)
+{
+    double F = 0.0;
+
+    if (gap > a->range) return F;
+    if (a->law->wall != NULL) F = a->law->wall(a, R, gap);
+    if (a->law->damping != NULL)
+        F += attraction_damp(a, R, gap, closing, per_mass, dt);
+    return F;
+}
+
 /* --- van der waals -------------------------------------------------------- */
 
 double van_der_waals_diameter(double D_i, double D_j)

@@ -65,6 +65,15 @@ struct attraction_law {
 double attraction_damp(const struct attraction *a, double R_star, double gap,
                        double closing, double per_mass, double dt);
 
+/* The whole force [N] in a step, of rest and motion: between spheres, and of a
+ * wall. Of a law without damping `closing` may be anything. 0 beyond the range.
+ */
+double attraction_of_pair(const struct attraction *a, int material_i,
+                          int material_j, double R_i, double R_j, double gap,
+                          double closing, double per_mass, double dt);
+double attraction_of_wall(const struct attraction *a, double R, double gap,
+                          double closing, double per_mass, double dt);
+
 /* --- van der Waals' attraction.
  *
  *   F = A / (12 l^2) D_i D_j / (D_i + D_j)                      [LS 4.14]

@@ -76,6 +76,16 @@ struct link_cells {
 struct link_cells *link_cells_create(int capacity,
                                      const struct box_domain *box);
 
+/* How a box of these lengths [m] is divided into cells at least `reach` wide
+ * [m], of which there are not many more than particles fit in. */
+void link_cells_divide(const double length[3], double reach, int capacity,
+                       int cells[3]);
+
+/* Of m cells along a direction those before, at and after number `at`, each
+ * once: with two round a period, the one before is the one after. Returns how
+ * many. */
+int link_cells_beside(int m, int periodic, int at, int found[3]);
+
 /* Empties the cells and makes them at least `reach` wide [m]; 0: there is no
  * particle, and one cell. */
 void link_cells_clear(struct link_cells *l, double reach);

@@ -20,6 +20,7 @@
 
 #include "base/state.h"
 #include "dem/attraction.h"
+#include "dem/box_domain.h"
 #include "dem/integrator.h"
 #include "dem/materials.h"
 #include "dem/particles.h"
@@ -36,19 +37,22 @@ struct dem_crossing {
     int id[2]; /* [-] these */
 };
 
-/* 1 if two whose centres are apart by x now [m], and moved by `way` against
- * each other in the step [m], passed each other within `reach` [m]: the line of
+/* 1 if two whose centres are at x_i, x_j now [m], and moved with v_i, v_j [m/s]
+ * in the step of dt [s], passed each other within `reach` [m]: the line of
  * centres has turned round, and was shorter than that in between. */
-static inline int crossing(const double x[3], const double way[3], double reach)
+static inline int crossing(const struct box_domain *box, const double x_i[3],
+                           const double x_j[3], const double v_i[3],
+                           const double v_j[3], double dt, double reach)
 {
     double old2 = 0.0, along = 0.0, way2 = 0.0, turned = 0.0;
 
     for (int k = 0; k < 3; k++) {
-        const double old = x[k] - way[k];
+        const double x = box_domain_nearest(box, k, x_i[k] - x_j[k]);
+        const double way = dt * (v_i[k] - v_j[k]), old = x - way;
         old2 += old * old;
-        along += old * way[k];
-        way2 += way[k] * way[k];
-        turned += old * x[k];
+        along += old * way;
+        way2 += way * way;
+        turned += old * x;
     }
     return turned < 0.0 && old2 - along * along / way2 < reach * reach;
 }

@@ -5,6 +5,7 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
+#include "base/vector.h"
 
 /* A box may be far larger than its particles; then the cells are widened. */
 static int max_cells(int capacity)
@@ -23,20 +24,29 @@ struct link_cells *link_cells_create(int capacity, const struct box_domain *box)
     return l;
 }
 
-void link_cells_clear(struct link_cells *l, double reach)
+void link_cells_divide(const double length[3], double reach, int capacity,
+                       int cells[3])
 {
     double total = HUGE_VAL;
 
     if (!(reach > 0.0)) reach = HUGE_VAL; /* no particle: one cell */
-    for (double width = reach; total > max_cells(l->capacity); width *= 1.25) {
+    for (double width = reach; total > max_cells(capacity); width *= 1.25) {
         total = 1.0;
         for (int k = 0; k < 3; k++) {
-            const double length = l->box.hi[k] - l->box.lo[k];
-            l->cells[k] = number_clamped(length / width, 1, 1000000);
-            l->width[k] = length / l->cells[k];
-            total *= l->cells[k];
+            cells[k] = number_clamped(length[k] / width, 1, 1000000);
+            total *= cells[k];
         }
     }
+}
+
+void link_cells_clear(struct link_cells *l, double reach)
+{
+    double length[3];
+
+    vector_between(l->box.hi, l->box.lo, length);
+    link_cells_divide(length, reach, l->capacity, l->cells);
+    for (int k = 0; k < 3; k++)
+        l->width[k] = length[k] / l->cells[k];
     for (int c = 0; c < l->cells[0] * l->cells[1] * l->cells[2]; c++)
         l->head[c] = -1;
 }
@@ -65,18 +75,14 @@ void link_cells_add(struct link_cells *l, int i, const double x[3])
     *head = i;
 }
 
-/* The cells before, at and after that of x along one direction, each once: with
- * two cells round a period, the one before is the one after. */
-static int link_cells_beside(const struct link_cells *l, int k, double x,
-                             int found[3])
+int link_cells_beside(int m, int periodic, int at, int found[3])
 {
-    const int m = l->cells[k], at = link_cells_coordinate(l, k, x);
     int n = 0;
 
     for (int c = at - 1; c <= at + 1; c++)
         if (c >= 0 && c < m)
             found[n++] = c;
-        else if (l->box.periodic[k] && m > 2)
+        else if (periodic && m > 2)
             found[n++] = (c + m) % m;
     return n;
 }
@@ -87,7 +93,8 @@ int link_cells_around(const struct link_cells *l, const double x[3],
     int at[3][3], count[3], n = 0;
 
     for (int k = 0; k < 3; k++)
-        count[k] = link_cells_beside(l, k, x[k], at[k]);
+        count[k] = link_cells_beside(l->cells[k], l->box.periodic[k],
+                                     link_cells_coordinate(l, k, x[k]), at[k]);
     for (int a = 0; a < count[0]; a++)
         for (int b = 0; b < count[1]; b++)
             for (int c = 0; c < count[2]; c++)

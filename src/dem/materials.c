@@ -4,19 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
-struct material_pair materials_same(const struct material *m)
-{
-    return (struct material_pair){.of = {m, m},
-                                  .stiffness = m->stiffness,
-                                  .tangential = m->tangential,
-                                  .restitution = m->restitution,
-                                  .friction = m->friction,
-                                  .rolling = m->rolling};
-}
-
 /* Each half of the contact is a spring of twice the stiffness. */
 static double in_series(double k_a, double k_b)
 {
+    if (k_a == k_b) return k_a; /* not rounded */
     return k_a + k_b > 0.0 ? 2.0 * k_a * k_b / (k_a + k_b) : 0.0;
 }
 
@@ -53,10 +44,8 @@ material_number(const struct material *zero, const struct materials *all, int a)
 struct material_pair materials_pair(const struct material *zero,
                                     const struct materials *all, int a, int b)
 {
-    const struct material *const of_a = material_number(zero, all, a);
-    struct material_pair p =
-        a == b ? materials_same(of_a)
-               : materials_mixed(of_a, material_number(zero, all, b));
+    struct material_pair p = materials_mixed(material_number(zero, all, a),
+                                             material_number(zero, all, b));
 
     for (int k = 0; all != NULL && k < all->n_measured; k++) {
         const struct materials_measured *const m = &all->measured[k];

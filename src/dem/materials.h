@@ -32,10 +32,8 @@ struct materials {
     int wall; /* [-] number of the material of the box */
 };
 
-/* The pair of a material with itself has its own values, to the bit. */
-struct material_pair materials_same(const struct material *m);
-
-/* The pair of two different materials by the rules above. */
+/* The pair of two materials by the rules above; that of a material with itself
+ * has its own values, to the bit. */
 struct material_pair materials_mixed(const struct material *a,
                                      const struct material *b);
 

@@ -6,7 +6,6 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/dem.h"
 #include "dem/dem_method.h"
 #include "dem/contact.h"
 
@@ -233,23 +232,6 @@ static void add_contact(struct reference *r, int i, int partner,
     r->energy->normal += law.stored;
 }
 
-/* The damping [N] of one attraction, as attraction_damp. */
-static double reference_damping(const struct attraction *one,
-                                const struct sphere *a, const struct sphere *b,
-                                const double x[3], double gap, double dt)
-{
-    double v[3], R_star = a->R, per_mass = 1.0 / a->m;
-
-    for (int k = 0; k < 3; k++)
-        v[k] = a->v[k] - (b != NULL ? b->v[k] : 0.0);
-    if (b != NULL) {
-        R_star = a->R * b->R / (a->R + b->R);
-        per_mass += 1.0 / b->m;
-    }
-    return attraction_damp(one, R_star, gap,
-                           -vector_dot(v, x) / vector_length(x), per_mass, dt);
-}
-
 /* The attractions of two spheres, or of a sphere and a wall (b = NULL), along
  * the line of centres; gap [m]. */
 static void reference_add_attractions(struct reference *r, struct sphere *a,
@@ -257,17 +239,17 @@ static void reference_add_attractions(struct reference *r, struct sphere *a,
                                       double gap, double dt)
 {
     const struct dem_options *const o = r->options;
-    double F = 0.0;
+    double F = 0.0, v[3];
 
+    for (int k = 0; k < 3; k++)
+        v[k] = a->v[k] - (b != NULL ? b->v[k] : 0.0);
+    const double closing = -vector_dot(v, x) / vector_length(x);
     for (int q = 0; q < o->n_attractions; q++) {
         const struct attraction *const one = &o->attractions[q];
-        if (gap > one->range) continue;
-        if (b != NULL && one->law->pair != NULL)
-            F += one->law->pair(one, a->material, b->material, a->R, b->R, gap);
-        if (b == NULL && one->law->wall != NULL)
-            F += one->law->wall(one, a->R, gap);
-        if (one->law->damping != NULL)
-            F += reference_damping(one, a, b, x, gap, dt);
+        F += b != NULL
+                 ? attraction_of_pair(one, a->material, b->material, a->R, b->R,
+                                      gap, closing, 1.0 / a->m + 1.0 / b->m, dt)
+                 : attraction_of_wall(one, a->R, gap, closing, 1.0 / a->m, dt);
     }
     if (F == 0.0) return;
     for (int k = 0; k < 3; k++) {
@@ -360,18 +342,6 @@ void reference_forces(struct reference *r, double dt)
         r->now.start[i] = r->now.n;
 }
 
-static int reference_cross(const struct reference *r, int i, int j, double dt)
-{
-    const struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
-    double x[3], way[3];
-
-    for (int k = 0; k < 3; k++) {
-        x[k] = box_domain_nearest(&r->box, k, a->x[k] - b->x[k]);
-        way[k] = dt * (a->v[k] - b->v[k]);
-    }
-    return crossing(x, way, a->R + b->R);
-}
-
 struct dem_crossing reference_crossing(const struct reference *r, double dt)
 {
     double least = HUGE_VAL;
@@ -379,10 +349,14 @@ struct dem_crossing reference_crossing(const struct reference *r, double dt)
     for (int i = 0; i < r->n && !r->no_contacts; i++)
         least = fmin(least, r->sphere[i].R);
     for (int i = 0; i < r->n; i++) {
-        if (vector_length(r->sphere[i].v) * dt <= least) continue;
-        for (int j = 0; j < r->n; j++)
-            if (j != i && reference_cross(r, i, j, dt))
+        const struct sphere *const a = &r->sphere[i];
+        if (vector_length(a->v) * dt <= least) continue;
+        for (int j = 0; j < r->n; j++) {
+            const struct sphere *const b = &r->sphere[j];
+            if (j != i &&
+                crossing(&r->box, a->x, b->x, a->v, b->v, dt, a->R + b->R))
                 return (struct dem_crossing){1, {r->id[i], r->id[j]}};
+        }
     }
     return (struct dem_crossing){0};
 }

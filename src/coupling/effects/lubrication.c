@@ -85,30 +85,22 @@ static double pair_share_force(const struct pair_share *self,
                                const struct simulation *sim, int i, int j,
                                const double x[3])
 {
-    const struct attraction *const a = self->attraction;
     const struct particles *const ps = sim->particles;
     const double R = 0.5 * ps->d[i], S = 0.5 * ps->d[j], r = vector_length(x);
     const double v[3] = {ps->vx[i] - ps->vx[j], ps->vy[i] - ps->vy[j],
                          ps->vz[i] - ps->vz[j]};
     const int *const of = ps->material;
-    double F = 0.0;
 
-    if (r - R - S > a->range) return 0.0;
-    if (a->law->pair != NULL)
-        F += a->law->pair(a, of != NULL ? of[i] : 0, of != NULL ? of[j] : 0, R,
-                          S, r - R - S);
-    if (a->law->damping != NULL)
-        F += attraction_damp(
-            a, R * S / (R + S), r - R - S, -vector_dot(v, x) / r,
-            1.0 / ps->m[i] + 1.0 / ps->m[j], sim->dem->options.step);
-    return fabs(F);
+    return fabs(attraction_of_pair(
+        self->attraction, of != NULL ? of[i] : 0, of != NULL ? of[j] : 0, R, S,
+        r - R - S, -vector_dot(v, x) / r, 1.0 / ps->m[i] + 1.0 / ps->m[j],
+        sim->dem->options.step));
 }
 
 /* Raises the strongest force of i by those of the walls of the box. */
 static void pair_share_add_walls(struct pair_share *self,
                                  const struct simulation *sim, int i)
 {
-    const struct attraction *const a = self->attraction;
     const struct particles *const ps = sim->particles;
     const double R = 0.5 * ps->d[i], v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
     double x[3];
@@ -117,12 +109,10 @@ static void pair_share_add_walls(struct pair_share *self,
     for (int w = 0; w < 6; w++) {
         const double gap = box_domain_gap(&self->cells->box, w, x) - R;
         const double closing = w % 2 ? v[w / 2] : -v[w / 2];
-        double F = 0.0;
-        if (self->cells->box.periodic[w / 2] || gap > a->range) continue;
-        if (a->law->wall != NULL) F += a->law->wall(a, R, gap);
-        if (a->law->damping != NULL)
-            F += attraction_damp(a, R, gap, closing, 1.0 / ps->m[i],
-                                 sim->dem->options.step);
+        const double F =
+            attraction_of_wall(self->attraction, R, gap, closing,
+                               1.0 / ps->m[i], sim->dem->options.step);
+        if (self->cells->box.periodic[w / 2]) continue;
         self->strongest[i] = fmax(self->strongest[i], fabs(F));
     }
 }

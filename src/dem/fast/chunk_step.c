@@ -8,19 +8,8 @@
 #include "base/vector.h"
 #include "dem/fast/sweep.h"
 
-/* Sets the velocities of prescribed particles; their work on others and the
- * energy that they gain come from outside. */
-static void chunk_step_set_prescribed(const struct neighbours *nb,
-                                      struct chunk *own, int begin, int end,
-                                      struct row_load *load,
-                                      const struct step_parameters *by)
-{
-    if (nb->prescribed == NULL || !by->prescribed) return;
-    own->energy.prescribed += prescribed_particles_set_velocities(
-        nb->prescribed, nb->rows, nb->ps, begin, end, load, by->t, by->drift,
-        by->kick);
-}
-
+/* The work of prescribed particles on others and the energy that they gain come
+ * from outside. */
 static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
                                int begin, int end,
                                const struct step_parameters *by)
@@ -31,7 +20,10 @@ static void chunk_step_advance(const struct neighbours *nb, struct chunk *own,
     if (by->budget && end > begin)
         memcpy(&b->before[begin], &b->motion[begin],
                (size_t)(end - begin) * sizeof *b->before);
-    chunk_step_set_prescribed(nb, own, begin, end, load, by);
+    if (nb->prescribed != NULL && by->prescribed)
+        own->energy.prescribed += prescribed_particles_set_velocities(
+            nb->prescribed, b, nb->ps, begin, end, load, by->t, by->drift,
+            by->kick);
     rows_advance(b, begin, end, load, by->kick, by->drift, own->max_speed_now);
     if (by->look)
         own->margin_left_now =
@@ -80,34 +72,20 @@ static int material_in_row(const struct rows *b, int i)
     return b->material != NULL ? b->material[i] : 0;
 }
 
-/* The damping force [N] of i and j; x [m] points from j to i and has the length
- * r [m]. */
-static double attraction_damped(const struct rows *b,
-                                const struct attraction *a, int i, int j,
-                                const double x[3], double r, double gap)
-{
-    const struct row_motion *const m = &b->motion[i], *const u = &b->motion[j];
-    const double R = b->place[i].R, S = b->place[j].R;
-    double closing = 0.0;
-
-    for (int k = 0; k < 3; k++)
-        closing -= (m->v[k] - u->v[k]) * x[k] / r;
-    return attraction_damp(a, R * S / (R + S), gap, closing,
-                           m->per_m + u->per_m, b->step);
-}
-
 static void add_attraction_of_pairs(struct chunk *s, const struct rows *b,
                                     const struct attraction *a, int i)
 {
     const struct neighbour_list *const v = &s->pairs;
     const int own = i - s->begin, of_i = material_in_row(b, i);
     const struct row_place *const x = &b->place[i];
+    const struct row_motion *const m = &b->motion[i];
 
     for (int q = v->start[own]; q < v->start[own + 1]; q++) {
         const int j = v->partner[q], at = j - s->begin;
         const struct row_place *const y = &b->place[j];
+        const struct row_motion *const u = &b->motion[j];
         double *const theirs = s->load[at < 0 ? at + b->n : at].F;
-        double dx[3], r2 = 0.0;
+        double dx[3], r2 = 0.0, closing = 0.0;
 
         for (int k = 0; k < 3; k++) {
             dx[k] = x->x[k] - y->x[k];
@@ -116,11 +94,11 @@ static void add_attraction_of_pairs(struct chunk *s, const struct rows *b,
         }
         const double r = sqrt(r2), gap = r - x->R - y->R;
         if (gap > a->range) continue;
-        double F = 0.0;
-        if (a->law->pair != NULL)
-            F = a->law->pair(a, of_i, material_in_row(b, j), x->R, y->R, gap);
-        if (a->law->damping != NULL)
-            F += attraction_damped(b, a, i, j, dx, r, gap);
+        for (int k = 0; k < 3 && a->law->damping != NULL; k++)
+            closing -= (m->v[k] - u->v[k]) * dx[k] / r;
+        const double F =
+            attraction_of_pair(a, of_i, material_in_row(b, j), x->R, y->R, gap,
+                               closing, m->per_m + u->per_m, b->step);
         for (int k = 0; k < 3; k++) {
             s->load[own].F[k] += F / r * dx[k];
             theirs[k] -= F / r * dx[k];
@@ -134,20 +112,15 @@ static void add_attraction_of_walls(struct chunk *s, const struct rows *b,
 {
     const struct neighbour_list *const v = &s->walls;
     const int own = i - s->begin;
-    const double R = b->place[i].R;
+    const struct row_motion *const m = &b->motion[i];
 
     for (int q = v->start[own]; q < v->start[own + 1]; q++) {
-        const int k = v->partner[q] / 2, upper = v->partner[q] % 2;
-        if (k > 2) continue;
-        const double gap = rows_wall_gap(&b->box, &b->place[i], v->partner[q]);
-        if (gap > a->range) continue;
-        const double out = upper ? -1.0 : 1.0;
-        if (a->law->wall != NULL)
-            s->load[own].F[k] += out * a->law->wall(a, R, gap);
-        if (a->law->damping != NULL)
-            s->load[own].F[k] +=
-                out * attraction_damp(a, R, gap, -out * b->motion[i].v[k],
-                                      b->motion[i].per_m, b->step);
+        const int wall = v->partner[q], k = wall / 2;
+        const double out = wall % 2 ? -1.0 : 1.0;
+        s->load[own].F[k] +=
+            out * attraction_of_wall(a, b->place[i].R,
+                                     rows_wall_gap(&b->box, &b->place[i], wall),
+                                     -out * m->v[k], m->per_m, b->step);
     }
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/fast/neighbours.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -18,12 +17,6 @@ struct grid {
     int most;          /* [-] cells that it is long enough for */
     int *order;
 };
-
-/* A box may have far more cells than particles; then the cells are widened. */
-static int most_cells(const struct grid *g)
-{
-    return 4 * g->capacity + 64;
-}
 
 struct grid *grid_create(int capacity, const struct box_domain *box)
 {
@@ -76,19 +69,13 @@ static void span(struct grid *g, const struct particles *ps, int k,
 static void grid_divide(struct grid *g, const struct particles *ps,
                         double reach)
 {
-    double length[3], total = HUGE_VAL;
+    double length[3];
 
-    if (ps->n == 0) reach = HUGE_VAL;
     for (int k = 0; k < 3; k++)
         span(g, ps, k, &length[k]);
-    for (double width = reach; total > most_cells(g); width *= 1.25) {
-        total = 1.0;
-        for (int k = 0; k < 3; k++) {
-            g->cells[k] = number_clamped(length[k] / width, 1, 1000000);
-            g->inverse[k] = length[k] > 0.0 ? g->cells[k] / length[k] : 0.0;
-            total *= g->cells[k];
-        }
-    }
+    link_cells_divide(length, ps->n > 0 ? reach : 0.0, g->capacity, g->cells);
+    for (int k = 0; k < 3; k++)
+        g->inverse[k] = length[k] > 0.0 ? g->cells[k] / length[k] : 0.0;
 }
 
 /* The index of the cell along axis k that contains x [m], the first or last
@@ -159,21 +146,6 @@ int grid_owns(const struct grid *g, int i, int j, int n)
     return 2 * ahead < n || (2 * ahead == n && i < j);
 }
 
-/* The cells at and beside c along one direction, each once: of two cells in a
- * periodic direction, each is beside the other anyway. */
-static int grid_beside(const struct grid *g, int k, int c, int found[3])
-{
-    const int m = g->cells[k];
-    int n = 0;
-
-    for (int d = c - 1; d <= c + 1; d++)
-        if (d >= 0 && d < m)
-            found[n++] = d;
-        else if (g->box.periodic[k] && m > 2)
-            found[n++] = (d + m) % m;
-    return n;
-}
-
 /* 1 if the gap of i and j, nearest image, is less than the skin [LS 5.15]. */
 static inline int close_by(const struct rows *b, int i, int j, double skin)
 {
@@ -198,7 +170,8 @@ static int stretches_around(const struct grid *g, const struct rows *b, int i,
     for (int k = 0; k < 3; k++) {
         const double x = box_domain_inside(&b->box, k, b->listed[i][k]);
         own[k] = grid_coordinate(g, k, x);
-        count[k] = grid_beside(g, k, own[k], at[k]);
+        count[k] =
+            link_cells_beside(g->cells[k], g->box.periodic[k], own[k], at[k]);
     }
     all->n = 0;
     for (int p = 0; p < count[a[2]]; p++)

@@ -432,13 +432,9 @@ static int is_fast(const struct neighbours *nb, int i, double dt)
 static int crossings_cross(const struct rows *b, int i, int j, double dt)
 {
     const struct row_place *const p = &b->place[i], *const q = &b->place[j];
-    double x[3], way[3];
 
-    for (int k = 0; k < 3; k++) {
-        x[k] = box_domain_nearest(&b->box, k, p->x[k] - q->x[k]);
-        way[k] = (b->motion[i].v[k] - b->motion[j].v[k]) * dt;
-    }
-    return crossing(x, way, p->R + q->R);
+    return crossing(&b->box, p->x, q->x, b->motion[i].v, b->motion[j].v, dt,
+                    p->R + q->R);
 }
 
 struct dem_crossing neighbours_crossing(const struct neighbours *nb, double dt)
