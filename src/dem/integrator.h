@@ -22,7 +22,7 @@ struct integrator {
     MODEL_MEMBERS;      /* base/model.h */
     double first, last; /* [-] of a step that the first and last kick take */
     int predicts;       /* [-] 1: Heun */
-    int adapts;         /* [-] 1: and splits the steps (fast/adaptive.c) */
+    int adapts;         /* [-] 1: and splits the steps (fast/heun.c) */
 };
 
 /* By how much of a step the velocity lags behind the positions between runs

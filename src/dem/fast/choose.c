@@ -160,5 +160,5 @@ void chunk_choose_contacts(struct chunk *s, const struct rows *b)
                       old.n_pairs + old.n_walls);
     c->n_pairs = pairs;
     c->n_walls = all - pairs;
-    chunk_set_blocks(s, b->n);
+    chunk_split(s, b->n, s->blocks);
 }

@@ -177,9 +177,7 @@ static int full_lanes(const struct chunk_contacts *c, int first, int from,
     return full < last ? full : last;
 }
 
-/* Writes them to `blocks`. */
-static void split_into_blocks(const struct chunk *s, int n,
-                              struct chunk_block *blocks)
+void chunk_split(const struct chunk *s, int n, struct chunk_block *blocks)
 {
     const struct chunk_contacts *const c = &s->contacts;
     struct chunk_block at = {s->begin, 0, c->n_pairs, 0};
@@ -194,8 +192,7 @@ static void split_into_blocks(const struct chunk *s, int n,
         if (at.walls > c->n_pairs)
             at.n_loads =
                 chunk_larger(at.n_loads, c->owner[at.walls - 1] - s->begin + 1);
-        for (; q < at.pairs;
-             q++) { /* across a period a partner has a lower index */
+        for (; q < at.pairs; q++) { /* a partner may have a lower index */
             const int last = chunk_larger(load_of(s, c->partner[q], n),
                                           load_of(s, c->owner[q], n));
             at.n_loads = chunk_larger(at.n_loads, last + 1);
@@ -203,22 +200,6 @@ static void split_into_blocks(const struct chunk *s, int n,
         if (k + 1 == s->n_blocks) at.n_loads = s->window;
         blocks[k] = at;
     }
-}
-
-int chunk_blocks_fit(const struct chunk *s, int n)
-{
-    const size_t size = sizeof *s->blocks, count = (size_t)s->n_blocks;
-    struct chunk_block *const own = alloc_zeroed(count, size);
-
-    split_into_blocks(s, n, own);
-    const int fit = count == 0 || memcmp(own, s->blocks, count * size) == 0;
-    free(own);
-    return fit;
-}
-
-void chunk_set_blocks(struct chunk *s, int n)
-{
-    split_into_blocks(s, n, s->blocks);
 }
 
 void chunk_reserve_history(struct chunk *s, int n)
@@ -343,11 +324,11 @@ void chunk_measure(struct chunk *s, const struct rows *b)
     }
 }
 
-void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
+void chunk_record_overlap(struct dem_overlap *d, double depth, int id,
                           int other, const double x[3])
 {
-    if (!(overlap > d->overlap)) return;
-    d->overlap = overlap;
+    if (!(depth > d->depth)) return;
+    d->depth = depth;
     d->id = id;
     d->other = other;
     memcpy(d->at, x, sizeof d->at);
@@ -381,5 +362,5 @@ void chunk_check_overlaps(struct chunk *s, const struct rows *b,
         note_pair(s, b, q);
     for (int q = from->walls; q < to->walls; q++)
         note_wall(s, b, q);
-    if (s->max_overlap > s->deep.overlap) s->deep.overlap = s->max_overlap;
+    if (s->max_overlap > s->deep.depth) s->deep.depth = s->max_overlap;
 }

@@ -16,6 +16,7 @@
 #ifndef DEM_FAST_CHUNK_H
 #define DEM_FAST_CHUNK_H
 
+#include "dem/dem.h"
 #include "dem/energy.h"
 #include "dem/fast/rows.h"
 
@@ -79,15 +80,6 @@ struct chunk_energy {
     double prescribed;         /* [J] by particles that move as prescribed */
 };
 
-/* The deepest overlap so far, if it exceeds the expected one. */
-struct chunk_deep {
-    double
-        overlap; /* [-] over the mean diameter; only deeper ones are recorded */
-    int id, other; /* [-] the two ids; -1: none yet. -1 - w: wall w = 2 k or 2 k
-                      + 1 of direction k; -7 - f: surface f */
-    double at[3];  /* [m] centre of the first */
-};
-
 struct chunk {
     int begin, end; /* its particles */
     int window;     /* its loads reach begin ... begin + window - 1, modulo
@@ -108,10 +100,10 @@ struct chunk {
     double (*roll_history)[3]; /* [rad] of each history; NULL without rolling
                                   friction */
     int n_history;
-    int has_rolling;    /* [-] 1: there is rolling friction */
-    int has_budget;     /* [-] 1: of energy */
-    double max_overlap; /* [-] largest overlap over the mean diameter */
-    struct chunk_deep deep;
+    int has_rolling;         /* [-] 1: there is rolling friction */
+    int has_budget;          /* [-] 1: of energy */
+    double max_overlap;      /* [-] largest overlap over the mean diameter */
+    struct dem_overlap deep; /* so far; only deeper ones are recorded */
     double max_speed[4];     /* [m/s] largest |v_x|, |v_y|, |v_z| */
     double max_speed_now[4]; /* [m/s] the same in the step at hand */
     struct rows_survey survey;
@@ -145,9 +137,8 @@ void chunk_finish_lists(struct chunk *s, int n);
  * contact before keeps its history. */
 void chunk_choose_contacts(struct chunk *s, const struct rows *b);
 
-/* Splits its contacts into blocks; 1 if they are so already. n particles. */
-void chunk_set_blocks(struct chunk *s, int n);
-int chunk_blocks_fit(const struct chunk *s, int n);
+/* Splits its contacts into n_blocks blocks; n particles in all. */
+void chunk_split(const struct chunk *s, int n, struct chunk_block *blocks);
 
 /* Visits the budget (state.h). */
 void chunk_energy_state(struct chunk_energy *e, struct state *state);
@@ -214,7 +205,7 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
 void chunk_measure(struct chunk *s, const struct rows *b);
 
 /* Records an overlap that is deeper than all before. */
-void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
+void chunk_record_overlap(struct dem_overlap *d, double depth, int id,
                           int other, const double x[3]);
 
 /* Records the deepest overlap of the contacts between two blocks, at the

@@ -61,7 +61,7 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
                    to->pairs);
     sweep_contacts(own, nb->rows, by->constants, by->dt, from->walls,
                    to->walls);
-    if (own->max_overlap > own->deep.overlap)
+    if (own->max_overlap > own->deep.depth)
         chunk_check_overlaps(own, nb->rows, from, to);
 }
 

@@ -78,7 +78,10 @@ static int fast_create(struct dem *dem)
     if (o->integrator->predicts) add_heun(fast, dem->ps->capacity);
     fast->neighbours = create_neighbours(dem);
     if (o->integrator->adapts)
-        fast->adaptive = adaptive_create(fast, o, fast->neighbours->n_chunks);
+        fast->adaptive = (struct adaptive){
+            .next = o->shortest_step,
+            .changed = owner_doubles(fast, fast->neighbours->n_chunks),
+            .closes = owner_doubles(fast, fast->neighbours->n_chunks)};
     if (fast->neighbours->rows->sweep_options & SWEEP_ROLLING)
         neighbours_add_rolling(fast->neighbours);
     return 0;
@@ -128,13 +131,11 @@ static void find_deepest(struct dem *dem)
     struct dem_overlap *const deep = &dem->deepest;
 
     for (int s = 0; s < nb->n_chunks; s++) {
-        const struct chunk_deep *const own = &nb->chunks[s].deep;
-        if (own->id < 0 || own->overlap <= deep->depth) continue;
-        deep->depth = own->overlap;
-        deep->id = own->id;
-        deep->other = own->other;
+        struct dem_overlap own = nb->chunks[s].deep;
+        if (own.id < 0) continue;
         for (int k = 0; k < 3; k++)
-            deep->at[k] = box_domain_inside(&nb->rows->box, k, own->at[k]);
+            own.at[k] = box_domain_inside(&nb->rows->box, k, own.at[k]);
+        chunk_record_overlap(deep, own.depth, own.id, own.other, own.at);
     }
 }
 

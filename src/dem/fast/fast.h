@@ -15,7 +15,7 @@ struct heun {
     struct row_load (*part)[ENERGY_PARTS]; /* NULL without a budget */
 };
 
-/* What the length of a step follows from (adaptive.c). */
+/* What the length of a step that adapts follows from (heun.c). */
 struct adaptive {
     double fall, pull; /* [m/s], [m/s^2] the largest speed of a fall by a
                           diameter, and external acceleration */
@@ -23,26 +23,6 @@ struct adaptive {
     double *closes;    /* [s] when the first gap closes, of each chunk */
     double next;       /* [s] the length of the next step */
 };
-
-/* The arrays belong to the owner (base/alloc.h). */
-struct adaptive adaptive_create(void *owner, const struct dem_options *o,
-                                int n_chunks);
-
-/* Once in a run, by one thread. */
-void adaptive_begin(struct adaptive *a, const struct rows *b);
-
-/* No longer than `length` [s], nor than what the contacts are chosen for. */
-double adaptive_longest(const struct adaptive *a, const struct neighbours *nb,
-                        double speed, double length);
-
-/* Finds when the first gap of chunk s closes; that of all [s]. */
-void adaptive_look(struct adaptive *a, const struct neighbours *nb, int s);
-double adaptive_closes(const struct adaptive *a, int n_chunks);
-
-/* The length of the next step [s] after one of `done` [s] that was to be of
- * `next`. */
-double adaptive_next(const struct adaptive *a, const struct dem_options *o,
-                     const struct neighbours *nb, double done, double next);
 
 /* The contacts are chosen with a margin of at least d / MARGIN_PARTS. */
 enum { MARGIN_PARTS = 600 };

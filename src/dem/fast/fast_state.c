@@ -95,6 +95,18 @@ static void loads_state(struct chunk *c, struct state *s)
     state_reals_of(s, "load_turning", "N", c->load->turn, size, n, 3);
 }
 
+/* 1 if its blocks are those of its contacts. */
+static int blocks_fit(const struct chunk *c, int n)
+{
+    const size_t size = sizeof *c->blocks, count = (size_t)c->n_blocks;
+    struct chunk_block *const own = alloc_zeroed(count, size);
+
+    chunk_split(c, n, own);
+    const int fit = count == 0 || memcmp(own, c->blocks, count * size) == 0;
+    free(own);
+    return fit;
+}
+
 /* Visits the lists and the arrays whose sizes follow from them. */
 static void lists_state(struct chunk *c, int n, struct state *s)
 {
@@ -116,7 +128,7 @@ static void lists_state(struct chunk *c, int n, struct state *s)
                     1);
     state_wholes_of(s, "block_loads", "-", &c->blocks->n_loads, size,
                     c->n_blocks, 1);
-    state_demand(s, s->failed || !s->loading || chunk_blocks_fit(c, n),
+    state_demand(s, s->failed || !s->loading || blocks_fit(c, n),
                  "blocks that are not those of its contacts");
     if (c->n_history > 0) return; /* they are where the loads are */
     if (c->window > 0) loads_state(c, s);
@@ -159,7 +171,7 @@ static void chunk_state(struct chunk *c, int n, int capacity, struct state *s)
     state_whole(s, "listed", "-", &listed);
     chunk_state_histories(c, capacity, s);
     if (listed) lists_state(c, n, s);
-    state_real(s, "deep_overlap", "-", &c->deep.overlap);
+    state_real(s, "deep_overlap", "-", &c->deep.depth);
     state_whole(s, "deep_id", "-", &c->deep.id);
     state_whole(s, "deep_other", "-", &c->deep.other);
     state_reals(s, "deep_at", "m", c->deep.at, 3, 1);

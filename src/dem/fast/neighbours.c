@@ -14,7 +14,7 @@ void neighbours_watch(struct neighbours *nb, double overlap)
 {
     for (int s = 0; s < nb->n_chunks; s++)
         nb->chunks[s].deep =
-            (struct chunk_deep){.overlap = overlap, .id = -1, .other = -1};
+            (struct dem_overlap){.depth = overlap, .id = -1, .other = -1};
 }
 
 struct neighbours *neighbours_create(struct particles *ps,

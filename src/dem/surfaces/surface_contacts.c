@@ -274,8 +274,8 @@ static void measure_overlaps(const struct surface_contacts *c, struct chunk *s,
         chunk_record_overlap(&s->deep, 0.5 * (1.0 - t->r / at->R),
                              b->id[t->owner], -7 - t->surface, at->x);
     }
-    if (c->pairs.max_overlap > s->deep.overlap)
-        s->deep.overlap = c->pairs.max_overlap;
+    if (c->pairs.max_overlap > s->deep.depth)
+        s->deep.depth = c->pairs.max_overlap;
 }
 
 void surface_contacts_add_loads(struct surface_contacts *c,
@@ -318,7 +318,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
         sweep_contacts(&c->pairs, &two, k, dt, 0, n);
     }
     chunk_end_budget(&c->pairs.energy);
-    if (c->pairs.max_overlap > s->deep.overlap) measure_overlaps(c, s, b);
+    if (c->pairs.max_overlap > s->deep.depth) measure_overlaps(c, s, b);
     for (int q = 0; q < n; q++) {
         accumulate_load(c, q, s, c->pose, dt);
         if (s->has_budget) accumulate_parts(c, q, s);
