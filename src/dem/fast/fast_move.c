@@ -149,8 +149,8 @@ static void fast_move_measure(struct dem *dem)
             chunk_measure_ahead(own, nb->rows,
                                 integrator_lag(dem->options.integrator));
         if (nb->prescribed != NULL)
-            prescribed_particles_restore_mass(nb->prescribed, nb->rows, nb->ps,
-                                              own->begin, own->end);
+            prescribed_particles_set_mass(nb->prescribed, nb->rows, nb->ps,
+                                          own->begin, own->end, 0);
         chunk_measure(own, nb->rows);
         if (s > 0) continue;
         clumps_energy(dem->ps->clumps, &moving, &turning);

@@ -357,8 +357,8 @@ static void rebuild(struct neighbours *nb)
         struct chunk *const own = &nb->chunks[s];
         rows_load(b, nb->ps, own->begin, own->end);
         if (nb->prescribed != NULL)
-            prescribed_particles_fix_mass(nb->prescribed, b, nb->ps, own->begin,
-                                          own->end);
+            prescribed_particles_set_mass(nb->prescribed, b, nb->ps, own->begin,
+                                          own->end, 1);
     }
     fast_clumps_write(nb);
     for (int s = mine.first; s < mine.last; s++)

@@ -31,38 +31,34 @@ void rows_add_implicit_drag(struct rows *b, const struct particles *ps)
 void rows_load(struct rows *b, const struct particles *ps, int begin, int end)
 {
     for (int i = begin; i < end; i++) {
-        const double R = 0.5 * ps->d[i], per_mass = 1.0 / ps->m[i];
-        double *const a = b->acceleration[i];
+        const double R = 0.5 * ps->d[i];
 
         b->place[i] = (struct row_place){{ps->x[i], ps->y[i], ps->z[i]}, R};
         b->motion[i] =
             (struct row_motion){{ps->vx[i], ps->vy[i], ps->vz[i]},
                                 1.0 / R,
                                 {R * ps->wx[i], R * ps->wy[i], R * ps->wz[i]},
-                                per_mass};
-        if (b->own_inverse_mass != NULL) b->own_inverse_mass[i] = 0.0;
-        a[0] = ps->ex[i] * per_mass;
-        a[1] = ps->ey[i] * per_mass;
-        a[2] = ps->ez[i] * per_mass;
+                                0.0};
+        rows_load_mass(b, ps, i);
     }
-    if (b->drag != NULL) rows_load_drag(b, ps, begin, end);
 }
 
-void rows_load_drag(struct rows *b, const struct particles *ps, int begin,
-                    int end)
+void rows_load_mass(struct rows *b, const struct particles *ps, int i)
 {
-    for (int i = begin; i < end; i++) {
-        const double per_mass = 1.0 / (ps->m[i] + ps->added_mass[i]);
-        const double rate = ps->drag_coefficient[i] * per_mass;
-        double *const a = b->acceleration[i];
+    double per_mass = 1.0 / ps->m[i], *const a = b->acceleration[i];
 
+    b->motion[i].per_m = per_mass;
+    if (b->own_inverse_mass != NULL) b->own_inverse_mass[i] = 0.0;
+    if (b->drag != NULL) {
+        per_mass = 1.0 / (ps->m[i] + ps->added_mass[i]);
+        const double rate = ps->drag_coefficient[i] * per_mass;
         b->drag[i] = (struct row_drag){rate, implicit_drag_gain(rate * b->step),
                                        implicit_drag_gain(0.5 * rate * b->step),
                                        per_mass};
-        a[0] = ps->ex[i] * per_mass;
-        a[1] = ps->ey[i] * per_mass;
-        a[2] = ps->ez[i] * per_mass;
     }
+    a[0] = ps->ex[i] * per_mass;
+    a[1] = ps->ey[i] * per_mass;
+    a[2] = ps->ez[i] * per_mass;
 }
 
 void rows_store(const struct rows *b, struct particles *ps, int begin, int end)

@@ -95,9 +95,9 @@ void rows_add_implicit_drag(struct rows *b, const struct particles *ps);
 void rows_load(struct rows *b, const struct particles *ps, int begin, int end);
 void rows_store(const struct rows *b, struct particles *ps, int begin, int end);
 
-/* The same for the rows of the implicit drag, in steps of b->step. */
-void rows_load_drag(struct rows *b, const struct particles *ps, int begin,
-                    int end);
+/* Of one, what depends on its mass: with an implicit drag in steps of b->step.
+ */
+void rows_load_mass(struct rows *b, const struct particles *ps, int i);
 
 /* Velocity Verlet in one pass: v += kick F/m, then x += drift v. `load` is that
  * of the particles from begin on. The largest |v_x|, |v_y|, |v_z| raise what is

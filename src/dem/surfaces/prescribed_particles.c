@@ -74,23 +74,6 @@ static void set_inverse_mass(struct rows *b, const struct particles *ps, int i)
                                    per_mass};
 }
 
-/* Restores the row of rows_load. The present loads are those of a particle of
- * nearly infinite mass, whose dashpots would accelerate a finite mass far too
- * much; they are set to 0. */
-static void restore_inverse_mass(struct rows *b, const struct particles *ps,
-                                 int i, struct row_load *load)
-{
-    if (load != NULL) memset(load, 0, sizeof *load);
-    const double per_mass = 1.0 / ps->m[i];
-
-    b->motion[i].per_m = per_mass;
-    b->own_inverse_mass[i] = 0.0;
-    b->acceleration[i][0] = ps->ex[i] * per_mass;
-    b->acceleration[i][1] = ps->ey[i] * per_mass;
-    b->acceleration[i][2] = ps->ez[i] * per_mass;
-    if (b->drag != NULL) rows_load_drag(b, ps, i, i + 1);
-}
-
 /* For a step from one pose to the other in dt; dt = 0: the velocity now. */
 static void set_velocity_of(const struct pose *now, const struct pose *next,
                             struct rows *b, int i, double dt)
@@ -157,29 +140,23 @@ double prescribed_particles_set_velocities(
             set_velocity_of(&now, &next, b, i, dt);
             gained += prescribed_particles_kinetic(b, ps, i);
         } else if (d->is_on[number]) {
+            /* Dashpots of nearly infinite masses would accelerate a finite one
+             * far too much. */
             if (own != NULL) gained -= kick * power_on(&b->motion[i], own);
-            restore_inverse_mass(b, ps, i, own);
+            if (own != NULL) memset(own, 0, sizeof *own);
+            rows_load_mass(b, ps, i);
         }
         d->is_on[number] = on;
     }
     return gained;
 }
 
-void prescribed_particles_fix_mass(const struct prescribed_particles *d,
+void prescribed_particles_set_mass(const struct prescribed_particles *d,
                                    struct rows *b, const struct particles *ps,
-                                   int begin, int end)
+                                   int begin, int end, int fixed)
 {
     for (int q = first_from(d, begin), last = first_from(d, end); q < last; q++)
         if (d->is_on[d->found[q].number])
-            set_inverse_mass(b, ps, d->found[q].index);
-}
-
-void prescribed_particles_restore_mass(const struct prescribed_particles *d,
-                                       struct rows *b,
-                                       const struct particles *ps, int begin,
-                                       int end)
-{
-    for (int q = first_from(d, begin), last = first_from(d, end); q < last; q++)
-        if (d->is_on[d->found[q].number])
-            restore_inverse_mass(b, ps, d->found[q].index, NULL);
+            (fixed ? set_inverse_mass : rows_load_mass)(b, ps,
+                                                        d->found[q].index);
 }

@@ -62,14 +62,10 @@ double prescribed_particles_set_velocities(struct prescribed_particles *d,
                                            struct row_load *load, double t,
                                            double dt, double kick);
 
-/* After rows were loaded: sets 1/m of the prescribed particles to 0; or
- * restores their own 1/m for measurements. */
-void prescribed_particles_fix_mass(const struct prescribed_particles *d,
+/* After rows were loaded, fixed = 1: sets 1/m of the prescribed particles to 0;
+ * fixed = 0: restores their own, for measurements. */
+void prescribed_particles_set_mass(const struct prescribed_particles *d,
                                    struct rows *b, const struct particles *ps,
-                                   int begin, int end);
-void prescribed_particles_restore_mass(const struct prescribed_particles *d,
-                                       struct rows *b,
-                                       const struct particles *ps, int begin,
-                                       int end);
+                                   int begin, int end, int fixed);
 
 #endif
