@@ -25,16 +25,6 @@ void surface_contacts_init(struct surface_contacts *c, void *owner,
         c->pose[s] = motion_pose(&scene->surface[s].motion, 0.0);
 }
 
-/* The arrays of the loop, which hold nothing from step to step. */
-static void surface_contacts_free_arrays(struct surface_contacts *c)
-{
-    free(c->place);
-    free(c->motion);
-    free(c->ball);
-    free(c->material);
-    chunk_release(&c->pairs);
-}
-
 void surface_contacts_release(struct surface_contacts *c)
 {
     near_faces_release(&c->list);
@@ -43,7 +33,11 @@ void surface_contacts_release(struct surface_contacts *c)
     free(c->current.list);
     free(c->previous.list);
     free(c->saved.list);
-    surface_contacts_free_arrays(c);
+    free(c->place);
+    free(c->motion);
+    free(c->ball);
+    free(c->material);
+    chunk_release(&c->pairs);
 }
 
 void surface_contacts_save(struct surface_histories *f,
@@ -64,36 +58,21 @@ void surface_contacts_sort(struct surface_histories *f)
     }
 }
 
+/* The arrays of the loop hold nothing from step to step. */
 static void surface_contacts_make_room(struct surface_contacts *c, int n,
                                        int rolls, int budget)
 {
-    struct chunk_contacts *const k = &c->pairs.contacts;
-    const double deepest = c->pairs.max_overlap;
-    const struct chunk_energy energy = c->pairs.energy;
-
-    if (n <= c->capacity && c->pairs.has_budget == budget) return;
-    c->capacity = n + n / 2 + 64;
-    const size_t two_each = 2 * (size_t)c->capacity;
-    surface_contacts_free_arrays(c);
-    c->place = alloc_zeroed(two_each, sizeof *c->place);
-    c->motion = alloc_zeroed(two_each, sizeof *c->motion);
-    memset(&c->pairs, 0, sizeof c->pairs);
-    c->pairs.max_overlap = deepest;
-    c->pairs.energy = energy;
     c->pairs.has_rolling = rolls;
     c->pairs.has_budget = budget;
-    c->ball = alloc_zeroed(two_each, sizeof *c->ball);
-    c->material = alloc_ints(2 * c->capacity);
-    c->pairs.load = alloc_zeroed(two_each, sizeof *c->pairs.load);
-    chunk_begin_loads(&c->pairs, NULL, 0);
-    if (budget) c->pairs.part = alloc_zeroed(two_each, sizeof *c->pairs.part);
-    k->capacity = c->capacity + SWEEP_LANES;
-    k->owner = alloc_ints(k->capacity);
-    k->partner = alloc_ints(k->capacity);
-    for (int a = 0; a < 3; a++)
-        k->xi[a] = alloc_doubles(k->capacity);
-    for (int a = 0; rolls && a < 3; a++)
-        k->roll_angle[a] = alloc_doubles(k->capacity);
+    chunk_reserve_contacts(&c->pairs, n, 0);
+    chunk_reserve_loads(&c->pairs, 2 * (size_t)n * sizeof *c->pairs.load, 0);
+    if (n <= c->capacity) return;
+    c->capacity = n + n / 2 + 64;
+    c->place = alloc_grown(c->place, 0, 2 * c->capacity, sizeof *c->place);
+    c->motion = alloc_grown(c->motion, 0, 2 * c->capacity, sizeof *c->motion);
+    c->ball = alloc_grown(c->ball, 0, 2 * c->capacity, sizeof *c->ball);
+    c->material =
+        alloc_grown(c->material, 0, 2 * c->capacity, sizeof *c->material);
 }
 
 /* The particle is at the origin, the sphere behind the surface r + R from it

@@ -207,14 +207,8 @@ int surface_history_restore(struct surfaces *sf, const struct dem_history *list,
 
 /* --- surfaces checksum ---------------------------------------------------- */
 
-static unsigned long surfaces_checksum_add(unsigned long sum, const void *bytes,
-                                           size_t n)
-{
-    return crc32_z(sum, bytes, n);
-}
-
 /* Its place among the shapes. */
-static int surfaces_checksum_number_of(const struct surface_shape *shape)
+static int surfaces_shape_number(const struct surface_shape *shape)
 {
     int i = 0;
 
@@ -226,19 +220,19 @@ static int surfaces_checksum_number_of(const struct surface_shape *shape)
 static unsigned long surfaces_checksum_add_shape(unsigned long sum,
                                                  const struct surface *s)
 {
-    const int whole[] = {surfaces_checksum_number_of(s->shape), s->inside,
+    const int whole[] = {surfaces_shape_number(s->shape), s->inside,
                          s->material};
 
-    sum = surfaces_checksum_add(sum, whole, sizeof whole);
+    sum = crc32_z(sum, (const void *)whole, sizeof whole);
     if (s->shape->own_keys != NULL)
-        sum = surfaces_checksum_add(sum, s->own, sizeof s->own);
-    sum = surfaces_checksum_add(sum, s->point, sizeof s->point);
-    sum = surfaces_checksum_add(sum, s->normal, sizeof s->normal);
-    sum = surfaces_checksum_add(sum, &s->radius, sizeof s->radius);
+        sum = crc32_z(sum, (const void *)s->own, sizeof s->own);
+    sum = crc32_z(sum, (const void *)s->point, sizeof s->point);
+    sum = crc32_z(sum, (const void *)s->normal, sizeof s->normal);
+    sum = crc32_z(sum, (const void *)&s->radius, sizeof s->radius);
     if (s->triangles == NULL) return sum;
     const size_t n = (size_t)s->triangles->n;
-    return surfaces_checksum_add(sum, s->triangles->corner,
-                                 n * sizeof *s->triangles->corner);
+    return crc32_z(sum, (const void *)s->triangles->corner,
+                   n * sizeof *s->triangles->corner);
 }
 
 static unsigned long surfaces_checksum_add_pair(unsigned long sum,
@@ -251,9 +245,9 @@ static unsigned long surfaces_checksum_add_pair(unsigned long sum,
                             p.tangential,   p.restitution,    p.friction,
                             p.rolling};
 
-    sum = surfaces_checksum_add(sum, known, sizeof known);
+    sum = crc32_z(sum, (const void *)known, sizeof known);
     return o->law->own_keys != NULL
-               ? surfaces_checksum_add(sum, p.of[1]->own, sizeof p.of[1]->own)
+               ? crc32_z(sum, (const void *)p.of[1]->own, sizeof p.of[1]->own)
                : sum;
 }
 
