@@ -160,22 +160,15 @@ static int fill_lattice(const struct lattice *l, const struct bed_options *bed,
     return i;
 }
 
-/* The bed as if all its spheres were as wide as the widest. */
-static struct bed_options widest_of(const struct bed_options *bed)
+/* The lattice is that of the widest sphere, and ends at the top of the box, or
+ * where the region does. */
+int bed_each(const struct bed_options *bed, const struct dem_options *dem,
+             bed_put *put, void *to)
 {
     struct bed_options widest = *bed;
 
     widest.diameter = bed_range(bed).max;
-    return widest;
-}
-
-/* The lattice ends at the top of the box, or where the region does. */
-int bed_each(const struct bed_options *bed, const struct dem_options *dem,
-             bed_put *put, void *to)
-{
-    const struct bed_options widest = widest_of(bed);
     const struct lattice l = lattice_of(&widest, dem);
-
     if (bed->region.has_room == NULL && lattice_wrong(&l, &widest, dem))
         return 1;
     const int n = fill_lattice(&l, bed, dem, put, to);
@@ -210,20 +203,6 @@ int bed_fill(struct particles *ps, const struct bed_options *bed,
 
     if (wrong || bed->region.start_wrong == NULL) return wrong;
     return bed->region.start_wrong(bed->region.state, ps);
-}
-
-int bed_settle(struct particles *ps, const struct bed_options *bed,
-               const struct dem_options *dem, struct bed_report *r,
-               struct bed_histories *histories)
-{
-    int lost = 0;
-
-    *histories = (struct bed_histories){0, NULL};
-    *r = (struct bed_report){.settled = 1};
-    if (ps->n > 0 && bed->settle > 0.0 && vector_length(bed->gravity) > 0.0)
-        lost = bed_settling_run(ps, bed, dem, r, histories);
-    bed_measure(ps, bed, dem, r);
-    return lost;
 }
 
 void bed_measure(const struct particles *ps, const struct bed_options *bed,

@@ -147,9 +147,4 @@ struct bed_saver {
     int (*visit)(void *memory, struct bed_settling *b, enum bed_stage stage);
 };
 
-/* Lets ps settle, as bed_settle does. */
-int bed_settling_run(struct particles *ps, const struct bed_options *bed,
-                     const struct dem_options *dem, struct bed_report *r,
-                     struct bed_histories *histories);
-
 #endif

@@ -168,9 +168,10 @@ static int settle_in_parts(struct bed_settling *b)
     return 0;
 }
 
-int bed_settling_run(struct particles *ps, const struct bed_options *bed,
-                     const struct dem_options *o, struct bed_report *r,
-                     struct bed_histories *histories)
+/* In both parts; as bed_settle. */
+static int settle_lattice(struct particles *ps, const struct bed_options *bed,
+                          const struct dem_options *o, struct bed_report *r,
+                          struct bed_histories *histories)
 {
     struct dem_options settling = *o;
     struct bed_settling b = {
@@ -192,5 +193,19 @@ int bed_settling_run(struct particles *ps, const struct bed_options *bed,
     dem_free(b.run);
     restore_masses(ps, b.own_mass);
     set_weight(ps, ps->m, (const double[3]){0.0, 0.0, 0.0});
+    return lost;
+}
+
+int bed_settle(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_histories *histories)
+{
+    int lost = 0;
+
+    *histories = (struct bed_histories){0, NULL};
+    *r = (struct bed_report){.settled = 1};
+    if (ps->n > 0 && bed->settle > 0.0 && vector_length(bed->gravity) > 0.0)
+        lost = settle_lattice(ps, bed, dem, r, histories);
+    bed_measure(ps, bed, dem, r);
     return lost;
 }
