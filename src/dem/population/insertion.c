@@ -194,18 +194,6 @@ static int place_next(struct insertion *in, struct near_particles *c,
     return 0;
 }
 
-/* Inserts the spheres before number `last`, until one has no free position. */
-static void place_some(struct insertion *in, struct particles *ps,
-                       const struct box_domain *box, long last)
-{
-    struct near_particles near = near_particles_of(in, ps, box, last);
-
-    while (in->n_inserted < last && ps->n < ps->capacity &&
-           place_next(in, &near, ps))
-        continue;
-    owner_free(near.cells);
-}
-
 /* The spheres are inserted AT_ONCE at a time, so that the diameters of all are
  * not drawn in a step that has no room for the first. */
 int insertion_step(struct insertion *in, struct particles *ps,
@@ -218,7 +206,11 @@ int insertion_step(struct insertion *in, struct particles *ps,
     while (in->n_inserted == last && in->n_inserted < due &&
            ps->n < ps->capacity && !interrupt_arrived()) {
         last = due - in->n_inserted > AT_ONCE ? in->n_inserted + AT_ONCE : due;
-        place_some(in, ps, box, last);
+        struct near_particles near = near_particles_of(in, ps, box, last);
+        while (in->n_inserted < last && ps->n < ps->capacity &&
+               place_next(in, &near, ps))
+            continue;
+        owner_free(near.cells);
     }
     return ps->n - before;
 }

@@ -20,8 +20,8 @@ static int is_removed(const struct population *l,
     const int k = sink->side / 2, upper = sink->side % 2;
 
     if (sink->side >= 0) {
-        const double gap = (upper ? l->box.hi[k] - x[k] : x[k] - l->box.lo[k]) -
-                           0.5 * ps->d[i];
+        const double gap =
+            box_domain_gap(&l->box, sink->side, x) - 0.5 * ps->d[i];
         const double nearer = (upper ? v[k] : -v[k]) * dt;
         return gap - (nearer > 0.0 ? nearer : 0.0) <= 0.0;
     }
@@ -30,32 +30,21 @@ static int is_removed(const struct population *l,
     return 1;
 }
 
-static void population_add_momentum(double sum[3], const struct particles *ps,
-                                    int i)
+/* Adds particle i to the number, the mass and the momentum of those that came,
+ * or went. */
+static void population_count(const struct particles *ps, int i, long *n,
+                             double *mass, double momentum[3])
 {
-    sum[0] += ps->m[i] * ps->vx[i];
-    sum[1] += ps->m[i] * ps->vy[i];
-    sum[2] += ps->m[i] * ps->vz[i];
-}
+    const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
 
-static void count_removed(struct population_totals *a,
-                          const struct particles *ps, int i)
-{
-    a->removed++;
-    a->mass_out += ps->m[i];
-    population_add_momentum(a->momentum_out, ps, i);
-}
-
-static void count_inserted(struct population_totals *a,
-                           const struct particles *ps, int i)
-{
-    a->inserted++;
-    a->mass_in += ps->m[i];
-    population_add_momentum(a->momentum_in, ps, i);
+    ++*n;
+    *mass += ps->m[i];
+    vector_along(momentum, ps->m[i], v, momentum);
 }
 
 int population_mark(struct population *l, const struct particles *ps, double dt)
 {
+    struct population_totals *const a = &l->totals;
     int n = 0;
 
     if (l->n_sinks == 0) return 0;
@@ -67,8 +56,9 @@ int population_mark(struct population *l, const struct particles *ps, double dt)
     }
     if (ps->clumps != NULL) clumps_mark(ps, l->is_removed);
     for (int i = 0; i < ps->n; i++) {
-        if (l->is_removed[i]) count_removed(&l->totals, ps, i);
-        n += l->is_removed[i];
+        if (!l->is_removed[i]) continue;
+        population_count(ps, i, &a->removed, &a->mass_out, a->momentum_out);
+        n++;
     }
     return n;
 }
@@ -76,24 +66,19 @@ int population_mark(struct population *l, const struct particles *ps, double dt)
 int population_insert(struct population *l, struct particles *ps,
                       struct dem *dem, double t)
 {
+    struct population_totals *const a = &l->totals;
     const int before = ps->n;
 
-    l->totals.waiting = 0;
+    a->waiting = 0;
     for (int s = 0; s < l->n_sources; s++) {
         struct insertion *const in = &l->sources[s];
         insertion_step(in, ps, &l->box, t);
-        l->totals.waiting += insertion_count_due(in, t) - in->n_inserted;
+        a->waiting += insertion_count_due(in, t) - in->n_inserted;
     }
     for (int i = before; i < ps->n; i++)
-        count_inserted(&l->totals, ps, i);
+        population_count(ps, i, &a->inserted, &a->mass_in, a->momentum_in);
     if (ps->n > before) dem_changed(dem);
     return before;
-}
-
-static void source_state(struct insertion *in, struct state *s)
-{
-    state_long(s, "n_inserted", "-", &in->n_inserted);
-    state_long(s, "n_attempts", "-", &in->n_attempts);
 }
 
 void population_state(struct population *l, struct state *s)
@@ -110,7 +95,8 @@ void population_state(struct population *l, struct state *s)
     state_reals(s, "momentum_out", "N s", a->momentum_out, 3, 1);
     for (int k = 0; k < l->n_sources; k++) {
         state_begin_number(s, "source", k);
-        source_state(&l->sources[k], s);
+        state_long(s, "n_inserted", "-", &l->sources[k].n_inserted);
+        state_long(s, "n_attempts", "-", &l->sources[k].n_attempts);
         state_end(s);
     }
     state_end(s);

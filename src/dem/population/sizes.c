@@ -319,21 +319,17 @@ static void shape_uniform(struct sizes *s, const struct sizes_options *o)
     close_pieces(s);
 }
 
-static void shape_discrete(struct sizes *s, const struct sizes_options *o)
+/* Pieces from point to point of a table, or of points alone. */
+static void shape_points(struct sizes *s, const struct sizes_options *o)
 {
-    begin_pieces(s, o, o->n);
-    for (int i = 0; i < o->n; i++)
-        sizes_pieces_add_piece(s, o->point[i][0], o->point[i][0],
-                               o->point[i][1], o->by_mass);
-    close_pieces(s);
-}
+    const int table = o->law == &sizes_table;
 
-static void shape_table(struct sizes *s, const struct sizes_options *o)
-{
     begin_pieces(s, o, o->n);
-    for (int i = 0; i + 1 < o->n; i++)
-        sizes_pieces_add_piece(s, o->point[i][0], o->point[i + 1][0],
-                               o->point[i + 1][1] - o->point[i][1], o->by_mass);
+    for (int i = 0; i + table < o->n; i++) {
+        const double *const from = o->point[i], *const to = o->point[i + table];
+        sizes_pieces_add_piece(s, from[0], to[0],
+                               to[1] - (table ? from[1] : 0.0), o->by_mass);
+    }
     close_pieces(s);
 }
 
@@ -342,8 +338,9 @@ static const char *uniform_wrong(const struct sizes_options *o)
     return o->min > 0.0 && o->max > 0.0 ? NULL : "it needs min and max";
 }
 
-static const char *points_wrong(const struct sizes_options *o, int table)
+static const char *points_wrong(const struct sizes_options *o)
 {
+    const int table = o->law == &sizes_table;
     double sum = 0.0;
 
     if (o->n < (table ? 2 : 1)) return "it has too few points";
@@ -360,16 +357,6 @@ static const char *points_wrong(const struct sizes_options *o, int table)
     if (table && (o->point[0][1] != 0.0 || o->point[o->n - 1][1] != 1.0))
         return "the share below the first diameter must be 0, below the last 1";
     return sum > 0.0 ? NULL : "the shares must not all be 0";
-}
-
-static const char *discrete_wrong(const struct sizes_options *o)
-{
-    return points_wrong(o, 0);
-}
-
-static const char *table_wrong(const struct sizes_options *o)
-{
-    return points_wrong(o, 1);
 }
 
 static const struct key points_keys[] = {
@@ -396,8 +383,8 @@ const struct sizes_law sizes_discrete = {
     .equations = "",
     .function = "pieces_quantile",
     .keys = {points_keys, sizes_by_keys},
-    .wrong = discrete_wrong,
-    .shape = shape_discrete,
+    .wrong = points_wrong,
+    .shape = shape_points,
     .quantile = pieces_quantile,
     .moment = pieces_moment,
 };
@@ -408,8 +395,8 @@ const struct sizes_law sizes_table = {
     .equations = "",
     .function = "pieces_quantile",
     .keys = {points_keys, sizes_by_keys},
-    .wrong = table_wrong,
-    .shape = shape_table,
+    .wrong = points_wrong,
+    .shape = shape_points,
     .quantile = pieces_quantile,
     .moment = pieces_moment,
 };
