@@ -26,23 +26,16 @@ int chunk_count(int n)
 
 void chunk_release(struct chunk *s)
 {
-    struct neighbour_list *const lists[] = {&s->pairs, &s->walls};
+    struct chunk_contacts *const c = &s->contacts;
+    void *const all[] = {s->pairs.start,   s->pairs.partner, s->walls.start,
+                         s->walls.partner, c->owner,         c->partner,
+                         c->list_index,    c->xi[0],         c->xi[1],
+                         c->xi[2],         c->roll_angle[0], c->roll_angle[1],
+                         c->roll_angle[2], s->load,          s->part,
+                         s->blocks,        s->roll_history};
 
-    for (int l = 0; l < 2; l++) {
-        free(lists[l]->start);
-        free(lists[l]->partner);
-    }
-    for (int k = 0; k < 3; k++) {
-        free(s->contacts.xi[k]);
-        free(s->contacts.roll_angle[k]);
-    }
-    free(s->contacts.owner);
-    free(s->contacts.partner);
-    free(s->contacts.list_index);
-    free(s->load);
-    free(s->part);
-    free(s->blocks);
-    free(s->roll_history);
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        free(all[k]);
 }
 
 /* A sixteenth more than needed, so that arrays seldom grow after a few
@@ -335,32 +328,24 @@ void chunk_record_overlap(struct dem_overlap *d, double depth, int id,
 }
 
 /* As in the contact loop, a wall counts as a sphere of the same radius. */
-static void note_pair(struct chunk *s, const struct rows *b, int q)
-{
-    const int i = s->contacts.owner[q], j = s->contacts.partner[q];
-    const double sum = b->place[i].R + b->place[j].R;
-
-    chunk_record_overlap(&s->deep, -rows_pair_gap(b, i, j) / sum, b->id[i],
-                         b->id[j], b->place[i].x);
-}
-
-static void note_wall(struct chunk *s, const struct rows *b, int q)
-{
-    const int i = s->contacts.owner[q], wall = s->contacts.partner[q];
-    const struct row_place *const p = &b->place[i];
-
-    chunk_record_overlap(&s->deep,
-                         -0.5 * rows_wall_gap(&b->box, p, wall) / p->R,
-                         b->id[i], -1 - wall, p->x);
-}
-
 void chunk_check_overlaps(struct chunk *s, const struct rows *b,
                           const struct chunk_block *from,
                           const struct chunk_block *to)
 {
-    for (int q = from->pairs; q < to->pairs; q++)
-        note_pair(s, b, q);
-    for (int q = from->walls; q < to->walls; q++)
-        note_wall(s, b, q);
+    const int *const owner = s->contacts.owner;
+    const int *const partner = s->contacts.partner;
+
+    for (int q = from->pairs; q < to->pairs; q++) {
+        const int i = owner[q], j = partner[q];
+        const double sum = b->place[i].R + b->place[j].R;
+        chunk_record_overlap(&s->deep, -rows_pair_gap(b, i, j) / sum, b->id[i],
+                             b->id[j], b->place[i].x);
+    }
+    for (int q = from->walls; q < to->walls; q++) {
+        const struct row_place *const p = &b->place[owner[q]];
+        const double gap = rows_wall_gap(&b->box, p, partner[q]);
+        chunk_record_overlap(&s->deep, -0.5 * gap / p->R, b->id[owner[q]],
+                             -1 - partner[q], p->x);
+    }
     if (s->max_overlap > s->deep.depth) s->deep.depth = s->max_overlap;
 }

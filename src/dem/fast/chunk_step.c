@@ -440,7 +440,7 @@ struct energy neighbours_energy(const struct neighbours *nb)
                      own->energy.ahead;
         budget_add(&e, &own->energy);
         if (nb->surfaces != NULL)
-            budget_add(&e, surfaces_energy(nb->surfaces, s));
+            budget_add(&e, &nb->surfaces->chunk[s].pairs.energy);
     }
     return e;
 }

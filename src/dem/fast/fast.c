@@ -177,10 +177,10 @@ static void fast_report(struct dem *dem, long rebuilds, struct dem_report *r)
         r->max_speed = fmax(r->max_speed, sqrt(own->measures.speed2));
         r->translation += own->measures.translation;
         r->rotation += own->measures.rotation;
-    }
-    if (nb->surfaces != NULL) {
-        r->contacts += surfaces_contacts(nb->surfaces);
-        r->max_overlap = fmax(r->max_overlap, surfaces_deepest(nb->surfaces));
+        if (nb->surfaces == NULL) continue;
+        const struct surface_contacts *const c = &nb->surfaces->chunk[s];
+        r->contacts += c->touches.n;
+        r->max_overlap = fmax(r->max_overlap, c->pairs.max_overlap);
     }
     if (dem->energy != NULL) close_budget(dem);
     report_lost(nb, r);

@@ -8,20 +8,10 @@
 #include "dem/fast/neighbours.h"
 
 #include <math.h>
-#include <omp.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
-
-/* The clumps of this thread. */
-static struct chunk_range fast_clumps_slices(void)
-{
-    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
-
-    return (struct chunk_range){FAST_CLUMPS_SLICES * thread / threads,
-                                FAST_CLUMPS_SLICES * (thread + 1) / threads};
-}
 
 static struct chunk_range fast_clumps_in(const struct clumps *l, int slice)
 {
@@ -155,7 +145,7 @@ static void fast_clumps_move(struct neighbours *nb, int first, int last,
 
 void fast_clumps_drift(struct neighbours *nb, double drift)
 {
-    const struct chunk_range mine = fast_clumps_slices();
+    const struct chunk_range mine = neighbours_part(FAST_CLUMPS_SLICES);
 
     for (int s = mine.first; s < mine.last; s++) {
         const struct chunk_range in = fast_clumps_in(nb->ps->clumps, s);
@@ -201,7 +191,7 @@ static void fast_clumps_load(const struct neighbours *nb, const struct clump *c,
 
 void fast_clumps_kick(struct neighbours *nb, double kick, int budget)
 {
-    const struct chunk_range mine = fast_clumps_slices();
+    const struct chunk_range mine = neighbours_part(FAST_CLUMPS_SLICES);
     const struct clumps *const l = nb->ps->clumps;
 
     for (int s = mine.first; s < mine.last; s++) {

@@ -70,7 +70,7 @@ static void set_skip_release(const struct dem *dem, int skip)
     for (int s = mine.first; s < mine.last; s++) {
         nb->chunks[s].energy.skip_release = skip;
         if (nb->surfaces != NULL)
-            surfaces_energy(nb->surfaces, s)->skip_release = skip;
+            nb->surfaces->chunk[s].pairs.energy.skip_release = skip;
     }
     neighbours_barrier(nb);
 }

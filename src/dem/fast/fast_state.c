@@ -276,11 +276,13 @@ void fast_restore_histories(struct dem *dem, const struct dem_history *list,
                             int n, const int *index)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
+    const long own = n - surface_history_restore(nb->surfaces, list, n);
 
-    neighbours_restore_history(
-        nb, n - surface_history_restore(nb->surfaces, list, n));
+    nb->stale = nb->history_given = 1;
     for (int s = 0; s < nb->n_chunks; s++) {
-        const struct chunk *const c = &nb->chunks[s];
+        struct chunk *const c = &nb->chunks[s];
+        chunk_reserve_history(
+            c, (int)(own * (s + 1) / nb->n_chunks - own * s / nb->n_chunks));
         for (int q = 0; q < c->n_history; q++, list++) {
             struct contact_history *const k = &chunk_history(c)[q];
             k->owner = index[list->id];

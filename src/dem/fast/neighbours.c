@@ -54,13 +54,18 @@ void neighbours_free(struct neighbours *nb)
     owner_free(nb);
 }
 
-/* The chunks whose lists this thread makes, an equal number for each thread. */
-struct chunk_range neighbours_static_range(const struct neighbours *nb)
+struct chunk_range neighbours_part(int n)
 {
     const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
 
-    return (struct chunk_range){nb->n_chunks * thread / threads,
-                                nb->n_chunks * (thread + 1) / threads};
+    return (struct chunk_range){n * thread / threads,
+                                n * (thread + 1) / threads};
+}
+
+/* The chunks whose lists this thread makes, an equal number for each thread. */
+struct chunk_range neighbours_static_range(const struct neighbours *nb)
+{
+    return neighbours_part(nb->n_chunks);
 }
 
 /* In a step a contact costs about twice as much as the motion of a particle. */
@@ -144,14 +149,6 @@ void neighbours_begin_run(struct neighbours *nb, int team)
     fast_clumps_locate(nb);
     if (nb->prescribed != NULL)
         prescribed_particles_locate(nb->prescribed, nb->ps);
-}
-
-void neighbours_restore_history(struct neighbours *nb, long n)
-{
-    for (int s = 0; s < nb->n_chunks; s++)
-        chunk_reserve_history(&nb->chunks[s], (int)(n * (s + 1) / nb->n_chunks -
-                                                    n * s / nb->n_chunks));
-    nb->stale = nb->history_given = 1;
 }
 
 void neighbours_load(struct neighbours *nb)

@@ -100,7 +100,7 @@ struct neighbours {
     double ahead;       /* [s] of the places of the list */
     int stale;          /* [-] 1: the particles were changed from outside */
     int history_given;  /* [-] 1: the histories were set by
-                           neighbours_restore_history, not by the last run */
+                           fast_restore_histories, not by the last run */
     long rebuilds;
 };
 
@@ -119,6 +119,7 @@ void neighbours_watch(struct neighbours *nb, double overlap);
 struct chunk_range {
     int first, last;
 };
+struct chunk_range neighbours_part(int n); /* of n, the same number for each */
 struct chunk_range neighbours_static_range(const struct neighbours *nb);
 
 /* The same by the work in a step, which is not distributed evenly. Between uses
@@ -134,10 +135,6 @@ static inline struct chunk *neighbours_chunk_of(const struct neighbours *nb,
 
 /* Waits for all threads of the team. */
 void neighbours_barrier(const struct neighbours *nb);
-
-/* Divides the memory for the `n` histories with which the next run starts among
- * the chunks. */
-void neighbours_restore_history(struct neighbours *nb, long n);
 
 /* Before a team of so many threads starts. */
 void neighbours_begin_run(struct neighbours *nb, int team);

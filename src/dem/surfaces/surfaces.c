@@ -314,29 +314,6 @@ void surfaces_begin_run(struct surfaces *sf)
     if (sf->carried) update_carried(sf);
 }
 
-int surfaces_contacts(const struct surfaces *sf)
-{
-    int n = 0;
-
-    for (int s = 0; s < sf->n_chunks; s++)
-        n += sf->chunk[s].touches.n;
-    return n;
-}
-
-double surfaces_deepest(const struct surfaces *sf)
-{
-    double deepest = 0.0;
-
-    for (int s = 0; s < sf->n_chunks; s++)
-        deepest = fmax(deepest, sf->chunk[s].pairs.max_overlap);
-    return deepest;
-}
-
-struct chunk_energy *surfaces_energy(struct surfaces *sf, int s)
-{
-    return &sf->chunk[s].pairs.energy;
-}
-
 struct surface_received surfaces_received(const struct surfaces *sf,
                                           int surface)
 {

@@ -67,13 +67,9 @@ void surfaces_check_lost(const struct surfaces *sf, int s,
 void surfaces_state(struct surfaces *sf, const struct chunk *chunks, int most,
                     struct state *s);
 
-/* Before a run, and after it: contacts that touch [-], and the largest overlap
- * of the run over the diameter [-]. */
+/* Before a run. */
 void surfaces_begin_run(struct surfaces *sf);
-int surfaces_contacts(const struct surfaces *sf);
-double surfaces_deepest(const struct surfaces *sf);
 
-struct chunk_energy *surfaces_energy(struct surfaces *sf, int s); /* chunk s */
 /* The totals of a surface over all chunks. */
 struct surface_received surfaces_received(const struct surfaces *sf,
                                           int surface);

@@ -191,13 +191,6 @@ struct triangles *triangles_create(int n, double (*corner)[3][3])
     return t;
 }
 
-static void triangles_add(struct triangle_list *list, int i)
-{
-    list->number = alloc_room(list->number, list->n, &list->capacity,
-                              sizeof *list->number);
-    list->number[list->n++] = i;
-}
-
 /* 1 if this cell is the first one that both the search and the triangle have.
  */
 static int is_first_common_cell(const struct triangles *t, int i,
@@ -230,9 +223,12 @@ static void search(const struct triangles *t, const double y[3], double reach,
 
     for (int q = t->start[c]; q < t->start[c + 1]; q++) {
         const int i = t->member[q];
-        if (is_first_common_cell(t, i, from, cell) &&
-            triangles_is_within(t, i, y, reach))
-            triangles_add(found, i);
+        if (!is_first_common_cell(t, i, from, cell) ||
+            !triangles_is_within(t, i, y, reach))
+            continue;
+        found->number = alloc_room(found->number, found->n, &found->capacity,
+                                   sizeof *found->number);
+        found->number[found->n++] = i;
     }
 }
 
