@@ -26,12 +26,6 @@ static void export_put_line(void *to, const char *line)
     fprintf(to, "%s\n", line);
 }
 
-/* The type of a sphere; 1 where all are of one material. */
-static int export_type_of(const struct particles *ps, int i)
-{
-    return ps->material != NULL ? ps->material[i] + 1 : 1;
-}
-
 static void export_put_data(FILE *f, const struct words *w,
                             const struct particles *ps)
 {
@@ -43,7 +37,7 @@ static void export_put_data(FILE *f, const struct words *w,
     fprintf(f, "\nAtoms # sphere: id type diameter density x y z\n\n");
     for (int i = 0; i < ps->n; i++)
         fprintf(f, "%d %d %.17g %.17g %.17g %.17g %.17g\n", ps->id[i] + 1,
-                export_type_of(ps, i), ps->d[i],
+                ps->material != NULL ? ps->material[i] + 1 : 1, ps->d[i],
                 ps->m[i] / particles_volume(ps, i), ps->x[i], ps->y[i],
                 ps->z[i]);
     fprintf(f, "\nVelocities # v, omega\n\n");

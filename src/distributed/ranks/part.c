@@ -86,13 +86,7 @@ static void part_offer(struct offer *o, const struct sphere *s)
 {
     for (int k = 0; k < 3; k++)
         if (!(s->x[k] >= o->lo[k] && s->x[k] <= o->hi[k])) return;
-    if (o->n == o->room) {
-        o->room = 2 * o->room + 1000;
-        struct sphere *const more = alloc_zeroed((size_t)o->room, sizeof *more);
-        if (o->n > 0) memcpy(more, o->list, (size_t)o->n * sizeof *more);
-        free(o->list);
-        o->list = more;
-    }
+    o->list = alloc_room(o->list, o->n, &o->room, sizeof *o->list);
     o->list[o->n++] = *s;
 }
 
@@ -149,16 +143,6 @@ static int part_add_all(struct part *part, const struct settings *s,
     return wrong;
 }
 
-static void part_print_settled(const struct part *part,
-                               const struct settings *s,
-                               const struct bed_report *r)
-{
-    if (part->p.rank == 0 && !s->quiet)
-        fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
-                r->time, r->kinetic,
-                r->settled ? "" : ": NOT AT REST, raise particles.bed.settle");
-}
-
 /* The spheres of the case, where they are before the first step. */
 static int part_place(struct part *part, const struct settings *s)
 {
@@ -177,7 +161,11 @@ static int part_place(struct part *part, const struct settings *s)
             limits_step(dem.law, &dem.material, bed.diameter, bed.density, 1.0);
         const struct words w = words_of(s, d);
         spheres_settle(part->spheres, &w, step, &bed, &r);
-        part_print_settled(part, s, &r);
+        if (part->p.rank == 0 && !s->quiet)
+            fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
+                    r.time, r.kinetic,
+                    r.settled ? ""
+                              : ": NOT AT REST, raise particles.bed.settle");
     }
     build_particles_free_bed(&bed);
     return code;

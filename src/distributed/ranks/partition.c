@@ -254,8 +254,7 @@ struct halo {
     MPI_Datatype unit[MOST_FIELDS + 1];
 };
 
-/* What PETSc cannot do here is a bug or a lack of memory. */
-static void halo_must(PetscErrorCode error)
+void halo_must(int error)
 {
     if (error != 0) MPI_Abort(MPI_COMM_WORLD, 4);
 }

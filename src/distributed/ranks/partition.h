@@ -73,6 +73,9 @@ struct face_places partition_faces(const struct mesh *m, const int cut[6]);
 
 struct halo; /* PETSc's star forest */
 
+/* What PETSc cannot do here is a bug or a lack of memory: ends all ranks. */
+void halo_must(int error);
+
 struct halo *halo_create(const struct partition *p, MPI_Comm comm);
 void halo_free(struct halo *h);
 

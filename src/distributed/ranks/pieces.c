@@ -294,15 +294,13 @@ static void visit_move(struct visit *v, const char *path, int m, double *own)
 static void visit_cells(struct visit *v, const char *path, int m, double *field)
 {
     const unsigned char *const own = halo_own(v->part->halo);
-    const int cells = v->part->sim->mesh->n_cells;
-    double *const packed = alloc_doubles(m * cells);
-    const size_t size = (size_t)m * sizeof *field;
+    double *const packed = own_numbers(v->part, m, field);
 
-    for (int c = 0, n = 0; c < cells; c++)
-        if (own[c]) memcpy(packed + (long)m * n++, field + (long)m * c, size);
     visit_move(v, path, m, packed);
-    for (int c = 0, n = 0; c < cells && v->loading; c++)
-        if (own[c]) memcpy(field + (long)m * c, packed + (long)m * n++, size);
+    for (int c = 0, n = 0; c < v->part->sim->mesh->n_cells && v->loading; c++)
+        if (own[c])
+            memcpy(field + (long)m * c, packed + (long)m * n++,
+                   (size_t)m * sizeof *field);
     if (v->loading) halo_refresh(v->part->halo, m, field);
     free(packed);
 }

@@ -2,13 +2,13 @@
 #include "distributed/ranks/smoothing.h"
 
 #include <gsl/gsl_sf_bessel.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "mesh/measures.h"
 
 enum { MOST_TERMS = 2000 };
@@ -55,22 +55,12 @@ static void *smoothing_create(const struct cell_of_particle *h,
     t->link = owner_doubles(t, m->n_internal);
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
-        t->link[f] = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
-                     (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+        t->link[f] = vector_dot(S, S) / vector_dot(S, d);
     }
     for (int i = 0; i < 3; i++)
-        t->y[i] = alloc_doubles(o->fields * m->n_cells);
+        t->y[i] = owner_doubles(t, o->fields * m->n_cells);
     t->sum = owner_doubles(t, o->fields * m->n_cells);
     return t;
-}
-
-static void smoothing_release(void *state)
-{
-    struct diffuser *const t = state;
-
-    for (int i = 0; i < 3; i++)
-        free(t->y[i]);
-    owner_free(t);
 }
 
 /* next = factor (y - (2 / lambda) L y) - before, of the own cells, and then of
@@ -153,7 +143,7 @@ const struct averaging_method smoothing_method = {
     .equations = "SX15 4-9",
     .function = "smoothing_smooth",
     .create = smoothing_create,
-    .free = smoothing_release,
+    .free = owner_free,
     .spread = smoothing_spread,
     .gather = smoothing_gather,
 };

@@ -29,12 +29,6 @@ struct solve {
     double relabelled[3]; /* [N s] of all ranks */
 };
 
-/* Ends all ranks if PETSc reports an error. */
-static void solve_must(PetscErrorCode error)
-{
-    if (error != 0) MPI_Abort(MPI_COMM_WORLD, 4);
-}
-
 /* The number of each cell's row, those of a rank one after the other. */
 static PetscInt *row_numbers(const struct solve *s, MPI_Comm comm)
 {
@@ -90,21 +84,21 @@ static void create_matrix(struct solve *s, int which, PetscInt n, PetscInt *i,
     PC pc;
     KSP *const ksp = &s->ksp[which];
 
-    solve_must(MatCreate(comm, &s->A[which]));
-    solve_must(MatSetSizes(s->A[which], s->rows, s->rows, PETSC_DETERMINE,
-                           PETSC_DETERMINE));
-    solve_must(MatSetType(s->A[which], MATAIJ));
-    solve_must(MatSetPreallocationCOO(s->A[which], n, i, j));
-    solve_must(KSPCreate(comm, ksp));
-    solve_must(KSPSetOptionsPrefix(*ksp, which ? "p_" : "u_"));
-    solve_must(KSPSetType(*ksp, which ? KSPCG : KSPBCGS));
-    solve_must(KSPGetPC(*ksp, &pc));
-    solve_must(PCSetType(pc, which ? PCGAMG : PCJACOBI));
-    if (which == 0) solve_must(KSPSetPCSide(*ksp, PC_RIGHT));
-    solve_must(KSPSetNormType(*ksp, KSP_NORM_UNPRECONDITIONED));
-    solve_must(KSPSetInitialGuessNonzero(*ksp, PETSC_TRUE));
-    solve_must(KSPSetFromOptions(*ksp));
-    if (which == 1) solve_must(KSPConvergedDefaultSetUIRNorm(*ksp));
+    halo_must(MatCreate(comm, &s->A[which]));
+    halo_must(MatSetSizes(s->A[which], s->rows, s->rows, PETSC_DETERMINE,
+                          PETSC_DETERMINE));
+    halo_must(MatSetType(s->A[which], MATAIJ));
+    halo_must(MatSetPreallocationCOO(s->A[which], n, i, j));
+    halo_must(KSPCreate(comm, ksp));
+    halo_must(KSPSetOptionsPrefix(*ksp, which ? "p_" : "u_"));
+    halo_must(KSPSetType(*ksp, which ? KSPCG : KSPBCGS));
+    halo_must(KSPGetPC(*ksp, &pc));
+    halo_must(PCSetType(pc, which ? PCGAMG : PCJACOBI));
+    if (which == 0) halo_must(KSPSetPCSide(*ksp, PC_RIGHT));
+    halo_must(KSPSetNormType(*ksp, KSP_NORM_UNPRECONDITIONED));
+    halo_must(KSPSetInitialGuessNonzero(*ksp, PETSC_TRUE));
+    halo_must(KSPSetFromOptions(*ksp));
+    if (which == 1) halo_must(KSPConvergedDefaultSetUIRNorm(*ksp));
 }
 
 static void create_systems(struct solve *s, MPI_Comm comm)
@@ -120,7 +114,7 @@ static void create_systems(struct solve *s, MPI_Comm comm)
     }
     s->entry = owner_zeroed(s, most, sizeof *s->entry);
     s->diag = owner_doubles(s, s->m->n_cells);
-    solve_must(MatCreateVecs(s->A[0], &s->x, &s->b));
+    halo_must(MatCreateVecs(s->A[0], &s->x, &s->b));
     free(row);
     free(i);
     free(j);
@@ -132,10 +126,10 @@ static void solve_put(const struct solve *s, Vec v, const double *from,
 {
     double *x;
 
-    solve_must(VecGetArray(v, &x));
+    halo_must(VecGetArray(v, &x));
     for (int c = 0, o = 0; c < s->m->n_cells; c++)
         if (s->own[c]) x[o++] = from[(long)stride * c];
-    solve_must(VecRestoreArray(v, &x));
+    halo_must(VecRestoreArray(v, &x));
 }
 
 /* The other way: from the vector to every stride-th number of own cells. */
@@ -143,10 +137,10 @@ static void solve_take(const struct solve *s, Vec v, double *to, int stride)
 {
     const double *x;
 
-    solve_must(VecGetArrayRead(v, &x));
+    halo_must(VecGetArrayRead(v, &x));
     for (int c = 0, o = 0; c < s->m->n_cells; c++)
         if (s->own[c]) to[(long)stride * c] = x[o++];
-    solve_must(VecRestoreArrayRead(v, &x));
+    halo_must(VecRestoreArrayRead(v, &x));
 }
 
 /* What PETSc says of its last solve. */
@@ -156,9 +150,9 @@ static struct solve_report report_of(KSP ksp)
     PetscReal residual;
     KSPConvergedReason why;
 
-    solve_must(KSPGetIterationNumber(ksp, &iterations));
-    solve_must(KSPGetResidualNorm(ksp, &residual));
-    solve_must(KSPGetConvergedReason(ksp, &why));
+    halo_must(KSPGetIterationNumber(ksp, &iterations));
+    halo_must(KSPGetResidualNorm(ksp, &residual));
+    halo_must(KSPGetConvergedReason(ksp, &why));
     return (struct solve_report){
         .iterations = (int)iterations, .after = residual, .converged = why > 0};
 }
@@ -166,11 +160,11 @@ static struct solve_report report_of(KSP ksp)
 static struct solve_report solve_one(struct solve *s, int which,
                                      const double *b, double *x, int stride)
 {
-    solve_must(MatSetValuesCOO(s->A[which], s->entry, INSERT_VALUES));
+    halo_must(MatSetValuesCOO(s->A[which], s->entry, INSERT_VALUES));
     solve_put(s, s->b, b, stride);
     solve_put(s, s->x, x, stride);
-    solve_must(KSPSetOperators(s->ksp[which], s->A[which], s->A[which]));
-    solve_must(KSPSolve(s->ksp[which], s->b, s->x));
+    halo_must(KSPSetOperators(s->ksp[which], s->A[which], s->A[which]));
+    halo_must(KSPSolve(s->ksp[which], s->b, s->x));
     solve_take(s, s->x, x, stride);
     return report_of(s->ksp[which]);
 }
@@ -195,8 +189,8 @@ static struct solve_report solve_momentum(void *parts, struct fluid *fl,
     const struct momentum_system *const m = fl->momentum;
     struct solve_report worst = {-1, 0.0, 0.0, 1};
 
-    solve_must(KSPSetTolerances(s->ksp[0], 0.0, tolerance * norm_of(s, m->H),
-                                PETSC_DEFAULT, 200));
+    halo_must(KSPSetTolerances(s->ksp[0], 0.0, tolerance * norm_of(s, m->H),
+                               PETSC_DEFAULT, 200));
     for (int k = 0; k < 3; k++) {
         fill_entries(s, momentum_diagonal(m) + (m->diag3 != NULL ? k : 0),
                      m->matrix->diagonals, m->matrix->upper, m->matrix->lower,
@@ -223,7 +217,7 @@ static struct solve_report solve_pressure(void *parts, struct fluid *fl,
         s->diag[s->m->neighbour[f]] += p->conductance[f];
     }
     absolute = halo_largest(s->h, absolute);
-    solve_must(
+    halo_must(
         KSPSetTolerances(s->ksp[1], relative, absolute, PETSC_DEFAULT, 500));
     fill_entries(s, s->diag, 1, p->conductance, p->conductance, -1.0);
     const struct solve_report r = solve_one(s, 1, p->divergence, fl->p, 1);
@@ -339,11 +333,11 @@ void solve_free(struct solve *s)
 {
     if (s == NULL) return;
     for (int i = 0; i < 2; i++) {
-        solve_must(KSPDestroy(&s->ksp[i]));
-        solve_must(MatDestroy(&s->A[i]));
+        halo_must(KSPDestroy(&s->ksp[i]));
+        halo_must(MatDestroy(&s->A[i]));
     }
-    solve_must(VecDestroy(&s->b));
-    solve_must(VecDestroy(&s->x));
+    halo_must(VecDestroy(&s->b));
+    halo_must(VecDestroy(&s->x));
     owner_free(s);
 }
 

@@ -11,6 +11,7 @@
 #include <lammps/library.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "dem/dem_method.h"
 
 /* The overlap with the walls of the box, over the diameter. */
@@ -99,13 +100,11 @@ void spheres_report(struct spheres *q, int untaken, struct dem_report *r)
     measure_contacts(q, &sum[4], &most[0]);
     for (int i = 0; i < ps->n; i++) {
         const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
-        const double vv = ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
-                          ps->vz[i] * ps->vz[i];
-        const double ww = ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
-                          ps->wz[i] * ps->wz[i];
-        sum[2] += 0.5 * ps->m[i] * vv;
-        sum[3] += 0.05 * ps->m[i] * ps->d[i] * ps->d[i] * ww;
-        most[1] = fmax(most[1], sqrt(vv));
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+        sum[2] += 0.5 * ps->m[i] * vector_dot(v, v);
+        sum[3] += 0.05 * ps->m[i] * ps->d[i] * ps->d[i] * vector_dot(w, w);
+        most[1] = fmax(most[1], vector_length(v));
         if (spheres_report_is_inside(q, x)) {
             sum[1] += ps->id[i];
             continue;
