@@ -26,8 +26,10 @@ struct drag_law {
                                 warns outside of them */
     double (*resistance)(double eps_f, double rho_f, double mu, double d,
                          double u_r);
-    /* In its place, of a law that is one: the factor F of drag_by_factor. */
+    /* In its place, of a law that is one: the factor F of drag_by_factor; alone
+     * = 1: its eps_f is always 1. */
     double (*factor)(double eps_f, double Re);
+    int alone;
     /* The same for n particles, to rounding; NULL: one by one. */
     void (*resistance_many)(int n, const double *eps_f, double rho_f, double mu,
                             const double *d, const double *u_r,
@@ -175,7 +177,8 @@ static inline double drag_resistance(const struct drag_law *law, double eps_f,
                                      double u_r)
 {
     if (law->factor != NULL)
-        return drag_by_factor(law->factor, eps_f, rho_f, mu, d, u_r);
+        return drag_by_factor(law->factor, law->alone ? 1.0 : eps_f, rho_f, mu,
+                              d, u_r);
     return law->resistance != NULL
                ? law->resistance(eps_f, rho_f, mu, d, u_r)
                : law->resistance_with(law->own, eps_f, rho_f, mu, d, u_r);
