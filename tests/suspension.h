@@ -68,14 +68,6 @@ static const struct scene air = {.averaging = "diffusion",
                                  .cells = 6,
                                  .width = 2.0};
 
-static inline void add_effect(struct simulation *sim, const struct effect *e,
-                              const double *numbers)
-{
-    sim->effects[sim->n_effects].effect = e;
-    sim->effects[sim->n_effects].memory = e->create(sim, numbers);
-    sim->n_effects++;
-}
-
 /* Spheres on a lattice with random velocities. */
 static inline void scatter(struct simulation *sim, const struct scene *s)
 {
@@ -204,18 +196,20 @@ static inline struct simulation *build(const struct scene *s)
     if (s->fed > 0.0 || s->sink > 0.0) create_life(sim, s, &o);
     create_fluid(sim, s);
     create_coupling(sim, s);
-    sim->effects = alloc_zeroed(8, sizeof *sim->effects);
-    if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
-    if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
-    if (s->whole_drag) add_effect(sim, effect_named("whole_drag"), NULL);
+    if (s->gravity[1] != 0.0) effects_create(sim, &gravity_effect, s->gravity);
+    if (s->pressure_gradient)
+        effects_create(sim, &pressure_gradient_effect, NULL);
+    if (s->whole_drag) effects_create(sim, effect_named("whole_drag"), NULL);
     if (s->virtual_mass > 0.0)
-        add_effect(sim, effect_named("virtual_mass"), &s->virtual_mass);
+        effects_create(sim, effect_named("virtual_mass"), &s->virtual_mass);
     if (s->viscous_stress)
-        add_effect(sim, effect_named("viscous_stress"), NULL);
-    if (s->basset > 0.0) add_effect(sim, effect_named("basset"), &s->basset);
-    if (s->saffman) add_effect(sim, effect_named("saffman"), NULL);
-    if (s->fluid_torque) add_effect(sim, effect_named("fluid_torque"), NULL);
-    if (s->magnus) add_effect(sim, effect_named("magnus"), NULL);
+        effects_create(sim, effect_named("viscous_stress"), NULL);
+    if (s->basset > 0.0)
+        effects_create(sim, effect_named("basset"), &s->basset);
+    if (s->saffman) effects_create(sim, effect_named("saffman"), NULL);
+    if (s->fluid_torque)
+        effects_create(sim, effect_named("fluid_torque"), NULL);
+    if (s->magnus) effects_create(sim, effect_named("magnus"), NULL);
     ck_assert_int_eq(coupling_start(sim), 0);
     return sim;
 }

@@ -118,7 +118,7 @@ static struct simulation *agitated(const struct scene *s, double sigma,
     struct simulation *const sim = build(s);
     const double numbers[] = {sigma, sigma, 1.0, 1.0, 0.0, T, seed};
 
-    add_effect(sim, effect_named("stochastic_drag"), numbers);
+    effects_create(sim, effect_named("stochastic_drag"), numbers);
     return sim;
 }
 

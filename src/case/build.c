@@ -59,7 +59,7 @@ void build_effects(const struct settings *s, struct simulation *sim)
 
     for (int i = 0; effects[i] != NULL; i++)
         if (fill_effect_numbers(s, effects[i], numbers))
-            effects_add(sim, effects[i], effects[i]->create(sim, numbers));
+            effects_create(sim, effects[i], numbers);
 }
 
 /* --- the boundaries ------------------------------------------------------- */

@@ -43,8 +43,8 @@ enum { EFFECT_TRIAL = 160 };
 
 struct effect {
     MODEL_MEMBERS; /* base/model.h */
+    /* Any of these may be NULL. create makes its memory. */
     void *(*create)(struct simulation *sim, const double *parameters);
-    /* Any of these may be NULL. */
     void (*before_particles)(void *memory, struct simulation *sim);
     /* For forces that follow the slip: adds to the external force of
      * particles.h for the sub-step of the drag that follows. */

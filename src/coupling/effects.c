@@ -23,6 +23,16 @@ void effects_add(struct simulation *sim, const struct effect *e, void *memory)
         (struct effect_state){.effect = e, .memory = memory};
 }
 
+void effects_create(struct simulation *sim, const struct effect *e,
+                    const double *parameters)
+{
+    effects_add(sim, e, NULL);
+    sim->running_effect = &sim->effects[sim->n_effects - 1];
+    if (e->create != NULL)
+        sim->running_effect->memory = e->create(sim, parameters);
+    sim->running_effect = NULL;
+}
+
 void *effects_memory(const struct simulation *sim, const struct effect *e)
 {
     for (int i = 0; i < sim->n_effects; i++)

@@ -35,6 +35,11 @@ extern const struct effect viscous_stress_effect, virtual_mass_effect,
 extern const struct effect *const effects[];
 const struct effect *effect_named(const char *name);
 
+/* Creates an effect of these parameters and adds it; meanwhile it is
+ * sim->running_effect. */
+void effects_create(struct simulation *sim, const struct effect *e,
+                    const double *parameters);
+
 /* Adds an active effect to the simulation, which frees its memory. */
 void effects_add(struct simulation *sim, const struct effect *e, void *memory);
 

@@ -56,7 +56,8 @@ struct simulation {
     struct boundary *boundaries;  /* one a patch, of the fluid */
     int n_effects;
     struct effect_state *effects;
-    struct effect_state *running_effect; /* the one whose hook runs */
+    struct effect_state *running_effect; /* the one whose hook runs, or
+                                            that is created */
     struct effect_tally force_scale; /* what their forces are compared with */
     struct seconds seconds;
     struct processes *processes; /* with the other parts of it; NULL: there is

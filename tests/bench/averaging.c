@@ -97,14 +97,6 @@ static void create_particles(struct simulation *sim, const double hi[3])
     sim->dem = dem_create(sim->particles, &o);
 }
 
-static void add_effect(struct simulation *sim, const struct effect *e,
-                       const double *numbers)
-{
-    sim->effects[sim->n_effects].effect = e;
-    sim->effects[sim->n_effects].memory = e->create(sim, numbers);
-    sim->n_effects++;
-}
-
 static void create_coupling(struct simulation *sim)
 {
     const struct coupling_options o = {.law = drag_law_named("syamlal-obrien"),
@@ -115,9 +107,8 @@ static void create_coupling(struct simulation *sim)
 
     sim->averaging = averaging_of(sim, "diffusion", "exponential");
     sim->coupling = coupling_create(sim, &o);
-    sim->effects = alloc_zeroed(2, sizeof *sim->effects);
-    add_effect(sim, &gravity_effect, sim->gravity);
-    add_effect(sim, &pressure_gradient_effect, NULL);
+    effects_create(sim, &gravity_effect, sim->gravity);
+    effects_create(sim, &pressure_gradient_effect, NULL);
     if (coupling_start(sim) != 0) exit(1);
 }
 

@@ -24,25 +24,27 @@
  * flow. With averaging.gradient_bandwidth it is found at the particles
  * themselves, by the derivative of a kernel [EW18 B.6]. */
 struct vorticity {
+    char name[48];    /* of the attached array `at` (particles.h) */
     double *u_b;      /* [m/s] at the boundary, 3 a face */
     double *gradient; /* [1/s] of u, 9 a cell; by a kernel: 9 a particle */
     double *curl;     /* [1/s] 3 a cell */
     double *at;       /* [1/s] interpolated to the particles, 3 each */
 };
 
-/* `name` is that of the attached array `at` (particles.h); borrowed. */
-static struct vorticity *vorticity_create(struct simulation *sim,
-                                          const char *name)
+static void *vorticity_create(struct simulation *sim, const double *parameters)
 {
     const struct mesh *const m = sim->mesh;
     struct vorticity *const v = owner_create(sizeof *v);
 
+    (void)parameters;
+    snprintf(v->name, sizeof v->name, "%s_vorticity",
+             sim->running_effect->effect->name);
     v->u_b = owner_doubles(v, 3 * (m->n_faces - m->n_internal));
     v->gradient = owner_doubles(v, 9 * (m->n_cells > sim->particles->capacity
                                             ? m->n_cells
                                             : sim->particles->capacity));
     v->curl = owner_doubles(v, 3 * m->n_cells);
-    v->at = particles_new_array(sim->particles, name, "1/s", 3);
+    v->at = particles_new_array(sim->particles, v->name, "1/s", 3);
     return v;
 }
 
@@ -135,12 +137,6 @@ void saffman_lift(double rho, double mu, double d, const double w[3],
         F[a] *= k; /* [LS 5.6] */
 }
 
-static void *saffman_create(struct simulation *sim, const double *parameters)
-{
-    (void)parameters;
-    return vorticity_create(sim, "saffman_vorticity");
-}
-
 /* The lift for the slip at the start of the sub-step. */
 static void saffman_before_substep(void *memory, struct simulation *sim)
 {
@@ -187,7 +183,7 @@ const struct effect saffman_effect = {
     .equations = "LS 5.5, 5.6",
     .function = "saffman_lift",
     .keys = {saffman_keys},
-    .create = saffman_create,
+    .create = vorticity_create,
     .before_particles = vorticity_update,
     .before_substep = saffman_before_substep,
     .estimate = saffman_estimate,
@@ -254,12 +250,6 @@ double spin_decay_rate(double rho, double mu, double d, double rho_s,
 
 /* Magnus's lift on a particle that spins [LS 5.7] (spin.h). */
 
-static void *magnus_create(struct simulation *sim, const double *parameters)
-{
-    (void)parameters;
-    return vorticity_create(sim, "magnus_vorticity");
-}
-
 /* The lift for slip and spin at the start of the sub-step. */
 static void magnus_before_substep(void *memory, struct simulation *sim)
 {
@@ -308,7 +298,7 @@ const struct effect magnus_effect = {
     .equations = "LS 5.7",
     .function = "spin_lift",
     .keys = {magnus_keys},
-    .create = magnus_create,
+    .create = vorticity_create,
     .before_particles = vorticity_update,
     .before_substep = magnus_before_substep,
     .estimate = magnus_estimate,
@@ -325,13 +315,6 @@ const struct effect magnus_effect = {
  * stable for any sub-step. The reaction does not act on the fluid: averaged
  * over the cell a couple is no force, and the angular momentum of the fluid
  * below the size of a cell is not in the equations. */
-
-static void *fluid_torque_create(struct simulation *sim,
-                                 const double *parameters)
-{
-    (void)parameters;
-    return vorticity_create(sim, "fluid_torque_vorticity");
-}
 
 static void fluid_torque_before_substep(void *memory, struct simulation *sim)
 {
@@ -394,7 +377,7 @@ const struct effect fluid_torque_effect = {
     .equations = "",
     .function = "spin_decay_rate",
     .keys = {fluid_torque_keys},
-    .create = fluid_torque_create,
+    .create = vorticity_create,
     .before_particles = vorticity_update,
     .before_substep = fluid_torque_before_substep,
     .estimate = fluid_torque_estimate,

@@ -33,17 +33,20 @@ struct pair_share {
     double *strongest; /* [N] force on each particle */
 };
 
-/* The memory of an effect with this law; NULL if the particles do not have
- * it. */
-static void *pair_share_create(struct simulation *sim,
-                               const struct attraction_law *law)
+/* The memory of the effect that is created, whose law has its name; NULL if the
+ * particles do not have that. They are created with it (.attraction): this
+ * measures it. */
+static void *pair_share_create(struct simulation *sim, const double *parameters)
 {
+    const char *const name = sim->running_effect->effect->name;
     const struct dem_options *const o = &sim->dem->options;
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const struct attraction *found = NULL;
 
     for (int k = 0; k < o->n_attractions; k++)
-        if (o->attractions[k].law == law) found = &o->attractions[k];
+        if (strcmp(o->attractions[k].law->name, name) == 0)
+            found = &o->attractions[k];
+    (void)parameters;
     if (found == NULL) return NULL;
     struct pair_share *const self = owner_create(sizeof *self);
     self->attraction = found;
@@ -189,14 +192,6 @@ lubrication_attraction(const double *p, const struct attraction_scene *scene)
                                .range = p[1]};
 }
 
-/* The particles are created with it; this measures it. */
-static void *lubrication_create(struct simulation *sim,
-                                const double *parameters)
-{
-    (void)parameters;
-    return pair_share_create(sim, &law);
-}
-
 /* Of what an impact loses so much at most was seen in the mean speed of the
  * grains, by `check --try` in eight suspensions and beds [-]. */
 static const double seen = 0.1;
@@ -257,7 +252,7 @@ const struct effect lubrication_effect = {
     .equations = "Cox67",
     .function = "lubrication_coefficient",
     .keys = {lubrication_keys},
-    .create = lubrication_create,
+    .create = pair_share_create,
     .after_step = pair_share_after_step,
     .free = pair_share_free,
     .attraction = lubrication_attraction,
@@ -272,28 +267,7 @@ const struct effect lubrication_effect = {
 /* The attractions of dem/cohesion as effects.
  * Chapter "Materials, rolling and cohesion". */
 
-/* They act within the steps of the particles, and while a bed settles:
- * therefore the particles are created with them (.attraction), and what create
- * makes only measures them. */
-static void *create_electrostatic(struct simulation *sim,
-                                  const double *parameters)
-{
-    (void)parameters;
-    return pair_share_create(sim, &electrostatic);
-}
-
-static void *create_van_der_waals(struct simulation *sim,
-                                  const double *parameters)
-{
-    (void)parameters;
-    return pair_share_create(sim, &van_der_waals);
-}
-
-static void *create_capillary(struct simulation *sim, const double *parameters)
-{
-    (void)parameters;
-    return pair_share_create(sim, &capillary);
-}
+/* They act within the steps of the particles, and while a bed settles. */
 
 /* 1 in a liquid, which has a twentieth of the density of the grains at least:
  * no bridge forms in it, charges leak away, and the attraction of surfaces is a
@@ -389,7 +363,7 @@ const struct effect cohesion_electrostatic = {
     .equations = "LS 4.13",
     .function = "electrostatic_force",
     .keys = {electrostatic_keys},
-    .create = create_electrostatic,
+    .create = pair_share_create,
     .after_step = pair_share_after_step,
     .free = pair_share_free,
     .attraction = electrostatic_of,
@@ -436,7 +410,7 @@ const struct effect cohesion_van_der_waals = {
     .equations = "LS 4.14",
     .function = "van_der_waals_force",
     .keys = {van_der_waals_keys},
-    .create = create_van_der_waals,
+    .create = pair_share_create,
     .after_step = pair_share_after_step,
     .free = pair_share_free,
     .attraction = van_der_waals_of,
@@ -477,7 +451,7 @@ const struct effect cohesion_capillary = {
     .equations = "LS 4.15",
     .function = "capillary_force",
     .keys = {capillary_keys},
-    .create = create_capillary,
+    .create = pair_share_create,
     .after_step = pair_share_after_step,
     .free = pair_share_free,
     .attraction = capillary_of,

@@ -54,8 +54,7 @@ static double link(const struct mesh *m, int f)
 {
     const double *const S = mesh_S(m, f), *const d = mesh_d(m, f);
 
-    return (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
-           (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+    return vector_dot(S, S) / vector_dot(S, d);
 }
 
 /* Adds mu grad u . (S - d S.S / S.d), linear between the cells. */
@@ -180,13 +179,6 @@ const struct effect viscous_stress_effect = {
  * charged with the same one. The fluid carries the weight of the solids in
  * eps_s, and gets the buoyancy back for these only (averaging_apply_cap). */
 
-static void *whole_drag_create(struct simulation *sim, const double *parameters)
-{
-    (void)sim;
-    (void)parameters;
-    return NULL;
-}
-
 static void whole_drag_drag(void *memory, struct simulation *sim, double *k)
 {
     const double *const eps = sim->coupling->eps;
@@ -245,7 +237,6 @@ const struct effect whole_drag_effect = {
     .equations = "SX15 2b, SX15 3, EW18 11, 12, 13, A.5",
     .function = "whole_drag_drag",
     .keys = {whole_drag_keys},
-    .create = whole_drag_create,
     .before_particles = whole_drag_before_particles,
     .drag = whole_drag_drag,
     .estimate = whole_drag_estimate,
