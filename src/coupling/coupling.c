@@ -45,16 +45,9 @@ struct coupling *coupling_create(struct simulation *sim,
 
 int coupling_start(struct simulation *sim)
 {
-    const struct particles *const ps = sim->particles;
-    struct coupling *const cp = sim->coupling;
-
     processes_join(sim, PROCESSES_START);
-    if (cp == NULL) return 0;
-    for (int i = 0; i < ps->n; i++) {
-        cp->u_mean[3 * i] = ps->vx[i];
-        cp->u_mean[3 * i + 1] = ps->vy[i];
-        cp->u_mean[3 * i + 2] = ps->vz[i];
-    }
+    if (sim->coupling == NULL) return 0;
+    transfer_start_velocity(sim, 0);
     if (processes_largest(sim, transfer_average(sim)) != 0) return 1;
     fluid_reset_eps_history(sim->fluid);
     transfer_fluid(sim); /* u_f, for the slip in the first k */
@@ -104,12 +97,6 @@ static int count_substeps(const struct simulation *sim)
     return number_clamped(n, 1, sim->dem_steps);
 }
 
-/* k of n equal parts of so many steps, rounded down. */
-static int coupling_part_of(int steps, int k, int n)
-{
-    return (int)((long)steps * k / n);
-}
-
 /* The report of a step in several parts has the sum of their rebuilds and the
  * deepest of their overlaps. */
 static void add_before(struct dem_report *r, const struct dem_report *before)
@@ -142,8 +129,8 @@ static int move_with_drag(struct simulation *sim, double *clock)
 
     transfer_begin_substeps(sim);
     for (int k = 0; k < n && !failed; k++) {
-        const int steps = coupling_part_of(sim->dem_steps, k + 1, n) -
-                          coupling_part_of(sim->dem_steps, k, n);
+        const long all = sim->dem_steps; /* in n equal parts, rounded down */
+        const int steps = (int)(all * (k + 1) / n - all * k / n);
         apply_held_forces(sim);
         sim->substep = sim->dt * steps / sim->dem_steps;
         effects_call(sim, EFFECTS_BEFORE_SUBSTEP);
@@ -233,11 +220,14 @@ int coupling_step(struct simulation *sim)
     return processes_largest(sim, failed);
 }
 
-/* The field of the last step is needed for the check in the next one. */
-static void exchange_state(struct simulation *sim, struct state *s)
+/* The arrays of the particles are attached to them and visited there; the
+ * unpaid impulse of removed particles acts within the step that removes them.
+ * The field of the last step is needed for the check in the next one. */
+void coupling_state(struct simulation *sim, struct state *s)
 {
+    if (sim->population != NULL) population_state(sim->population, s);
+    if (sim->coupling == NULL) return;
     struct coupling_report *const r = &sim->coupling->report;
-
     state_begin(s, "coupling");
     state_reals(s, "K_and_F", "kg/(m^3 s) N/m^3", sim->coupling->field,
                 sim->mesh->n_cells, 4);
@@ -247,15 +237,6 @@ static void exchange_state(struct simulation *sim, struct state *s)
     state_real(s, "eps_lowest", "-", &r->eps_lowest);
     state_real(s, "lowest_interpolated", "-", &r->lowest_interpolated);
     state_end(s);
-}
-
-/* The arrays of the particles are attached to them and visited there; the
- * unpaid impulse of removed particles acts within the step that removes them.
- */
-void coupling_state(struct simulation *sim, struct state *s)
-{
-    if (sim->population != NULL) population_state(sim->population, s);
-    if (sim->coupling != NULL) exchange_state(sim, s);
 }
 
 void coupling_add_impulse(struct simulation *sim, int i,

@@ -29,16 +29,12 @@ static void take_solids(struct simulation *sim, int m)
 
 /* Continuity of the mixture contains eps_s u_s; the void-rate form does not,
  * and its steps average these fields less [SX15 section 3.4]. */
-static int needs_velocity(const struct simulation *sim)
-{
-    return sim->fluid->options.continuity == CONTINUITY_MIXTURE;
-}
-
 int reaction_average(struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     struct coupling *const cp = sim->coupling;
-    const int m = needs_velocity(sim) ? 4 : 1;
+    const int m = sim->fluid->options.continuity == CONTINUITY_MIXTURE ? 4 : 1;
+
 #pragma omp parallel for schedule(static) if (ps->n >= TRANSFER_MANY)
     for (int i = 0; i < ps->n; i++) {
         const double V = particles_volume(ps, i);

@@ -40,19 +40,6 @@ static void collect_unpaid(struct simulation *sim)
     averaging_spread(sim->averaging, 3, impulse, r->unpaid_impulse);
 }
 
-/* The mean velocity of an inserted particle is its own initial velocity. */
-static void start_velocity(struct simulation *sim, int first)
-{
-    const struct particles *const ps = sim->particles;
-
-    for (int i = first; i < ps->n; i++) {
-        double *const u_mean = &sim->coupling->u_mean[3 * i];
-        u_mean[0] = ps->vx[i];
-        u_mean[1] = ps->vy[i];
-        u_mean[2] = ps->vz[i];
-    }
-}
-
 /* The first drag of an inserted particle needs the fluid velocity there. */
 static void start_fluid_velocity(struct simulation *sim, int first)
 {
@@ -104,7 +91,7 @@ int replacement_apply(struct simulation *sim, int first)
 
     if (cp->replacement == NULL) replacement_create(cp, n_cells);
     double *const eps_before = cp->replacement->eps_before;
-    start_velocity(sim, first);
+    transfer_start_velocity(sim, first);
     memcpy(eps_before, sim->fluid->eps, (size_t)n_cells * sizeof *eps_before);
     if (transfer_average(sim) != 0) return 1;
     if (cp->options.two_way) {

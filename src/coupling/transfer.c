@@ -141,12 +141,6 @@ void transfer_drag_terms(struct simulation *sim)
     if (cp->options.two_way) reaction_drag_terms(sim);
 }
 
-/* 1: the interpolation is already the adjoint of the averaging. */
-static int uses_same_weights(const struct coupling *cp)
-{
-    return cp->options.interpolation == interpolation_named("same");
-}
-
 /* Only the interpolation "linear" uses boundary velocities. */
 void transfer_velocity(struct simulation *sim, double *u_f)
 {
@@ -157,17 +151,29 @@ void transfer_velocity(struct simulation *sim, double *u_f)
                                      u_f);
 }
 
-/* Interpolates the fluid velocity [m/s] to each particle. */
+/* Interpolates the fluid velocity [m/s] to each particle; the interpolation
+ * "same" is the adjoint of the averaging. */
 void transfer_fluid(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
 
     if (cp->options.two_way) reaction_receive(sim);
-    if (cp->options.two_way && uses_same_weights(cp))
+    if (cp->options.two_way &&
+        cp->options.interpolation == interpolation_named("same"))
         memcpy(cp->u_f, cp->smooth,
                3 * (size_t)sim->particles->n * sizeof *cp->u_f);
     else
         transfer_velocity(sim, cp->u_f);
+}
+
+void transfer_start_velocity(struct simulation *sim, int first)
+{
+    const struct particles *const ps = sim->particles;
+
+    for (int i = first; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        memcpy(&sim->coupling->u_mean[3 * i], v, sizeof v);
+    }
 }
 
 void transfer_begin_substeps(struct simulation *sim)

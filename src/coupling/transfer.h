@@ -36,6 +36,9 @@ void transfer_velocity(struct simulation *sim, double *u_f);
 /* The size of the drag on particle i after transfer_drag_terms [N]. */
 double transfer_drag(const struct simulation *sim, int i);
 
+/* The mean velocity of the particles from index `first` on is their own. */
+void transfer_start_velocity(struct simulation *sim, int first);
+
 /* Starts the sums over the sub-steps. */
 void transfer_begin_substeps(struct simulation *sim);
 
