@@ -412,7 +412,7 @@ static struct manufactured_error manufactured_run(const struct manufactured *a)
     struct manufactured_error e = manufactured_compare(a, fl);
     if (failed) e = (struct manufactured_error){NAN, NAN, NAN, NAN, NAN, NAN};
     struct mesh *const m = (struct mesh *)fl->mesh;
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     free(b.profile);
     return e;

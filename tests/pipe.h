@@ -101,7 +101,7 @@ static double pipe_of_tetrahedra(int n, const char *convection,
     while (fl->t < end && !failed)
         failed = fluid_step(fl);
     const double drop = -pipe_slope(fl) / (32.0 * pipe_mu * U);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     free(profile);
     return failed ? NAN : drop;

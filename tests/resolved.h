@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/alloc.h"
 #include "dem/dem_method.h"
 #include "resolved/shapes/block_contacts.h"
 #include "resolved/body_motion.h"
@@ -93,7 +94,7 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
 static inline void pool_free(struct pool *p)
 {
     solid_bodies_free(p->bodies);
-    fluid_free(p->fluid);
+    owner_free(p->fluid);
     mesh_free(p->mesh);
 }
 

@@ -222,7 +222,7 @@ static inline void discard(struct simulation *sim)
     dem_free(sim->dem);
     owner_free(sim->population);
     particles_free(sim->particles);
-    fluid_free(sim->fluid);
+    owner_free(sim->fluid);
     mesh_free(sim->mesh);
     free(sim);
 }

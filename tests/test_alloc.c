@@ -54,16 +54,23 @@ FACT(arrays_of_an_owner_stay_until_it_is_freed)
     owner_free(NULL);
 }
 
-/* Each owner takes tens of megabytes, all together more than the most that one
- * may: what is not released adds up. */
-FACT(arrays_are_released_with_their_owner)
+/* Each owner takes tens of megabytes, itself, from elsewhere or by a part of
+ * it, all together more than the most that one may: what is not released adds
+ * up. */
+FACT(arrays_and_parts_are_released_with_their_owner)
 {
     enum { N = 1 << 22, TIMES = 10 };
     double first = 0.0;
 
     for (int k = 0; k < TIMES; k++) {
         struct thing *const t = owner_create(sizeof *t);
-        owner_doubles(t, N);
+        void *const part = owner_join(t, owner_create(sizeof *t));
+        if (k % 3 == 0)
+            owner_doubles(t, N);
+        else if (k % 3 == 1)
+            owner_take(t, alloc_doubles(N));
+        else
+            owner_doubles(part, N);
         owner_free(t);
         if (k == 0) first = alloc_peak();
     }

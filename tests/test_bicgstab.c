@@ -53,9 +53,9 @@ static void release(struct setting *s)
     free(s->diag);
     free(s->rhs);
     free(s->x);
-    csr_free(s->A);
-    ldu_free(s->M);
-    faces_release(&s->faces);
+    owner_free(s->A);
+    owner_free(s->M);
+    owner_free(s->faces.pieces);
     links_free(&s->b);
 }
 
@@ -71,7 +71,7 @@ static void work_free(struct bicgstab_work *w, double *space[5])
 {
     for (int k = 0; k < 5; k++)
         free(space[k]);
-    free(w);
+    owner_free(w);
 }
 
 static struct solve_report solve(struct setting *s, double tolerance,
@@ -250,7 +250,7 @@ FACT(a_breakdown_is_reported)
         ck_assert_double_eq_tol(x[3 + k], 0.0, 1e-9);
     }
     work_free(w, space);
-    ldu_free(A);
+    owner_free(A);
 }
 
 /* By pieces, and by lists in a box of rows that are too short. */

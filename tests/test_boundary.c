@@ -37,7 +37,7 @@ static struct mesh *box(double x, double y, int nx, int ny, int periodic_x,
 static void discard(struct fluid *fl)
 {
     struct mesh *const m = (struct mesh *)fl->mesh;
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 

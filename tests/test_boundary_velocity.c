@@ -71,6 +71,6 @@ FACT(each_kind_of_side_has_its_velocity)
                                         expected[i][k], 1e-14);
     }
     free(u_b);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }

@@ -41,9 +41,9 @@ static void release(struct setting *s)
 {
     free(s->rhs);
     free(s->x);
-    cg_work_free(s->w);
-    preconditioned_free(s->M);
-    csr_free(s->A);
+    owner_free(s->w);
+    owner_free(s->M.matrix);
+    owner_free(s->A);
     links_free(&s->b);
 }
 
@@ -79,7 +79,7 @@ FACT(the_right_hand_side_may_be_the_third_vector_that_was_lent)
     for (int k = 0; k < 3; k++)
         free(space[k]);
     free(x);
-    cg_work_free(lent);
+    owner_free(lent);
     release(&s);
 }
 

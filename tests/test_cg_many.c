@@ -41,7 +41,7 @@ static void release(struct setting *s)
     free(s->u);
     free(s->rhs);
     free(s->x);
-    csr_free(s->A);
+    owner_free(s->A);
     links_free(&s->b);
 }
 
@@ -52,7 +52,7 @@ static struct solve_report solve(struct setting *s, const double *weight,
     const struct solve_report r =
         cg_many_solve(s->A, weight, s->rhs, s->x, tolerance, 0.0, limit, w);
 
-    cg_many_work_free(w);
+    owner_free(w);
     return r;
 }
 
@@ -91,7 +91,7 @@ FACT(each_field_is_solved_as_by_cg_alone)
         ck_assert_int_le(r.iterations, most + 1);
         free(b);
         free(x);
-        cg_work_free(w);
+        owner_free(w);
         release(&s);
     }
 }

@@ -26,7 +26,7 @@ static struct setting closed_box(int nx, int ny, int nz)
 
 static void release(struct setting *s)
 {
-    csr_free(s->K);
+    owner_free(s->K);
     links_free(&s->b);
 }
 
@@ -36,7 +36,7 @@ static void diffuse(const struct setting *s, double T, double tail, int m,
     struct chebyshev *const c = chebyshev_create(s->K, s->b.V, T, tail, m);
 
     chebyshev_apply(c, m, u);
-    chebyshev_free(c);
+    owner_free(c);
 }
 
 /* exp(-T V^-1 K) u by the eigenvectors q of V^-1/2 K V^-1/2. */
@@ -185,9 +185,41 @@ FACT(fields_side_by_side_diffuse_as_each_alone)
                 ck_assert_double_eq(u[m * i + k], one[k * s.b.n + i]);
         free(u);
         free(one);
-        chebyshev_free(c);
+        owner_free(c);
     }
     release(&s);
+}
+
+/* The series of one field of m, term by term. */
+static void plain(const struct chebyshev *s, int m, int f, double *u)
+{
+    const struct csr *const K = s->K;
+    double *const y = alloc_doubles(K->n), *const next = alloc_doubles(K->n);
+    double *const sum = alloc_doubles(K->n);
+
+    for (int i = 0; i < K->n; i++)
+        y[i] = u[m * i + f];
+    for (int k = 1; k <= s->products; k++) {
+        for (int i = 0; i < K->n; i++) {
+            double Ly = K->diag[i] * y[i];
+
+            for (int e = K->start[i]; e < K->start[i + 1]; e++)
+                Ly += K->a[e] * y[K->col[e]];
+            const double step = y[i] - Ly * s->factor[i];
+            next[i] = k == 1 ? step : 2.0 * step - next[i];
+            sum[i] = (k == 1 ? s->c[0] * y[i] : sum[i]) + s->c[k] * next[i];
+        }
+        for (int i = 0; i < K->n; i++) {
+            const double before = y[i];
+            y[i] = next[i];
+            next[i] = before;
+        }
+    }
+    for (int i = 0; i < K->n; i++)
+        u[m * i + f] = sum[i];
+    free(y);
+    free(next);
+    free(sum);
 }
 
 FACT(the_loop_by_groups_gives_the_bits_of_the_plain_one)
@@ -200,13 +232,13 @@ FACT(the_loop_by_groups_gives_the_bits_of_the_plain_one)
         struct chebyshev *const c = chebyshev_create(s.K, s.b.V, 3.0, 1e-5, m);
 
         chebyshev_apply(c, m, u);
-        c->loop = &chebyshev_plain;
-        chebyshev_apply(c, m, v);
+        for (int f = 0; f < m; f++)
+            plain(c, m, f, v);
         for (int i = 0; i < m * s.b.n; i++)
             ck_assert_double_eq(u[i], v[i]);
         free(u);
         free(v);
-        chebyshev_free(c);
+        owner_free(c);
     }
     release(&s);
 }
@@ -225,7 +257,7 @@ FACT(it_takes_about_as_many_products_as_the_root_of_z)
 
         ck_assert_int_ge(chebyshev_products(c), expected[t][0]);
         ck_assert_int_le(chebyshev_products(c), expected[t][1]);
-        chebyshev_free(c);
+        owner_free(c);
     }
     release(&s);
 }

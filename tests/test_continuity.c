@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "base/alloc.h"
 #include "boxes.h"
 #include "facts.h"
 
@@ -38,7 +39,7 @@ static struct fluid *column(struct boundary b[6], enum continuity form)
 static void discard(struct fluid *fl)
 {
     struct mesh *const m = (struct mesh *)fl->mesh;
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 

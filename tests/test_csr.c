@@ -40,7 +40,7 @@ FACT(every_entry_has_a_place_of_its_own)
         ck_assert_int_eq(seen[A->lower[l]]++, 0);
     }
     free(seen);
-    csr_free(A);
+    owner_free(A);
     links_free(&b);
 }
 
@@ -55,7 +55,7 @@ FACT(columns_ascend_in_a_row)
     for (int i = 0; i < A->n; i++)
         for (int e = A->start[i] + 1; e < A->start[i + 1]; e++)
             ck_assert_int_lt(A->col[e - 1], A->col[e]);
-    csr_free(A);
+    owner_free(A);
     links_free(&b);
 }
 
@@ -73,7 +73,7 @@ FACT(product_is_that_of_the_full_matrix)
     free(D);
     free(x);
     free(y);
-    csr_free(A);
+    owner_free(A);
     links_free(&b);
 }
 
@@ -101,7 +101,7 @@ FACT(fields_side_by_side_are_multiplied_as_each_alone)
         free(x1);
         free(y1);
     }
-    csr_free(A);
+    owner_free(A);
     links_free(&b);
 }
 
@@ -135,7 +135,31 @@ FACT(each_field_may_have_its_own_diagonal)
         free(y);
         free(z);
     }
-    csr_free(A);
+    owner_free(A);
+    links_free(&b);
+}
+
+/* A constant loses only what the row sums say: 1 where they are 1. */
+FACT(a_matrix_of_diffusion_has_the_row_sums_that_were_given)
+{
+    struct links b =
+        links_box(40, 20, 1, (double[3]){1, 2, 3}, (int[3]){1, 1, 1});
+    struct csr *const A = csr_create(b.n, b.n_links, b.owner, b.neighbour);
+    double *const one = alloc_doubles(b.n), *const y = alloc_doubles(b.n);
+    double *const g = noise_vector(b.n_links, 1);
+
+    for (int l = 0; l < b.n_links; l++)
+        g[l] = 2.0 + g[l];
+    for (int i = 0; i < b.n; i++)
+        one[i] = 1.0;
+    csr_set_diffusion(A, g, one);
+    csr_multiply(A, one, y);
+    for (int i = 0; i < b.n; i++)
+        ck_assert_double_eq_tol(y[i], 1.0, 2e-14);
+    owner_free(A);
+    free(one);
+    free(y);
+    free(g);
     links_free(&b);
 }
 
@@ -155,6 +179,6 @@ FACT(threads_do_not_change_a_bit)
     free(x);
     free(one);
     free(two);
-    csr_free(A);
+    owner_free(A);
     links_free(&b);
 }

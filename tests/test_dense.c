@@ -18,15 +18,15 @@ FACT(the_solution_satisfies_the_system)
 
     for (int i = 0; i < 20; i++)
         rhs[i] = dot_plain(20, full + 20 * i, x);
-    memcpy(dense_matrix(D), full, 400 * sizeof *full);
+    memcpy(D->a, full, 400 * sizeof *full);
     dense_factor(D);
     dense_solve(D, rhs, rhs);
     for (int i = 0; i < 20; i++)
         ck_assert_double_eq_tol(rhs[i], x[i], 1e-13);
     free(full);
     free(x);
-    dense_free(D);
-    csr_free(A);
+    owner_free(D);
+    owner_free(A);
     links_free(&b);
 }
 
@@ -48,7 +48,7 @@ FACT(a_vanishing_pivot_leaves_its_unknown_at_zero)
         struct csr *const A = diffusion(&b, k);
         double *const full = dense_copy(A);
 
-        memcpy(dense_matrix(D), full, 144 * sizeof *full);
+        memcpy(D->a, full, 144 * sizeof *full);
         dense_factor(D);
         dense_solve(D, rhs, x);
         ck_assert_double_eq(x[11], 0.0);
@@ -57,8 +57,8 @@ FACT(a_vanishing_pivot_leaves_its_unknown_at_zero)
                                     1e-11);
         free(full);
         free(k);
-        csr_free(A);
+        owner_free(A);
     }
-    dense_free(D);
+    owner_free(D);
     links_free(&b);
 }

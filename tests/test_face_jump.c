@@ -2,6 +2,7 @@
 /* Flow through beds whose fluid fraction jumps from cell to cell, without
  * damping by drag: in two and three directions, by all schemes. */
 #include "fluid/fluid.h"
+#include "base/alloc.h"
 #include "boxes.h"
 #include "facts.h"
 
@@ -71,7 +72,7 @@ static struct fluid *create(const struct blow *w, struct boundary b[6])
 static void discard(struct fluid *fl)
 {
     mesh_free((struct mesh *)fl->mesh);
-    fluid_free(fl);
+    owner_free(fl);
 }
 
 /* The bed lies in the middle; all columns have the same flux at first, but for

@@ -86,7 +86,7 @@ FACT(a_cell_takes_at_most_730_bytes)
 #else
     ck_assert_double_le(alloc_peak() - before, 730.0 * m->n_cells);
 #endif
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -109,7 +109,7 @@ FACT(fluxes_satisfy_continuity_after_another_prediction)
         ck_assert_double_lt(fl->report.mass_residual, 1e-8);
     }
     ck_assert_double_gt(fl->report.cfl, 2.0);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -138,7 +138,7 @@ FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_graded_cells, 3)
         /* p carries the solver's tolerance times rho U dx / dt */
         ck_assert_double_eq_tol(fl->p[c], 5.0, 1e-6 + 1e-8 / o.dt);
     }
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -166,7 +166,7 @@ FACT(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps)
     for (int c = 0; c < m->n_cells; c++)
         for (int k = 0; k < 3; k++)
             ck_assert_double_eq_tol(fl->u[3 * c + k], 1.0 + k, 1e-9);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -188,7 +188,7 @@ FACT(fluid_at_rest_stays_at_rest_whatever_eps_is)
     run(fl, 3);
     for (int i = 0; i < 3 * m->n_cells; i++)
         ck_assert_double_eq(fl->u[i], 0.0);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -227,7 +227,7 @@ static void column(int shared, double K, double dt, enum continuity form)
         ck_assert_double_eq_tol(fl->u[3 * c + 1] * fl->eps[c] / U, 1.0, 1e-6);
     ck_assert_double_lt(fl->report.mass_residual, 1e-9);
     ck_assert_double_lt(fl->report.momentum_residual, 1e-13);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -268,7 +268,7 @@ static void around_a_block(double dt, int steps, double *p, double *u)
     run(fl, steps);
     memcpy(p, fl->p, 60 * sizeof *p);
     memcpy(u, fl->u, 180 * sizeof *u);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -343,7 +343,7 @@ FACT_FOR_EACH(momentum_changes_only_by_the_forces_on_it, 12)
             (now[k] - impulse[k] - fl->relabelled[k]) / gross, 0.0, 1e-12);
     if (o.continuity == CONTINUITY_VOID_RATE && !changes) /* solver */
         ck_assert_double_lt(fabs(fl->relabelled[0]) / gross, 1e-8);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -373,7 +373,7 @@ FACT(mass_residual_is_what_the_fluxes_leave)
         largest = fmax(largest, 0.5 * sum);
     }
     ck_assert_double_eq_tol(fl->report.mass_residual, worst / largest, 1e-13);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -399,7 +399,7 @@ static double channel_error(int n)
     run(fl, 40);
     for (int c = 0; c < n; c++)
         sum += fl->u[3 * c] / n;
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return sum / (3.0 * 0.005 * 0.005 / (3.0 * 0.1)) - 1.0;
 }
@@ -442,7 +442,7 @@ static double vortex_error(int n, double dt, const char *scheme)
         const double x = m->centre[3 * c], y = m->centre[3 * c + 1];
         worst = fmax(worst, fabs(fl->u[3 * c] - decay * sin(x) * cos(y)));
     }
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return worst;
 }
@@ -501,7 +501,7 @@ FACT(what_enters_leaves_while_the_inlet_ramps_up)
         }
         ck_assert_double_eq_tol(flux / 4e-4, 0.5 * fmin(1.0, n / 10.0), 1e-9);
     }
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -528,7 +528,7 @@ FACT(backflow_through_an_outlet_is_counted_and_stays_bounded)
     }
     ck_assert_int_gt(most, 0);
     ck_assert_double_lt(fluid_kinetic_energy(fl), 1e3 * 0.5 * 1000.0 * 1e-4);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -547,7 +547,7 @@ FACT_FOR_EACH(a_closed_box_of_one_cell_and_of_many_is_solved, 2)
         fl->F[3 * c] = wave(m, c, 0.3);
     run(fl, 10);
     ck_assert_double_lt(fl->report.mass_residual, 1e-8);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -580,6 +580,6 @@ FACT_FOR_EACH(the_pressure_of_flat_cells_takes_few_iterations, 3)
             fl->u[3 * c + k] = cos(3.0 * c * c + k);
     run(fl, 1);
     ck_assert_int_le(fl->report.pressure.iterations, 10);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/systems.h"
+#include "base/alloc.h"
 
 #include "facts.h"
 
@@ -59,7 +60,7 @@ FACT(the_gradient_of_a_linear_pressure_is_exact_inside)
             ck_assert_double_eq_tol(fl->grad_p[3 * c + k], G[k], 1e-12);
     }
     ck_assert_int_eq(inside, 4 * 3 * 2);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -75,7 +76,7 @@ FACT(a_constant_pressure_has_no_gradient_anywhere)
     update(fl);
     for (int i = 0; i < 3 * m->n_cells; i++) /* 1e5 / 0.04 m, 16 digits */
         ck_assert_double_eq_tol(fl->grad_p[i], 0.0, 1e-8);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -94,7 +95,7 @@ static double wave_error(int n)
     for (int c = 0; c < n; c++)
         worst = fmax(worst,
                      fabs(fl->grad_p[3 * c] - k * cos(k * m->centre[3 * c])));
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return worst;
 }
@@ -126,7 +127,7 @@ FACT(the_gradients_of_all_cells_sum_to_the_pressure_on_the_boundary)
         ck_assert_double_gt(fabs(surface[k]), 1e-4);
         ck_assert_double_eq_tol(sum[k], surface[k], 1e-15);
     }
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -154,6 +155,6 @@ FACT_FOR_EACH(forces_that_jump_from_cell_to_cell_are_the_gradient_of_each, 2)
     update(fl);
     for (int c = 0; c < 12; c++)
         ck_assert_double_eq_tol(fl->grad_p[3 * c], slope[c], 1e-11);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }

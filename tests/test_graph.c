@@ -35,7 +35,7 @@ FACT(a_cell_inside_has_no_wall_and_one_in_a_corner_has_three)
     ck_assert_double_eq(g->wall[2], 2.0);
     ck_assert_double_eq_tol(graph_depth(g, 0), 8.0 / sqrt(84.0), 1e-15);
     ck_assert_double_eq(graph_depth(g, 12), 1.0); /* beside a wall at x = 0 */
-    graph_free(g);
+    owner_free(g);
     links_free(&b);
 }
 
@@ -46,7 +46,7 @@ FACT(a_periodic_box_has_no_walls)
 
     for (int i = 0; i < b.n; i++)
         ck_assert_double_eq(graph_depth(g, i), 0.0);
-    graph_free(g);
+    owner_free(g);
     links_free(&b);
 }
 
@@ -98,9 +98,9 @@ FACT(pairs_of_a_box_are_the_box_of_longer_cells)
     free(parent);
     free(coarse);
     free(offset);
-    graph_free(g);
-    graph_free(exact);
-    graph_free(big);
+    owner_free(g);
+    owner_free(exact);
+    owner_free(big);
     links_free(&b);
     links_free(&B);
 }
@@ -122,7 +122,7 @@ FACT(links_that_lead_opposite_ways_are_not_joined)
     for (int l = 0; l < 2; l++)
         ck_assert_double_eq(graph_length(big, l), 2.0);
     ck_assert_double_eq(big->distance[0], -big->distance[3]);
-    graph_free(g);
-    graph_free(big);
+    owner_free(g);
+    owner_free(big);
     links_free(&b);
 }

@@ -80,7 +80,7 @@ static int correctors(double shear)
     }
     const int most = fl->report.correctors;
     mesh_free((struct mesh *)fl->mesh);
-    fluid_free(fl);
+    owner_free(fl);
     return most;
 }
 

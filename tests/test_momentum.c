@@ -67,7 +67,7 @@ FACT_FOR_EACH(a_uniform_velocity_is_neither_convected_nor_sheared, 2)
         ck_assert_double_eq_tol(fl->momentum->diag[c] + sum[c],
                                 o.rho * fl->eps_nm1[c] * m->V[c] / o.dt, 1e-12);
     free(sum);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -89,7 +89,7 @@ FACT(upwind_takes_the_velocity_upstream_and_viscosity_both)
         ck_assert_double_eq_tol(A->upper[f], fmin(flow, 0.0) - D, 1e-14 * D);
         ck_assert_double_eq_tol(A->lower[f], -fmax(flow, 0.0) - D, 1e-14 * D);
     }
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -128,7 +128,7 @@ FACT(a_wall_pulls_with_its_velocity_over_half_a_cell)
                             fl->momentum->diag[c]);
     }
     free(sum);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -155,8 +155,8 @@ FACT(xs11_3_14_drag_adds_its_force_to_the_right_and_its_friction_to_the_left)
             ck_assert_double_eq(fl->momentum->b[3 * c + k],
                                 fl->F[3 * c + k] * m->V[c]);
     }
-    fluid_free(fl);
-    fluid_free(without);
+    owner_free(fl);
+    owner_free(without);
     mesh_free(m);
 }
 
@@ -220,7 +220,7 @@ FACT_FOR_EACH(void_rate_with_matching_flux_and_masses_relabels_no_momentum, 4)
         time += dt;
     }
     ck_assert_double_lt(fabs(fl->relabelled[0]), 1e-8 * impulse(fl, time));
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -249,7 +249,7 @@ FACT(a_changed_step_relabels_the_change_of_eps_times_that_of_the_step)
                             1e-7 * fabs(expected));
     ck_assert_double_lt(fl->report.momentum_residual, 1e-9); /* it is counted */
     free(change);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -265,6 +265,6 @@ FACT_FOR_EACH(a_velocity_that_is_no_number_leaves_no_balance, 3)
     fl->u[3 * 7 + _i] = NAN;
     ck_assert(!isfinite(momentum_balance_residual(fl, zero, zero)));
     ck_assert_int_ne(fluid_step(fl), 0);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }

@@ -52,8 +52,8 @@ static void release(struct cycle *c)
 {
     free(c->r);
     free(c->z);
-    multigrid_free(c->mg);
-    csr_free(c->A);
+    owner_free(c->mg);
+    owner_free(c->A);
     links_free(&c->b);
 }
 
@@ -88,9 +88,9 @@ static int iterations(struct links b, const double *h, const double *k,
         free(rhs);
         free(x);
     }
-    multigrid_free(mg);
-    cg_work_free(w);
-    csr_free(A);
+    owner_free(mg);
+    owner_free(w);
+    owner_free(A);
     links_free(&b);
     return most;
 }
@@ -226,9 +226,9 @@ FACT(even_the_singular_system_converges)
     ck_assert_double_le(true_residual(A, rhs, x), 1.001e-8);
     free(x);
     free(rhs);
-    cg_work_free(w);
-    multigrid_free(mg);
-    csr_free(A);
+    owner_free(w);
+    owner_free(mg);
+    owner_free(A);
     links_free(&b);
 }
 
@@ -273,9 +273,9 @@ FACT(unknowns_without_links_are_solved)
         ck_assert_double_eq_tol(x[i], rhs[i] / (1 + i % 3), 1e-5);
     free(x);
     free(rhs);
-    cg_work_free(w);
-    multigrid_free(mg);
-    csr_free(A);
+    owner_free(w);
+    owner_free(mg);
+    owner_free(A);
     links_free(&b);
 }
 
@@ -319,9 +319,9 @@ FACT(an_update_leaves_nothing_of_the_matrix_before)
     set_from(with(c.mg), other);
     multigrid_apply(c.mg, c.r, c.z);
     ck_assert_mem_eq(c.z, z, (size_t)c.b.n * sizeof *z);
-    multigrid_free(fresh);
+    owner_free(fresh);
     free(z);
-    csr_free(other);
+    owner_free(other);
     release(&c);
 }
 

@@ -29,8 +29,8 @@ static void release(struct step *s)
 {
     free(s->parent);
     free(s->bundle);
-    graph_free(s->fine);
-    graph_free(s->coarse);
+    owner_free(s->fine);
+    owner_free(s->coarse);
     links_free(&s->b);
 }
 

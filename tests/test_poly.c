@@ -345,7 +345,7 @@ FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10)
         ck_assert_int_eq(fluid_step(fl), 0);
     for (int i = 0; i < 3 * m->n_cells; i++)
         ck_assert_double_eq_tol(fl->u[i], U[i % 3], 1e-8);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -357,7 +357,7 @@ FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10)
     struct boundary b[6];
     struct fluid *const made = still(m, b);
     struct fluid_options o = made->options;
-    fluid_free(made);
+    owner_free(made);
     o.coupled = o.pressure_shared = 1;
     o.dt = _i < 5 ? 0.01 : 100.0;
     struct fluid *const fl = fluid_create(m, &o);
@@ -370,7 +370,7 @@ FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10)
         ck_assert_int_eq(fluid_step(fl), 0);
     for (int i = 0; i < 3 * m->n_cells; i++)
         ck_assert_double_eq(fl->u[i], 0.0);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -394,7 +394,7 @@ FACT(the_order_of_the_cells_does_not_matter_to_the_flow)
             memcpy(&u[i][3 * c], &fl->u[3 * mesh_cell_at(m, x[0], x[1], x[2])],
                    3 * sizeof(double));
         }
-        fluid_free(fl);
+        owner_free(fl);
         mesh_free(m);
         mesh_free(first);
     }

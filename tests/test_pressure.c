@@ -45,7 +45,7 @@ static struct fluid *column(struct boundary b[6], int open, double grading,
 static void discard(struct fluid *fl)
 {
     struct mesh *const m = (struct mesh *)fl->mesh;
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -283,7 +283,7 @@ FACT(forces_after_the_prediction_are_those_of_the_product)
     for (int i = 0; i < n; i++)
         ck_assert_double_eq_tol(H[i], fl->momentum->H[i], 1e-13 * size);
     free(H);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 

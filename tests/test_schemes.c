@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "base/alloc.h"
 #include "boxes.h"
 #include "facts.h"
 
@@ -88,7 +89,7 @@ static struct fluid *vortex_create(const struct vortex *v)
 static void discard(struct fluid *fl)
 {
     struct mesh *const m = (struct mesh *)fl->mesh;
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -124,23 +125,17 @@ static double vortex_error(const struct vortex *v)
  * in all three alike. */
 static double time_order(struct vortex v)
 {
-    double *u[3];
+    struct fluid *fl[3];
     double first = 0.0, second = 0.0;
-    int n = 0;
 
-    for (int i = 0; i < 3; i++, v.dt *= 0.5) {
-        struct fluid *const fl = vortex_run(&v);
-        n = fl->mesh->n_cells;
-        u[i] = fl->u;
-        fl->u = NULL;
-        discard(fl);
-    }
-    for (int i = 0; i < 3 * n; i++) {
-        first += gsl_pow_2(u[0][i] - u[1][i]);
-        second += gsl_pow_2(u[1][i] - u[2][i]);
+    for (int i = 0; i < 3; i++, v.dt *= 0.5)
+        fl[i] = vortex_run(&v);
+    for (int i = 0; i < 3 * fl[0]->mesh->n_cells; i++) {
+        first += gsl_pow_2(fl[0]->u[i] - fl[1]->u[i]);
+        second += gsl_pow_2(fl[1]->u[i] - fl[2]->u[i]);
     }
     for (int i = 0; i < 3; i++)
-        free(u[i]);
+        discard(fl[i]);
     return 0.5 * log2(first / second);
 }
 

@@ -45,7 +45,7 @@ static void smooth(const struct mesh *mesh, double b, double tail, int m,
         separable_create(&mesh->box, diffusion_time(b), 0.0, tail);
 
     separable_apply(s, m, u);
-    separable_free(s);
+    owner_free(s);
 }
 
 /* Every kind of box, bandwidths from a third of a cell to all of it: the same
@@ -67,8 +67,8 @@ FACT_FOR_EACH(by_directions_it_is_the_exponential_of_the_whole_matrix,
     smooth(mesh, b[_i / 3 % 3], tail[_i % 3], 5, u);
     for (int i = 0; i < n; i++)
         ck_assert_double_eq_tol(u[i], v[i], tail[_i % 3]);
-    chebyshev_free(series);
-    csr_free(K);
+    owner_free(series);
+    owner_free(K);
     mesh_free(mesh);
     free(u);
     free(v);
@@ -193,7 +193,7 @@ FACT(weights_go_as_far_as_a_gaussian_does)
     ck_assert_int_ge(separable_reach(s, 0), 15);
     ck_assert_int_le(separable_reach(s, 0), 17);
     ck_assert_int_eq(separable_reach(s, 2), 0);
-    separable_free(s);
+    owner_free(s);
     mesh_free(mesh);
 }
 

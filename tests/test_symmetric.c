@@ -38,7 +38,7 @@ static struct links box(int which)
 struct setting {
     struct links b;
     struct csr *A;
-    void *S;
+    struct symmetric *S;
 };
 
 /* The same matrix twice, with conductivities of their own in every cell. */
@@ -56,9 +56,8 @@ static struct setting both(int which)
         s.A->diag[i] += sums[i] = 0.1 * (i % 3);
     for (int l = 0; l < s.b.n_links; l++)
         g[l] = -s.A->a[s.A->upper[l]];
-    s.S = level_matrix_bands.create(s.b.n, s.b.n_links, s.b.owner,
-                                    s.b.neighbour, 1);
-    level_matrix_bands.fill(s.S, g, sums, 0.25);
+    s.S = symmetric_create(s.b.n, s.b.n_links, s.b.owner, s.b.neighbour, 1);
+    symmetric_fill(s.S, g, sums, 0.25);
     free(k);
     free(g);
     free(sums);
@@ -67,8 +66,8 @@ static struct setting both(int which)
 
 static void release(struct setting *s)
 {
-    csr_free(s->A);
-    level_matrix_bands.free(s->S);
+    owner_free(s->A);
+    owner_free(s->S);
     links_free(&s->b);
 }
 
@@ -76,7 +75,7 @@ FACT(a_box_needs_no_list_of_columns)
 {
     struct setting s = both(0);
 
-    ck_assert_int_eq(symmetric_links_left(s.S), 0);
+    ck_assert_ptr_null(s.S->rest);
     release(&s);
 }
 
@@ -87,7 +86,7 @@ FACT(the_product_is_that_of_the_csr)
         struct setting s = both(which);
         double *const x = noise_vector(s.b.n, 1);
         double *const y = alloc_doubles(s.b.n), *const z = alloc_doubles(s.b.n);
-        const double xy = level_matrix_bands.multiply(s.S, x, y);
+        const double xy = symmetric_multiply(s.S, x, y);
 
         csr_multiply(s.A, x, z);
         for (int i = 0; i < s.b.n; i++)
@@ -106,12 +105,10 @@ FACT(residual_and_relaxation_are_their_formulas)
     for (int which = 0; which < BOXES; which++) {
         struct setting s = both(which);
         const int n = s.b.n;
-        float *const x = level_matrix_bands.vector(s.S), *const y =
-                                                             level_matrix_bands
-                                                                 .vector(s.S);
-        float *const w = level_matrix_bands.vector(s.S), *const b =
-                                                             level_matrix_bands
-                                                                 .vector(s.S);
+        float *const x = symmetric_vector(s.S), *const y =
+                                                    symmetric_vector(s.S);
+        float *const w = symmetric_vector(s.S), *const b =
+                                                    symmetric_vector(s.S);
         double *const xd = noise_vector(n, 1), *const Ax = alloc_doubles(n);
 
         for (int i = 0; i < n; i++)
@@ -119,13 +116,12 @@ FACT(residual_and_relaxation_are_their_formulas)
         for (int i = 0; i < n; i++)
             b[i] = w[i] = (float)(1 + i % 4);
         csr_multiply(s.A, xd, Ax);
-        level_matrix_bands.residual(s.S, b, x, y);
+        symmetric_residual(s.S, b, x, y);
         for (int i = 0; i < n; i++)
             ck_assert_double_eq_tol(y[i], b[i] - 0.25 * Ax[i], 2e-6);
-        level_matrix_bands.relax(s.S, b, x, 2.0F, w, 3.0F, 4.0F, w);
+        symmetric_relax(s.S, b, x, 2.0F, w, 3.0F, 4.0F, w);
         for (int i = 0; i < n; i++) {
-            const double per_d = level_matrix_bands.inverse(s.S)[i],
-                         r = b[i] - 0.25 * Ax[i];
+            const double per_d = s.S->inverse[i], r = b[i] - 0.25 * Ax[i];
             const double more = 4.0 * per_d * r;
 
             ck_assert_double_eq_tol(w[i], 2.0 * xd[i] + 3.0 * b[i] + more,
@@ -133,10 +129,6 @@ FACT(residual_and_relaxation_are_their_formulas)
         }
         free(xd);
         free(Ax);
-        level_matrix_bands.vector_free(s.S, x);
-        level_matrix_bands.vector_free(s.S, y);
-        level_matrix_bands.vector_free(s.S, w);
-        level_matrix_bands.vector_free(s.S, b);
         release(&s);
     }
 }
@@ -144,17 +136,17 @@ FACT(residual_and_relaxation_are_their_formulas)
 /* The same numbers, to the bit, by any number of threads. */
 FACT_FOR_EACH(all_stages_in_one_pass_are_stage_by_stage, 4)
 {
-    const struct level_matrix_kind *const kind = &level_matrix_bands;
     const struct level_smoothing w = {0.8F, 0.1F, 0.6F};
     struct links b = links_cube(40, 36, 32);
     const int n = b.n;
     double *const g = noise_vector(b.n_links, 3), *const sums =
                                                       alloc_doubles(n);
-    void *const S = kind->create(n, b.n_links, b.owner, b.neighbour, 0);
-    float *const rhs = kind->vector(S), *const x = kind->vector(S);
-    float *const y = kind->vector(S), *const now = kind->vector(S);
-    float *const r = kind->vector(S), *const r_now = kind->vector(S);
-    float *const coarse = kind->vector(S);
+    struct symmetric *const S =
+        symmetric_create(n, b.n_links, b.owner, b.neighbour, 0);
+    float *const rhs = symmetric_vector(S), *const x = symmetric_vector(S);
+    float *const y = symmetric_vector(S), *const now = symmetric_vector(S);
+    float *const r = symmetric_vector(S), *const r_now = symmetric_vector(S);
+    float *const coarse = symmetric_vector(S);
     int *const parent = alloc_ints(n);
 
     for (int l = 0; l < b.n_links; l++)
@@ -165,25 +157,22 @@ FACT_FOR_EACH(all_stages_in_one_pass_are_stage_by_stage, 4)
         coarse[i] = 0.1F * (float)(i % 5);
         sums[i] = i % 100 == 0;
     }
-    kind->fill(S, g, sums, 0.25);
+    symmetric_fill(S, g, sums, 0.25);
     for (int i = 0; i < n; i++)
-        x[i] = w.first * kind->inverse(S)[i] * rhs[i];
-    kind->relax(S, rhs, x, 1.0F + w.previous, x, 0.0F, w.second, y);
-    kind->residual(S, rhs, y, r);
+        x[i] = w.first * S->inverse[i] * rhs[i];
+    symmetric_relax(S, rhs, x, 1.0F + w.previous, x, 0.0F, w.second, y);
+    symmetric_residual(S, rhs, y, r);
     omp_set_num_threads(_i + 1);
-    ck_assert(kind->descend(S, rhs, w, now, r_now));
+    ck_assert(symmetric_descend(S, rhs, w, now, r_now));
     ck_assert_mem_eq(now, y, (size_t)n * sizeof *y);
     ck_assert_mem_eq(r_now, r, (size_t)n * sizeof *r);
     for (int i = 0; i < n; i++)
         y[i] += coarse[parent[i]];
-    kind->relax(S, rhs, y, 1.0F, y, 0.0F, w.first, x);
-    kind->relax(S, rhs, x, 1.0F + w.previous, y, -w.previous, w.second, y);
-    ck_assert(kind->ascend(S, rhs, w, parent, coarse, x, now));
+    symmetric_relax(S, rhs, y, 1.0F, y, 0.0F, w.first, x);
+    symmetric_relax(S, rhs, x, 1.0F + w.previous, y, -w.previous, w.second, y);
+    ck_assert(symmetric_ascend(S, rhs, w, parent, coarse, x, now));
     ck_assert_mem_eq(now, y, (size_t)n * sizeof *y);
-    float *const all[] = {rhs, x, y, now, r, r_now, coarse};
-    for (int i = 0; i < 7; i++)
-        kind->vector_free(S, all[i]);
-    kind->free(S);
+    owner_free(S);
     free(g);
     free(sums);
     free(parent);

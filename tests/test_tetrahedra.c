@@ -142,7 +142,7 @@ FACT(a_linear_pressure_has_its_slope_on_tetrahedra)
         inner++;
     }
     ck_assert_int_gt(inner, 100);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -192,7 +192,7 @@ static double worst_slope(struct mesh *m)
     ck_assert_int_ge(ends, 8);
     free(u_b);
     free(slope);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return worst;
 }

@@ -2,6 +2,7 @@
 /* A flow with all its options, in other axes and other units: the same
  * numbers. */
 #include "fluid/fluid.h"
+#include "base/alloc.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -207,7 +208,7 @@ static struct scene *create(const struct variant *v, const struct frame *t,
 
 static void discard(struct scene *s)
 {
-    fluid_free(s->fl);
+    owner_free(s->fl);
     mesh_free(s->m);
     mesh_free(s->plain);
     free(s);

@@ -86,7 +86,7 @@ FACT(h_is_the_right_side_minus_the_neighbours)
     for (int i = 0; i < 3 * m->n_cells; i++)
         ck_assert_double_eq_tol(fl->momentum->H[i], H[i], 1e-13);
     free(H);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -107,7 +107,7 @@ FACT(the_corrected_velocity_balances_each_cell_with_given_neighbours)
                                     1e-12);
         }
     free(H);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -137,7 +137,7 @@ FACT(the_residual_is_that_of_the_equation_with_the_present_velocity)
                 fl->momentum->residual[3 * m->neighbour[f] + 1], -A->lower[f],
                 1e-9);
     }
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 
@@ -153,6 +153,6 @@ FACT(h_after_the_prediction_is_that_of_the_predicted_velocity)
     for (int i = 0; i < 3 * m->n_cells; i++)
         ck_assert_double_eq_tol(fl->momentum->H[i], H[i], 1e-11);
     free(H);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }

@@ -3,6 +3,7 @@
  * cases.
  */
 #include "fluid/fluid.h"
+#include "base/alloc.h"
 #include "boxes.h"
 #include "facts.h"
 
@@ -16,7 +17,7 @@ static const double zero = 0.0;
 static void discard(struct fluid *fl)
 {
     struct mesh *const m = (struct mesh *)fl->mesh;
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 

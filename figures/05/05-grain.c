@@ -115,7 +115,7 @@ int main(void)
         printf("%s_most = %.5f\n", name[k], w[k].most);
         printf("%s_volume = %.4e\n", name[k], w[k].volume);
         printf("%s_kick = %.3f\n", name[k], w[k].kick);
-        fluid_free(w[k].fluid);
+        owner_free(w[k].fluid);
     }
     mesh_free(m);
     return 0;

@@ -55,7 +55,7 @@ static double error(int n, const char *scheme)
         sum += pow(fl->u[3 * c] - decay * sin(x) * cos(y), 2.0);
     }
     const double rms = sqrt(sum / m->n_cells);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return rms;
 }

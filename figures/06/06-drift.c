@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/alloc.h"
 #include "averaging/averaging.h"
 #include "fluid/fluid.h"
 
@@ -85,7 +86,7 @@ static double strays(enum continuity form, double width)
         for (int c = 0; c < CELLS; c++)
             sum += pow(fl->u[3 * c] / U - 1.0, 2.0) / (CELLS * STEPS);
     }
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return sqrt(sum);
 }

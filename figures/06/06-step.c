@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/alloc.h"
 #include "fluid/fluid.h"
 
 enum { NX = 6, NY = 10, N = NX * NY };
@@ -53,7 +54,7 @@ static void reach(double dt, int steps, double p[N])
     for (int n = 0; n < steps; n++)
         fluid_step(fl);
     memcpy(p, fl->p, N * sizeof *p);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/alloc.h"
 #include "fluid/fluid.h"
 
 enum { CELLS = 20, BED = 10, STEPS = 3000 };
@@ -75,7 +76,7 @@ int main(int n, char **word)
     printf("rise_upwind = %.3f\n", rho * U * U * (1.0 / eps - 1.0));
     printf("rise_bernoulli = %.3f\n",
            0.5 * rho * U * U * (1.0 / eps / eps - 1.0));
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return 0;
 }

@@ -5,6 +5,7 @@
  * after the first.
  *
  *   sh figures/run.sh figures/07/07-flow.c */
+#include "base/alloc.h"
 #include "fluid/fluid.h"
 
 #include <stdio.h>
@@ -68,7 +69,7 @@ int main(void)
                fl->report.momentum.iterations, fl->report.pressure.iterations,
                1e9 * seconds[STEPS / 2] / m->n_cells);
         fflush(stdout);
-        fluid_free(fl);
+        owner_free(fl);
         mesh_free(m);
     }
     return 0;

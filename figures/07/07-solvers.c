@@ -129,9 +129,9 @@ static struct system system_create(int n, double jump, const double h[3])
 static void system_free(struct system *s)
 {
     box_free(&s->box);
-    csr_free(s->A);
-    preconditioned_free(s->by_multigrid);
-    cg_work_free(s->work);
+    owner_free(s->A);
+    owner_free(s->by_multigrid.matrix);
+    owner_free(s->work);
     free(s->b);
     free(s->x);
 }
@@ -294,10 +294,10 @@ static void series(void)
 
         printf("%5.0f %3d %3d\n", z, chebyshev_products(s),
                chebyshev_products(t));
-        chebyshev_free(s);
-        chebyshev_free(t);
+        owner_free(s);
+        owner_free(t);
     }
-    csr_free(K);
+    owner_free(K);
     box_free(&b);
 }
 

@@ -209,7 +209,7 @@ static void even(int most)
         fflush(stdout);
         last = e;
         struct mesh *const m = (struct mesh *)fl->mesh;
-        fluid_free(fl);
+        owner_free(fl);
         mesh_free(m);
     }
 }

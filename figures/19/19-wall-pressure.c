@@ -71,7 +71,7 @@ static void compute(int n, struct fields *to)
 
     step_to(fl, 5.0);
     take(fl, n, to);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
 }
 

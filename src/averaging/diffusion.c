@@ -136,7 +136,7 @@ static void make_series(struct diffusion *d, double largest)
 
     d->largest_D = largest;
     diffusion_matrix_fill(d->K, m, NULL, d->largest_D, NULL);
-    chebyshev_free(d->series);
+    owner_free(d->series);
     d->series = chebyshev_create(d->K, m->V, d->T, d->tolerance, d->fields);
 }
 
@@ -148,8 +148,8 @@ static void find_separable(struct diffusion *d,
     const double b = d->vary != NULL ? o->bandwidth : 0.0;
 
     if (d->scheme->directly && (d->vary == NULL || bandwidth_is_by_lines(o)))
-        d->separable =
-            separable_create(&d->h->mesh->box, d->T, b, o->tolerance);
+        d->separable = owner_join(
+            d, separable_create(&d->h->mesh->box, d->T, b, o->tolerance));
 }
 
 static void *diffusion_create(const struct cell_of_particle *h,
@@ -165,14 +165,15 @@ static void *diffusion_create(const struct cell_of_particle *h,
     d->tolerance = o->tolerance;
     /* rounded as the sum of the steps of the other schemes */
     d->T = diffusion_time(o->bandwidth) / o->steps * o->steps;
-    d->vary = is_uniform(o) ? NULL : bandwidth_create(h, o);
+    if (!is_uniform(o)) d->vary = owner_join(d, bandwidth_create(h, o));
     d->smooth = owner_doubles(d, m->n_cells * d->fields);
     find_separable(d, o);
     if (d->separable != NULL) return d;
     if (d->scheme->stepping != NULL) {
-        d->steps = d->scheme->stepping->create(d->scheme, m, o);
+        d->steps = owner_join(d, d->scheme->stepping->create(d->scheme, m, o));
     } else {
-        d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
+        d->K = owner_join(
+            d, csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour));
         make_series(d, d->vary != NULL ? bandwidth_largest(d->vary) : 1.0);
     }
     fill_matrix(d);
@@ -209,11 +210,7 @@ static void diffusion_free(void *state)
 {
     struct diffusion *const d = state;
 
-    owner_free(d->vary);
-    separable_free(d->separable);
-    if (d->steps != NULL) d->scheme->stepping->free(d->steps);
-    csr_free(d->K);
-    chebyshev_free(d->series);
+    owner_free(d->series);
     owner_free(d);
 }
 

@@ -62,7 +62,6 @@ struct diffusion_scheme;
 struct diffusion_stepping {
     void *(*create)(const struct diffusion_scheme *scheme,
                     const struct mesh *mesh, const struct averaging_options *o);
-    void (*free)(void *state);
     void (*fill)(void *state, const double *D);
     void (*apply)(void *state, int m, double *u, struct averaging_report *r);
     /* The number of steps [-] from which on no field undershoots for the

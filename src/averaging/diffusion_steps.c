@@ -160,23 +160,13 @@ static void *diffusion_steps_create(const struct diffusion_scheme *scheme,
     d->fields = o->fields;
     d->tolerance = o->tolerance;
     d->dtau = diffusion_time(o->bandwidth) / o->steps;
-    d->K = csr_create(n, m->n_internal, m->owner, m->neighbour);
-    d->A = csr_create(n, m->n_internal, m->owner, m->neighbour);
-    d->work = cg_many_work_create(n, d->fields);
+    d->K = owner_join(d, csr_create(n, m->n_internal, m->owner, m->neighbour));
+    d->A = owner_join(d, csr_create(n, m->n_internal, m->owner, m->neighbour));
+    d->work = owner_join(d, cg_many_work_create(n, d->fields));
     d->rhs = owner_doubles(d, n * d->fields);
     d->stage = owner_doubles(d, n * d->fields);
     d->wide = owner_doubles(d, n * d->fields);
     return d;
-}
-
-static void diffusion_steps_release(void *state)
-{
-    struct diffusion_steps *const d = state;
-
-    csr_free(d->K);
-    csr_free(d->A);
-    cg_many_work_free(d->work);
-    owner_free(d);
 }
 
 static void diffusion_steps_fill(void *state, const double *D)
@@ -195,11 +185,10 @@ static int crank_nicolson_safe_steps(const struct mesh *m, double b)
 }
 
 static const struct diffusion_stepping stepping = {
-    diffusion_steps_create, diffusion_steps_release, diffusion_steps_fill,
-    apply_padded, NULL};
+    diffusion_steps_create, diffusion_steps_fill, apply_padded, NULL};
 static const struct diffusion_stepping crank_nicolson_stepping = {
-    diffusion_steps_create, diffusion_steps_release, diffusion_steps_fill,
-    apply_padded, crank_nicolson_safe_steps};
+    diffusion_steps_create, diffusion_steps_fill, apply_padded,
+    crank_nicolson_safe_steps};
 
 static const struct key steps_keys[] = {
     {"averaging.steps", KEY_INT, "-", ">= 1, <= 1000", "3",

@@ -131,7 +131,7 @@ double alloc_peak(void)
 
 /* It lies before the object. */
 struct owner {
-    struct owner *self;
+    struct owner *self, *part, *next; /* its first one; the next of its owner */
     void **array;
     int n, room;
 };
@@ -153,12 +153,26 @@ void *owner_create(size_t size)
     return (char *)o + OWNER_HEAD;
 }
 
-void *owner_zeroed(void *owner, size_t n, size_t size)
+void *owner_take(void *owner, void *array)
 {
     struct owner *const o = owner_head(owner);
 
     o->array = alloc_room(o->array, o->n, &o->room, sizeof *o->array);
-    return o->array[o->n++] = alloc_zeroed(n, size);
+    return o->array[o->n++] = array;
+}
+
+void *owner_join(void *owner, void *part)
+{
+    if (part == NULL) return NULL;
+    struct owner *const o = owner_head(owner), *const p = owner_head(part);
+    p->next = o->part;
+    o->part = p;
+    return part;
+}
+
+void *owner_zeroed(void *owner, size_t n, size_t size)
+{
+    return owner_take(owner, alloc_zeroed(n, size));
 }
 
 double *owner_doubles(void *owner, int n)
@@ -175,6 +189,10 @@ void owner_free(void *owner)
 {
     if (owner == NULL) return;
     struct owner *const o = owner_head(owner);
+    for (struct owner *p = o->part, *next; p != NULL; p = next) {
+        next = p->next;
+        owner_free((char *)p + OWNER_HEAD);
+    }
     for (int k = 0; k < o->n; k++)
         free(o->array[k]);
     free(o->array);

@@ -42,4 +42,9 @@ double *owner_doubles(void *owner, int n);
 int *owner_ints(void *owner, int n);
 void owner_free(void *owner);
 
+/* An array that was allocated before, and another such object, belong to the
+ * owner from now on; they are returned. They may be NULL. */
+void *owner_take(void *owner, void *array);
+void *owner_join(void *owner, void *part);
+
 #endif

@@ -275,7 +275,7 @@ void build_free(struct simulation *sim)
     owner_free(sim->population);
     free(sim->materials);
     particles_free(sim->particles);
-    fluid_free(sim->fluid);
+    owner_free(sim->fluid);
     build_boundaries_free(sim->boundaries,
                           sim->mesh != NULL ? sim->mesh->n_patches : 0);
     mesh_free(sim->mesh);

@@ -28,7 +28,6 @@ struct deferred {
 
 /* NULL where the mesh and the schemes of the fluid need none. */
 struct deferred *deferred_create(const struct fluid *fl);
-void deferred_free(struct deferred *d);
 
 /* Adds the terms to the right-hand side of the momentum equation [N]. */
 void deferred_add_to_momentum(struct deferred *d, struct fluid *fl);

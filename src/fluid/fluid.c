@@ -17,7 +17,7 @@
 struct fluid *fluid_create(const struct mesh *mesh,
                            const struct fluid_options *options)
 {
-    struct fluid *const fl = alloc_zeroed(1, sizeof *fl);
+    struct fluid *const fl = owner_create(sizeof *fl);
 
     fl->mesh = mesh;
     fl->options = *options;
@@ -26,13 +26,6 @@ struct fluid *fluid_create(const struct mesh *mesh,
     for (int c = 0; c < mesh->n_cells; c++)
         fl->eps[c] = fl->eps_n[c] = fl->eps_nm1[c] = 1.0;
     return fl;
-}
-
-void fluid_free(struct fluid *fl)
-{
-    if (fl == NULL) return;
-    systems_free(fl);
-    free(fl);
 }
 
 void fluid_reset_eps_history(struct fluid *fl)

@@ -133,7 +133,6 @@ struct fluid {
 /* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */
 struct fluid *fluid_create(const struct mesh *mesh,
                            const struct fluid_options *options);
-void fluid_free(struct fluid *fl);
 
 /* All that the next step depends on (state.h). */
 void fluid_state(struct fluid *fl, struct state *s);

@@ -13,10 +13,9 @@ struct face_geometry {
     double *face_coefficient; /* [m] S.S / S.d: area over length of the link */
 };
 
-/* systems.c: creates and frees all arrays and systems of a fluid, for its mesh
- * and options. */
+/* systems.c: creates all arrays and systems of a fluid, for its mesh and
+ * options. */
 void systems_create(struct fluid *fl);
-void systems_free(struct fluid *fl);
 
 /* A loop over all boundary faces that do something: b is the boundary condition
  * of face f, which is the j-th of its patch. */

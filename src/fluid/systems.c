@@ -2,7 +2,6 @@
 /* systems.c -- creates and frees what a fluid computes with. */
 #include "fluid/piso.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,128 +39,80 @@ static int two_steps(const struct fluid_options *o)
     return o->time != NULL && o->time->time_levels > 1;
 }
 
-/* What an array has a number for, and the condition under which it exists. A
- * ROOM has three a cell or one a face, whichever is more; WORK too, and one a
- * boundary face beyond. */
-enum place { CELL, FACE, INNER_FACE, ROOM, WORK, PLACES };
-enum need {
-    ALWAYS,
-    COUPLED,    /* with particles */
-    BIASED,     /* with a nondissipative scheme */
-    SMOOTH,     /* which also shares the pressure gradient with particles */
-    SLIP_WALLS, /* at least one */
-    TWO_STEPS,  /* in a two-step scheme */
-    WEIGHTS,    /* where a force at a face follows the convecting velocity */
-    OWN_FLUX,   /* if momentum is not convected by the last step's flux */
-    NEEDS
-};
-
-struct array {
-    double **at;
-    int per; /* [-] numbers for each cell or face */
-    enum place place;
-    enum need need;
-};
-
-enum { MOST_ARRAYS = 64 };
-
-/* The table of all arrays; returns their number. It does not read the mesh,
- * which may no longer exist when the arrays are freed. */
-static int systems_list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
-{
-    const struct array rows[] = {
-        {&fl->u, 3, CELL, ALWAYS},
-        {&fl->grad_p, 3, CELL, ALWAYS},
-        {&fl->p, 1, CELL, ALWAYS},
-        {&fl->eps, 1, CELL, ALWAYS},
-        {&fl->eps_n, 1, CELL, COUPLED},
-        {&fl->eps_nm1, 1, CELL, COUPLED},
-        {&fl->phi, 1, FACE, ALWAYS},
-        {&fl->F, 3, CELL, COUPLED},
-        {&fl->eps_us, 3, CELL, COUPLED},
-        {&fl->K, 1, CELL, COUPLED},
-        {&fl->u_older, 3, CELL, TWO_STEPS},
-        {&fl->phi_older, 1, FACE, TWO_STEPS},
-        {&fl->momentum->diag, 1, CELL, ALWAYS},
-        {&fl->momentum->defect, 1, CELL, ALWAYS},
-        {&fl->momentum->diag3, 3, CELL, SLIP_WALLS},
-        {&fl->momentum->b, 3, CELL, ALWAYS},
-        {&fl->momentum->H, 3, CELL, ALWAYS},
-        {&fl->momentum->owner_weight, 1, INNER_FACE, WEIGHTS},
-        {&fl->pressure->source, 1, CELL, COUPLED},
-        {&fl->pressure->per_force, 3, CELL, ALWAYS},
-        {&fl->pressure->m_face, 1, ROOM, ALWAYS},
-        {&fl->pressure->conductance, 1, ROOM, ALWAYS},
-        {&fl->pressure->explicit_flux, 1, ROOM, ALWAYS},
-        {&fl->pressure->work, 1, WORK, ALWAYS},
-        {&fl->jump->owner_part, 1, INNER_FACE, COUPLED},
-        {&fl->jump->neighbour_part, 1, INNER_FACE, COUPLED},
-        {&fl->jump->pressure_offset, 1, INNER_FACE, COUPLED},
-        {&fl->jump->pressure_per_flux, 1, INNER_FACE, COUPLED},
-        {&fl->jump->inertia, 3, CELL, COUPLED},
-        {&fl->jump->upwind_bias, 1, INNER_FACE, BIASED},
-        {&fl->jump->smooth_force, 3, CELL, SMOOTH},
-        {&fl->levels->ddt, 1, CELL, ALWAYS},
-        {&fl->levels->old_time_source, 3, CELL, ALWAYS},
-        {&fl->levels->phi_old, 1, FACE, ALWAYS},
-        {&fl->levels->convecting_flux_own, 1, FACE, OWN_FLUX},
-        {&fl->levels->ddt_older, 1, CELL, TWO_STEPS},
-        {&fl->levels->u_known, 3, CELL, TWO_STEPS}};
-    const int n = sizeof rows / sizeof *rows;
-
-    assert(n <= MOST_ARRAYS);
-    memcpy(list, rows, sizeof rows);
-    return n;
-}
-
+/* All arrays, with their numbers and whether the flow needs them. `room` has
+ * three a cell or one a face, whichever is more; `work` too, and one a boundary
+ * face beyond. Weights are needed where a force at a face follows the
+ * convecting velocity, an own flux where the last step's does not convect
+ * momentum. */
 static void allocate_arrays(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
     const struct fluid_options *const o = &fl->options;
-    const int biased = piso_nondissipative(fl);
-    const int vector = 3 * m->n_cells, inner = m->n_internal;
-    const int count[PLACES] = {
-        [CELL] = m->n_cells,
-        [FACE] = m->n_faces,
-        [INNER_FACE] = inner,
-        [ROOM] = vector > fl->faces->n ? vector : fl->faces->n,
-        [WORK] = (vector > inner ? vector : inner) + m->n_faces - inner};
-    const int needed[NEEDS] = {[ALWAYS] = 1,
-                               [COUPLED] = o->coupled,
-                               [BIASED] = biased,
-                               [SMOOTH] = biased && o->pressure_shared,
-                               [SLIP_WALLS] = systems_has(fl, BOUNDARY_SLIP),
-                               [TWO_STEPS] = two_steps(o),
-                               [WEIGHTS] = o->coupled || fl->deferred != NULL,
-                               [OWN_FLUX] = ddt_uses_new_time(o)};
-    struct array list[MOST_ARRAYS];
-    const int n = systems_list_arrays(fl, list);
+    const int cells = fl->mesh->n_cells, faces = fl->mesh->n_faces;
+    const int inner = fl->mesh->n_internal, acting = fl->faces->n;
+    const int room = 3 * cells > acting ? 3 * cells : acting;
+    const int work = (3 * cells > inner ? 3 * cells : inner) + faces - inner;
+    const int coupled = o->coupled, biased = piso_nondissipative(fl);
+    const int slip = systems_has(fl, BOUNDARY_SLIP), two = two_steps(o);
+    const int weights = coupled || fl->deferred != NULL;
+    const struct {
+        double **at;
+        int n, needed;
+    } rows[] = {
+        {&fl->u, 3 * cells, 1},
+        {&fl->grad_p, 3 * cells, 1},
+        {&fl->p, cells, 1},
+        {&fl->eps, cells, 1},
+        {&fl->eps_n, cells, coupled},
+        {&fl->eps_nm1, cells, coupled},
+        {&fl->phi, faces, 1},
+        {&fl->F, 3 * cells, coupled},
+        {&fl->eps_us, 3 * cells, coupled},
+        {&fl->K, cells, coupled},
+        {&fl->u_older, 3 * cells, two},
+        {&fl->phi_older, faces, two},
+        {&fl->momentum->diag, cells, 1},
+        {&fl->momentum->defect, cells, 1},
+        {&fl->momentum->diag3, 3 * cells, slip},
+        {&fl->momentum->b, 3 * cells, 1},
+        {&fl->momentum->H, 3 * cells, 1},
+        {&fl->momentum->owner_weight, inner, weights},
+        {&fl->pressure->source, cells, coupled},
+        {&fl->pressure->per_force, 3 * cells, 1},
+        {&fl->pressure->m_face, room, 1},
+        {&fl->pressure->conductance, room, 1},
+        {&fl->pressure->explicit_flux, room, 1},
+        {&fl->pressure->work, work, 1},
+        {&fl->jump->owner_part, inner, coupled},
+        {&fl->jump->neighbour_part, inner, coupled},
+        {&fl->jump->pressure_offset, inner, coupled},
+        {&fl->jump->pressure_per_flux, inner, coupled},
+        {&fl->jump->inertia, 3 * cells, coupled},
+        {&fl->jump->upwind_bias, inner, biased},
+        {&fl->jump->smooth_force, 3 * cells, biased && o->pressure_shared},
+        {&fl->levels->ddt, cells, 1},
+        {&fl->levels->old_time_source, 3 * cells, 1},
+        {&fl->levels->phi_old, faces, 1},
+        {&fl->levels->convecting_flux_own, faces, ddt_uses_new_time(o)},
+        {&fl->levels->ddt_older, cells, two},
+        {&fl->levels->u_known, 3 * cells, two}};
 
-    for (int i = 0; i < n; i++)
-        if (needed[list[i].need])
-            *list[i].at = alloc_doubles(list[i].per * count[list[i].place]);
-    if (!o->coupled) fl->eps_n = fl->eps_nm1 = fl->eps;
-    fl->p_face = fl->pressure->work + (count[WORK] - m->n_faces);
-}
-
-static void systems_free_arrays(struct fluid *fl)
-{
-    struct array list[MOST_ARRAYS];
-    const int n = systems_list_arrays(fl, list);
-
-    if (!fl->options.coupled) fl->eps_n = fl->eps_nm1 = NULL;
-    for (int i = 0; i < n; i++)
-        free(*list[i].at);
-    free(fl->momentum->own_residual);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (rows[i].needed) *rows[i].at = owner_doubles(fl, rows[i].n);
+    if (!coupled) fl->eps_n = fl->eps_nm1 = fl->eps;
+    fl->p_face = fl->pressure->work + (work - faces);
 }
 
 /* Geometric coefficients of each face, computed once. */
-static void create_geometry(struct face_geometry *g, const struct mesh *m)
+static void create_geometry(struct fluid *fl)
 {
-    g->face_coefficient = alloc_doubles(m->n_faces);
+    const struct mesh *const m = fl->mesh;
+
+    fl->geometry = owner_zeroed(fl, 1, sizeof *fl->geometry);
+    fl->geometry->face_coefficient = owner_doubles(fl, m->n_faces);
     for (int f = 0; f < m->n_faces; f++) {
         const double *const S = mesh_S(m, f);
-        g->face_coefficient[f] = vector_dot(S, S) / vector_dot(S, mesh_d(m, f));
+        fl->geometry->face_coefficient[f] =
+            vector_dot(S, S) / vector_dot(S, mesh_d(m, f));
     }
 }
 
@@ -230,12 +181,13 @@ static int faces_that_act(const struct fluid *fl)
     return m->n_faces;
 }
 
-static struct faces *systems_faces_of(const struct mesh *m, int n)
+static struct faces *systems_faces_of(struct fluid *fl)
 {
-    struct faces *const f = alloc_zeroed(1, sizeof *f);
+    const struct mesh *const m = fl->mesh;
+    struct faces *const f = owner_zeroed(fl, 1, sizeof *f);
 
     *f = (struct faces){.n_inner = m->n_internal,
-                        .n = n,
+                        .n = faces_that_act(fl),
                         .n_cells = m->n_cells,
                         .owner = m->owner,
                         .neighbour = m->neighbour,
@@ -245,6 +197,7 @@ static struct faces *systems_faces_of(const struct mesh *m, int n)
                         .S = m->S,
                         .S_at = m->S_at};
     faces_divide(f);
+    owner_join(fl, f->pieces);
     return f;
 }
 
@@ -267,7 +220,7 @@ void systems_own_residual(struct fluid *fl)
 
     if (m == NULL || m->own_residual != NULL)
         return; /* no arrays: an outline */
-    m->own_residual = alloc_doubles(n);
+    m->own_residual = owner_doubles(fl, n);
     memcpy(m->own_residual, m->residual, (size_t)n * sizeof *m->residual);
     m->residual = m->own_residual;
 }
@@ -287,11 +240,12 @@ static void create_solvers(struct fluid *fl)
     p->resistance = p->boundary_conductance = p->per_force + n;
     p->per_flux = p->per_force + 2L * n;
     p->divergence = work + 2L * n;
-    p->cg = cg_work_lent(n, (double *const[]){work, work + n, p->divergence});
+    p->cg = owner_join(
+        fl, cg_work_lent(n, (double *const[]){work, work + n, p->divergence}));
     fl->momentum->residual = work;
-    fl->momentum->bicgstab = bicgstab_work_lent(
-        n, (double *const[]){p->per_force, p->m_face, p->conductance, work,
-                             p->explicit_flux});
+    double *const space[] = {p->per_force, p->m_face, p->conductance, work,
+                             p->explicit_flux};
+    fl->momentum->bicgstab = owner_join(fl, bicgstab_work_lent(n, space));
     if (fl->options.outer_correctors > 0 || fl->options.shared != NULL)
         systems_own_residual(fl);
 }
@@ -301,39 +255,22 @@ void systems_create(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     const int n = m->n_cells;
 
-    fl->momentum = alloc_zeroed(1, sizeof *fl->momentum);
-    fl->pressure = alloc_zeroed(1, sizeof *fl->pressure);
-    fl->jump = alloc_zeroed(1, sizeof *fl->jump);
-    fl->levels = alloc_zeroed(1, sizeof *fl->levels);
-    fl->geometry = alloc_zeroed(1, sizeof *fl->geometry);
-    create_geometry(fl->geometry, m);
+    fl->momentum = owner_zeroed(fl, 1, sizeof *fl->momentum);
+    fl->pressure = owner_zeroed(fl, 1, sizeof *fl->pressure);
+    fl->jump = owner_zeroed(fl, 1, sizeof *fl->jump);
+    fl->levels = owner_zeroed(fl, 1, sizeof *fl->levels);
+    create_geometry(fl);
     /* Before the arrays, because it takes more memory while it is made. */
     if (fl->options.shared == NULL) fl->pressure->matrix = pressure_matrix(fl);
-    fl->deferred = deferred_create(fl);
-    fl->faces = systems_faces_of(m, faces_that_act(fl));
+    owner_join(fl, fl->pressure->matrix.matrix);
+    fl->deferred = owner_join(fl, deferred_create(fl));
+    fl->faces = systems_faces_of(fl);
     allocate_arrays(fl);
     fl->momentum->matrix =
-        ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
+        owner_join(fl, ldu_create(n, m->n_internal, m->owner, m->neighbour,
+                                  fl->faces->pieces));
     fl->momentum->matrix->diagonals = fl->momentum->diag3 != NULL ? 3 : 1;
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = systems_has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     create_solvers(fl);
-}
-
-void systems_free(struct fluid *fl)
-{
-    ldu_free(fl->momentum->matrix);
-    free(fl->momentum->bicgstab);
-    preconditioned_free(fl->pressure->matrix);
-    cg_work_free(fl->pressure->cg);
-    deferred_free(fl->deferred);
-    systems_free_arrays(fl);
-    faces_release(fl->faces);
-    free(fl->faces);
-    free(fl->momentum);
-    free(fl->pressure);
-    free(fl->jump);
-    free(fl->levels);
-    free(fl->geometry->face_coefficient);
-    free(fl->geometry);
 }

@@ -7,7 +7,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The vectors of the method [Saad03, algorithm 7.7]: residual r, shadow
@@ -47,7 +46,7 @@ struct products {
 
 struct bicgstab_work *bicgstab_work_lent(int n, double *const space[5])
 {
-    struct bicgstab_work *const w = alloc_zeroed(1, sizeof *w);
+    struct bicgstab_work *const w = owner_create(sizeof *w);
 
     *w = (struct bicgstab_work){.n = n,
                                 .r = space[0],

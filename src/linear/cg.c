@@ -4,7 +4,6 @@
 #include <assert.h>
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -15,36 +14,23 @@
 struct cg_work {
     int n;
     double *r, *p, *q; /* residual, direction, A p */
-    int lent;          /* 1: they are of someone else */
 };
 
 struct cg_work *cg_work_lent(int n, double *const space[3])
 {
-    struct cg_work *const w = alloc_zeroed(1, sizeof *w);
+    struct cg_work *const w = owner_create(sizeof *w);
 
-    *w = (struct cg_work){n, space[0], space[1], space[2], 1};
+    *w = (struct cg_work){n, space[0], space[1], space[2]};
     return w;
 }
 
 struct cg_work *cg_work_create(int n)
 {
-    double *const own[3] = {alloc_doubles(n), alloc_doubles(n),
-                            alloc_doubles(n)};
-    struct cg_work *const w = cg_work_lent(n, own);
+    struct cg_work *const w = owner_create(sizeof *w);
 
-    w->lent = 0;
+    *w = (struct cg_work){n, owner_doubles(w, n), owner_doubles(w, n),
+                          owner_doubles(w, n)};
     return w;
-}
-
-void cg_work_free(struct cg_work *w)
-{
-    if (w == NULL) return;
-    if (!w->lent) {
-        free(w->r);
-        free(w->p);
-        free(w->q);
-    }
-    free(w);
 }
 
 /* r = b - r over a range; returns its part of r.r */
@@ -158,26 +144,16 @@ void cg_many_dot(int n, int m, const double *x, const double *y, double *dot)
 
 struct cg_many_work *cg_many_work_create(int n, int m)
 {
-    struct cg_many_work *const w = alloc_zeroed(1, sizeof *w);
+    struct cg_many_work *const w = owner_create(sizeof *w);
 
     assert(m >= 1 && m <= CG_MANY_FIELDS);
     w->n = n;
     w->m = m;
-    w->r = alloc_doubles(n * m);
-    w->p = alloc_doubles(n * m);
-    w->q = alloc_doubles(n * m);
-    w->inverse = alloc_doubles(n);
+    w->r = owner_doubles(w, n * m);
+    w->p = owner_doubles(w, n * m);
+    w->q = owner_doubles(w, n * m);
+    w->inverse = owner_doubles(w, n);
     return w;
-}
-
-void cg_many_work_free(struct cg_many_work *w)
-{
-    if (w == NULL) return;
-    free(w->r);
-    free(w->p);
-    free(w->q);
-    free(w->inverse);
-    free(w);
 }
 
 static void cg_many_subtract(int first, int last, int m, const double *b,

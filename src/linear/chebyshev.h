@@ -20,7 +20,6 @@
 #include "linear/matrix.h"
 
 struct chebyshev {
-    const struct chebyshev_loop *loop;
     const struct csr *K; /* borrowed */
     double *factor;      /* [1/m] 2 / (lambda V) of each row */
     int products;
@@ -28,15 +27,6 @@ struct chebyshev {
     int m;              /* fields there is room for */
     double *y[2], *sum; /* two terms y_k, and the series so far */
 };
-
-/* How the series is summed; all ways give the same bits. */
-struct chebyshev_loop {
-    const char *name;
-    int (*fields)(int m); /* for how many fields y and sum have room */
-    void (*apply)(struct chebyshev *s, int m, double *u);
-};
-/* The one that is used, and the plain one that a test compares with it. */
-extern const struct chebyshev_loop chebyshev_groups, chebyshev_plain;
 
 /* The series of exp(-T L) for up to m fields. K is symmetric, its entries off
  * the diagonal are <= 0 [m] and its rows sum to zero (no flux leaves); K and V
@@ -48,7 +38,6 @@ struct chebyshev *chebyshev_create(const struct csr *K,
                                    const double *V /* [m^3] */,
                                    double T /* [m^2] */, double tail /* [-] */,
                                    int m);
-void chebyshev_free(struct chebyshev *s);
 
 /* u becomes exp(-T L) u, for m fields side by side, u[m * i + k]; m at most
  * that of create. */

@@ -20,14 +20,6 @@ int faces_next(const struct faces *f, int first, int last, struct face_piece *p)
     return 1;
 }
 
-void faces_release(struct faces *f)
-{
-    faces_free_pieces(f->pieces);
-    free(f->area);
-    f->pieces = NULL;
-    f->area = NULL;
-}
-
 static const double *faces_S(const struct faces *fs, int f)
 {
     return fs->S + 3L * (fs->S_at != NULL ? fs->S_at[f] : f);
@@ -288,30 +280,20 @@ int faces_next_of_owners(const struct face_pieces *r, int first, int last,
     return 0;
 }
 
-void faces_free_pieces(struct face_pieces *r)
-{
-    if (r == NULL) return;
-    free(r->range);
-    free(r);
-}
-
 /* aligned: 1 if each face is normal to an axis, and each range has one. */
 static struct face_pieces *find_pieces(const struct faces *fs, int aligned)
 {
-    struct face_pieces *const r = alloc_zeroed(1, sizeof *r);
+    struct face_pieces *const r = owner_create(sizeof *r);
     int n_runs = 0, fits = 1;
 
     r->range = alloc_zeroed((size_t)fs->n, sizeof *r->range);
     for (int f = 0; f < fs->n && fits; f++)
         fits = faces_add_face(r, &n_runs, f, fs->owner[f],
                               kind_of(fs, f, aligned));
-    if (fits && (long)n_runs * MIN_LENGTH <= fs->n) {
-        struct contiguous_range *const all = r->range;
-
-        r->range = alloc_grown(all, n_runs, n_runs, sizeof *all);
-        return r;
-    }
-    faces_free_pieces(r);
+    r->range = alloc_grown(r->range, n_runs, n_runs, sizeof *r->range);
+    owner_take(r, r->range);
+    if (fits && (long)n_runs * MIN_LENGTH <= fs->n) return r;
+    owner_free(r);
     return NULL;
 }
 
@@ -332,7 +314,7 @@ void faces_divide(struct faces *f)
         aligned = axis_of(f, i) >= 0;
     f->pieces = find_pieces(f, aligned);
     if (f->pieces == NULL || !aligned) return;
-    f->area = alloc_doubles(f->n);
+    f->area = owner_doubles(f->pieces, f->n);
     for (int i = 0; i < f->n; i++)
         f->area[i] = faces_S(f, i)[axis_of(f, i)];
 }

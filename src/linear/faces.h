@@ -47,7 +47,6 @@ int faces_next_of_cells(const struct face_pieces *r, int first, int last,
  * boundary faces after them; NULL if they are too short on average. */
 struct face_pieces *faces_find_pieces(int n_inner, int n, const int *owner,
                                       const int *neighbour);
-void faces_free_pieces(struct face_pieces *r);
 
 /* The faces of a mesh; all arrays are borrowed. */
 struct faces {
@@ -81,9 +80,8 @@ static inline int faces_parts(const struct faces *f)
 int faces_next(const struct faces *f, int first, int last,
                struct face_piece *p);
 
-/* Finds the pieces of f; faces_release frees them. */
+/* Finds the pieces of f; the areas belong to them. */
 void faces_divide(struct faces *f);
-void faces_release(struct faces *f);
 
 /* sum[3 c + k] = the sum over the faces f < n of each cell first <= c < last:
  * a[f] S[3 f + k] if c is the owner, sign b[f] S[3 f + k] if the neighbour. */

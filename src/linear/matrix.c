@@ -62,16 +62,16 @@ static void csr_fill_rows(struct csr *A, int *link, const int *owner,
 struct csr *csr_create(int n, int n_links, const int *owner,
                        const int *neighbour)
 {
-    struct csr *const A = alloc_zeroed(1, sizeof *A);
+    struct csr *const A = owner_create(sizeof *A);
 
     A->n = n;
     A->n_links = n_links;
-    A->start = alloc_ints(n + 1);
-    A->col = alloc_ints(2 * n_links);
-    A->a = alloc_doubles(2 * n_links);
-    A->diag = alloc_doubles(n);
-    A->upper = alloc_ints(n_links);
-    A->lower = alloc_ints(n_links);
+    A->start = owner_ints(A, n + 1);
+    A->col = owner_ints(A, 2 * n_links);
+    A->a = owner_doubles(A, 2 * n_links);
+    A->diag = owner_doubles(A, n);
+    A->upper = owner_ints(A, n_links);
+    A->lower = owner_ints(A, n_links);
 
     int *const link = alloc_ints(2 * n_links);
 
@@ -84,19 +84,6 @@ struct csr *csr_create(int n, int n_links, const int *owner,
             A->lower[~link[e]] = e;
     free(link);
     return A;
-}
-
-/* Frees a matrix; NULL is allowed. */
-void csr_free(struct csr *A)
-{
-    if (A == NULL) return;
-    free(A->start);
-    free(A->col);
-    free(A->a);
-    free(A->diag);
-    free(A->upper);
-    free(A->lower);
-    free(A);
 }
 
 void csr_set_diffusion(struct csr *A, const double *g, const double *sums)
@@ -177,25 +164,17 @@ void csr_rows_each(int first, int last, const struct csr *A, int m,
 struct ldu *ldu_create(int n, int n_links, const int *owner,
                        const int *neighbour, const struct face_pieces *pieces)
 {
-    struct ldu *const A = alloc_zeroed(1, sizeof *A);
+    struct ldu *const A = owner_create(sizeof *A);
 
     A->n = n;
     A->n_links = n_links;
     A->diagonals = 3;
-    A->upper = alloc_doubles(n_links);
-    A->lower = alloc_doubles(n_links);
+    A->upper = owner_doubles(A, n_links);
+    A->lower = owner_doubles(A, n_links);
     A->pieces = pieces;
-    if (pieces == NULL) A->rows = csr_create(n, n_links, owner, neighbour);
+    if (pieces == NULL)
+        A->rows = owner_join(A, csr_create(n, n_links, owner, neighbour));
     return A;
-}
-
-void ldu_free(struct ldu *A)
-{
-    if (A == NULL) return;
-    free(A->upper);
-    free(A->lower);
-    csr_free(A->rows);
-    free(A);
 }
 
 static void ldu_fill_rows(int first, int last, struct ldu *A)

@@ -36,7 +36,6 @@ struct csr {
 /* The pattern of these links with all coefficients zero. */
 struct csr *csr_create(int n, int n_links, const int *owner,
                        const int *neighbour);
-void csr_free(struct csr *A);
 
 /* Makes A a matrix of diffusion: the entry -g[l] for each link l, except for
  * one that joins a cell to itself, and a diagonal such that the row sums are
@@ -84,7 +83,6 @@ struct ldu {
 /* pieces: those of these links, possibly followed by further ones; or NULL. */
 struct ldu *ldu_create(int n, int n_links, const int *owner,
                        const int *neighbour, const struct face_pieces *pieces);
-void ldu_free(struct ldu *A);
 
 /* The caller calls this after writing upper and lower. */
 void ldu_update(struct ldu *A);

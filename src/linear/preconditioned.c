@@ -19,11 +19,6 @@ struct preconditioned preconditioned_create(int n, int n_links,
         kind, kind->create(n, n_links, owner, neighbour, strength, link, V)};
 }
 
-void preconditioned_free(struct preconditioned A)
-{
-    if (A.matrix != NULL) A.kind->free(A.matrix);
-}
-
 void preconditioned_set(struct preconditioned A, const double *g,
                         const double *sums)
 {
@@ -39,11 +34,6 @@ static void *preconditioned_jacobi_create(int n, int n_links, const int *owner,
     (void)link;
     (void)V;
     return csr_create(n, n_links, owner, neighbour);
-}
-
-static void preconditioned_jacobi_free(void *matrix)
-{
-    csr_free(matrix);
 }
 
 static void preconditioned_jacobi_set(void *matrix, const double *g,
@@ -101,7 +91,6 @@ static void preconditioned_jacobi_direction(const void *matrix, const double *r,
 const struct preconditioned_kind preconditioned_jacobi = {
     .name = "jacobi",
     .create = preconditioned_jacobi_create,
-    .free = preconditioned_jacobi_free,
     .set = preconditioned_jacobi_set,
     .multiply = preconditioned_jacobi_multiply,
     .apply = preconditioned_jacobi_apply,

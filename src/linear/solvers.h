@@ -18,7 +18,7 @@
  * is that of Jacobi, M = D^-1 with the diagonal D of the matrix, stored by
  * rows; the folder multigrid/ has a better one. */
 
-/* `matrix` is what create returns. */
+/* `matrix` is what create returns, to be freed by owner_free. */
 struct preconditioned_kind {
     const char *name;
     /* The matrix of n unknowns and of these links. strength [m] is the area of
@@ -27,7 +27,6 @@ struct preconditioned_kind {
     void *(*create)(int n, int n_links, const int *owner, const int *neighbour,
                     const double *strength, const double *link,
                     const double *V);
-    void (*free)(void *matrix);
     /* Sets the coefficients: g of each link, and the row sums; both >= 0. */
     void (*set)(void *matrix, const double *g, const double *sums);
     /* y = A x; returns x.y. */
@@ -54,7 +53,6 @@ struct preconditioned
 preconditioned_create(int n, int n_links, const int *owner,
                       const int *neighbour, const double *strength,
                       const double *link, const double *V);
-void preconditioned_free(struct preconditioned A);
 
 /* Sets its coefficients. */
 void preconditioned_set(struct preconditioned A, const double *g,
@@ -81,7 +79,6 @@ struct cg_work *cg_work_create(int n);
 /* The same in three vectors of n numbers that nothing else uses meanwhile; the
  * third may be the right-hand side, which is lost. */
 struct cg_work *cg_work_lent(int n, double *const space[3]);
-void cg_work_free(struct cg_work *w);
 
 /* Solves A x = b from the guess in x. Stops when |b - A x|_2 is at most
  * `absolute` or at most `reduction` times what it is for the guess, whichever
@@ -111,7 +108,6 @@ enum { CG_MANY_FIELDS = 16 }; /* at most */
 struct cg_many_work;
 
 struct cg_many_work *cg_many_work_create(int n, int m);
-void cg_many_work_free(struct cg_many_work *w);
 
 /* dot[k] = sum_i x[m * i + k] y[m * i + k] for m fields side by side. */
 void cg_many_dot(int n, int m, const double *x, const double *y, double *dot);
@@ -139,7 +135,7 @@ struct solve_report cg_many_solve(const struct csr *A, const double *weight,
 struct bicgstab_work;
 
 /* In five vectors of 3 n numbers that nothing else uses during a solution; the
- * first is then the residual. To be freed. */
+ * first is then the residual. */
 struct bicgstab_work *bicgstab_work_lent(int n, double *const space[5]);
 
 /* Solves A x = b from the guess in x. Stops when, for each component, |b - A

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/alloc.h"
 #include "fluid/fluid.h"
 #include "mesh/poly/poly.h"
 
@@ -104,7 +105,7 @@ int main(int argc, char **argv)
            dimensions, m->n_cells, iterations / (steps - first),
            momentum / (steps - first), error, 1e3 * seconds[1],
            1e9 * seconds[1] / m->n_cells, m->n_cells / seconds[1]);
-    fluid_free(fl);
+    owner_free(fl);
     mesh_free(m);
     return 0;
 }

@@ -72,8 +72,8 @@ static double *all_weights(const struct box *box, int k, double T, double b)
     }
     struct chebyshev *const series = chebyshev_create(K, dx, T, exact, n);
     chebyshev_apply(series, n, w);
-    chebyshev_free(series);
-    csr_free(K);
+    owner_free(series);
+    owner_free(K);
     free(owner);
     free(neighbour);
     free(dx);
@@ -159,20 +159,13 @@ struct separable *separable_create(const struct box *box, double T, double b,
         /* a dropped weight counts twice: where it is missing, and on the
          * diagonal */
         find_direction(d, box, k, T, b, tail / 6.0);
+        owner_take(s, d->w);
         const long places = d->n + (d->whole ? 0 : 2 * d->reach);
         if (WIDTH * places > s->size) s->size = WIDTH * places;
     }
     s->bundle =
         owner_zeroed(s, (size_t)(MOST_THREADS * s->size), sizeof(double));
     return s;
-}
-
-void separable_free(struct separable *s)
-{
-    if (s == NULL) return;
-    for (int k = 0; k < 3; k++)
-        free(s->direction[k].w);
-    owner_free(s);
 }
 
 int separable_reach(const struct separable *s, int k)

@@ -31,7 +31,6 @@ struct separable;
 enum { SEPARABLE_MOST = 1024 };
 struct separable *separable_create(const struct box *box, double T /* [m^2] */,
                                    double b, double tail /* [-] */);
-void separable_free(struct separable *s);
 
 /* u becomes exp(-T L) u, for m fields side by side, u[m * i + k]. The bits do
  * not depend on the number of threads. */

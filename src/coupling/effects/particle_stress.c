@@ -91,7 +91,7 @@ static void *particle_stress_create(struct simulation *sim,
     self->half = owner_doubles(self, 6 * m->n_cells);
     self->g = owner_doubles(self, m->n_internal);
     self->q = owner_doubles(self, HATS_MOMENTS * ps->capacity);
-    self->hats = hats_create(m, ps->capacity);
+    self->hats = owner_join(self, hats_create(m, ps->capacity));
     self->heaviest = 1e6 * cbrt(m->V[0]);
     for (int f = 0; f < m->n_internal; f++) {
         self->g[f] = vector_dot(mesh_S(m, f), mesh_S(m, f)) /
@@ -102,18 +102,9 @@ static void *particle_stress_create(struct simulation *sim,
     self->matrix = preconditioned_create(m->n_cells, m->n_internal, m->owner,
                                          m->neighbour, self->g, link, m->V);
     free(link);
-    self->cg = cg_work_create(m->n_cells);
+    owner_join(self, self->matrix.matrix);
+    self->cg = owner_join(self, cg_work_create(m->n_cells));
     return self;
-}
-
-static void particle_stress_free(void *memory)
-{
-    struct particle_stress *const self = memory;
-
-    owner_free(self->hats);
-    preconditioned_free(self->matrix);
-    cg_work_free(self->cg);
-    owner_free(self);
 }
 
 /* The solids fraction of the particles where they are now. */
@@ -473,6 +464,6 @@ const struct effect particle_stress_effect = {
     .columns = &particle_stress_columns,
     .counts = particle_stress_counts,
     .state = particle_stress_state,
-    .free = particle_stress_free,
+    .free = owner_free,
     .cost = {200.0, 1500.0, 0.0},
 };

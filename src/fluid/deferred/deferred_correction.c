@@ -433,17 +433,6 @@ void deferred_set_gradient(const struct deferred *d, struct fluid *fl)
     gradient_of_faces(fl);
 }
 
-void deferred_free(struct deferred *d)
-{
-    if (d == NULL) return;
-    free(d->reach);
-    free(d->slope);
-    free(d->u_boundary);
-    free(d->off);
-    free(d->normal_equations);
-    free(d);
-}
-
 struct deferred *deferred_create(const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -451,11 +440,11 @@ struct deferred *deferred_create(const struct fluid *fl)
 
     if (fl->options.convection->deferred == NULL && !m->oblique && !m->skewed)
         return NULL;
-    d = alloc_zeroed(1, sizeof *d);
-    d->reach = boundary_reach(m, fl->options.boundaries);
-    d->slope = alloc_doubles(9 * m->n_cells);
-    d->u_boundary = alloc_doubles(3 * (m->n_faces - m->n_internal));
-    d->off = skewness_of(m);
-    d->normal_equations = skewness_normal_equations(m, d->off);
+    d = owner_create(sizeof *d);
+    d->reach = owner_take(d, boundary_reach(m, fl->options.boundaries));
+    d->slope = owner_doubles(d, 9 * m->n_cells);
+    d->u_boundary = owner_doubles(d, 3 * (m->n_faces - m->n_internal));
+    d->off = owner_take(d, skewness_of(m));
+    d->normal_equations = owner_take(d, skewness_normal_equations(m, d->off));
     return d;
 }

@@ -13,17 +13,17 @@ static const double small_gap = 0.02;
 
 static struct graph *allocate(int n, int n_links)
 {
-    struct graph *const g = alloc_zeroed(1, sizeof *g);
+    struct graph *const g = owner_create(sizeof *g);
 
     g->n = n;
     g->n_links = n_links;
-    g->owner = alloc_ints(n_links);
-    g->neighbour = alloc_ints(n_links);
-    g->strength = alloc_doubles(n_links);
-    g->distance = alloc_doubles(3 * n_links);
-    g->V = alloc_doubles(n);
-    g->wall = alloc_doubles(3 * n);
-    g->strong = alloc_ints(n_links);
+    g->owner = owner_ints(g, n_links);
+    g->neighbour = owner_ints(g, n_links);
+    g->strength = owner_doubles(g, n_links);
+    g->distance = owner_doubles(g, 3 * n_links);
+    g->V = owner_doubles(g, n);
+    g->wall = owner_doubles(g, 3 * n);
+    g->strong = owner_ints(g, n_links);
     return g;
 }
 
@@ -67,19 +67,6 @@ struct graph *graph_create(int n, int n_links, const int *owner,
     memcpy(g->V, V, (size_t)n * sizeof *V);
     graph_find_walls(g);
     return g;
-}
-
-void graph_free(struct graph *g)
-{
-    if (g == NULL) return;
-    free(g->owner);
-    free(g->neighbour);
-    free(g->strength);
-    free(g->distance);
-    free(g->V);
-    free(g->wall);
-    free(g->strong);
-    free(g);
 }
 
 double graph_length(const struct graph *g, int l)
@@ -360,7 +347,7 @@ static void join_pairs(const struct graph *g, int axis, int *root,
     }
     free(mate);
     free(link_at);
-    csr_free(A);
+    owner_free(A);
 }
 
 /* The graph after the cells have been paired along one axis. */
@@ -402,7 +389,7 @@ struct graph *graph_coarsened(struct graph *g, int *parent, int *bundle)
         big = pair_along_axis(before, axis, p, b);
         follow(g->n, parent, p);
         follow(g->n_links, bundle, b);
-        graph_free(before);
+        owner_free(before);
     }
     free(p);
     free(b);

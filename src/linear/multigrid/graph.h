@@ -31,7 +31,6 @@ struct graph {
 struct graph *graph_create(int n, int n_links, const int *owner,
                            const int *neighbour, const double *strength,
                            const double *link, const double *V);
-void graph_free(struct graph *g);
 
 /* Length of link l [m]. */
 double graph_length(const struct graph *g, int l);

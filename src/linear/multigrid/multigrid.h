@@ -29,7 +29,6 @@ void *multigrid_create(int n, int n_links, const int *owner,
                        const double *strength, /* [m] |S|/|d| */
                        const double *link,     /* [m] 3 a link */
                        const double *V);       /* [m^3] */
-void multigrid_free(void *mg);
 
 /* Sets the coefficients: g of the links, with the entries -g off the diagonal,
  * and the sums of the rows; both >= 0. */
@@ -38,10 +37,6 @@ void multigrid_set_coefficients(void *mg, const double *g, const double *sums);
 /* z = M r, one cycle from zero, in single precision inside: a symmetric
  * positive definite M. Returns r.z. */
 double multigrid_apply(struct multigrid *mg, const double *r, double *z);
-
-/* y = A x in double, for the coefficients that were set; returns x.y. On a box
- * several times faster than csr_multiply; equal to it up to rounding. */
-double multigrid_multiply(const void *mg, const double *x, double *y);
 
 /* For reports: the number of levels, and the unknowns of one of them. */
 int multigrid_levels(const struct multigrid *mg);

@@ -58,8 +58,8 @@ static void list_rest_rows(struct symmetric *S)
     const int *const start = S->rest->start;
     int n = 0;
 
-    S->rest_row = alloc_ints(S->n);
-    S->rest_from = alloc_ints(S->n + 1);
+    S->rest_row = owner_ints(S, S->n);
+    S->rest_from = owner_ints(S, S->n + 1);
     for (int i = 0; i < S->n; i++) {
         S->rest_from[i] = n;
         if (start[i + 1] > start[i]) S->rest_row[n++] = i;
@@ -108,66 +108,40 @@ static void place_links(struct symmetric *S, const int *owner,
         add_to_runs(S, &room, next);
     }
     S->run = alloc_grown(S->run, S->n_runs, S->n_runs, sizeof *S->run);
+    owner_take(S, S->run);
     if (n_rest > 0) {
-        S->rest = csr_create(S->n, n_rest, own, nei);
+        S->rest = owner_join(S, csr_create(S->n, n_rest, own, nei));
         list_rest_rows(S);
     }
     free(own);
     free(nei);
 }
 
-static float *symmetric_vector(const void *data)
+float *symmetric_vector(struct symmetric *S)
 {
-    const struct symmetric *const S = data;
     const size_t n = (size_t)S->n + 2 * (size_t)S->pad;
 
-    return (float *)alloc_zeroed(n, sizeof(float)) + S->pad;
+    return (float *)owner_zeroed(S, n, sizeof(float)) + S->pad;
 }
 
-static void symmetric_vector_free(const void *data, float *x)
+struct symmetric *symmetric_create(int n, int n_links, const int *owner,
+                                   const int *neighbour, int exact)
 {
-    const struct symmetric *const S = data;
-
-    if (x != NULL) free(x - S->pad);
-}
-
-static void *symmetric_create(int n, int n_links, const int *owner,
-                              const int *neighbour, int exact)
-{
-    struct symmetric *const S = alloc_zeroed(1, sizeof *S);
+    struct symmetric *const S = owner_create(sizeof *S);
 
     S->n = n;
     S->n_links = n_links;
-    S->diag = alloc_zeroed((size_t)n, sizeof *S->diag);
+    S->diag = owner_zeroed(S, (size_t)n, sizeof *S->diag);
     find_bands(S, owner, neighbour);
     S->inverse = symmetric_vector(S);
     for (int k = 0; k < S->n_bands; k++)
         S->band[k] = symmetric_vector(S);
     place_links(S, owner, neighbour);
     if (!exact) return S;
-    S->exact_diag = alloc_doubles(n);
+    S->exact_diag = owner_doubles(S, n);
     for (int k = 0; k < S->n_bands; k++)
-        S->exact[k] = alloc_doubles(n + S->pad) + S->pad;
+        S->exact[k] = owner_doubles(S, n + S->pad) + S->pad;
     return S;
-}
-
-static void symmetric_free(void *data)
-{
-    struct symmetric *const S = data;
-
-    if (S == NULL) return;
-    for (int k = 0; k < S->n_bands; k++) {
-        symmetric_vector_free(S, S->band[k]);
-        if (S->exact[k] != NULL) free(S->exact[k] - S->pad);
-    }
-    free(S->exact_diag);
-    csr_free(S->rest);
-    free(S->rest_row);
-    free(S->rest_from);
-    free(S->run);
-    free(S->diag);
-    symmetric_vector_free(S, S->inverse);
-    free(S);
 }
 
 /* y[i - first] = the diagonal and the first bands of row i, times x. Called
@@ -254,11 +228,9 @@ void symmetric_residual_rows(int first, int last, const struct symmetric *S,
     }
 }
 
-static void symmetric_residual(const void *data, const float *b, const float *x,
-                               float *r)
+void symmetric_residual(const struct symmetric *S, const float *b,
+                        const float *x, float *r)
 {
-    const struct symmetric *const S = data;
-
     PARALLEL_RANGES(S->n, 2, symmetric_residual_rows, S, b, x, r);
 }
 
@@ -277,12 +249,10 @@ void symmetric_relax_rows(int first, int last, const struct symmetric *S,
     }
 }
 
-static void symmetric_relax(const void *data, const float *b, const float *x,
-                            float alpha, const float *w, float beta,
-                            float gamma, float *y)
+void symmetric_relax(const struct symmetric *S, const float *b, const float *x,
+                     float alpha, const float *w, float beta, float gamma,
+                     float *y)
 {
-    const struct symmetric *const S = data;
-
     PARALLEL_RANGES(S->n, 2, symmetric_relax_rows, S, b, x, alpha, w, beta,
                     gamma, y);
 }
@@ -326,9 +296,8 @@ static double multiply_rows(int first, int last, const struct symmetric *S,
     return reduce_range(begin, last, x, y);
 }
 
-static double symmetric_multiply(const void *data, const double *x, double *y)
+double symmetric_multiply(const struct symmetric *S, const double *x, double *y)
 {
-    const struct symmetric *const S = data;
     double xy;
 
     PARALLEL_SUM(xy, S->n, 2, multiply_rows, S, x, y);
@@ -410,37 +379,10 @@ static void write_diagonal(int first, int last, struct symmetric *S,
     }
 }
 
-static void symmetric_fill(void *data, const double *g, const double *sums,
-                           double unit)
+void symmetric_fill(struct symmetric *S, const double *g, const double *sums,
+                    double unit)
 {
-    struct symmetric *const S = data;
-
     S->unit = unit;
     PARALLEL_RANGES(S->n_links, 2, write_links, S, g);
     PARALLEL_RANGES(S->n, 8, write_diagonal, S, sums);
 }
-
-int symmetric_links_left(const void *data)
-{
-    const struct symmetric *const S = data;
-    return S->rest != NULL ? S->rest->n_links : 0;
-}
-
-static const float *symmetric_inverse(const void *data)
-{
-    const struct symmetric *const S = data;
-    return S->inverse;
-}
-
-const struct level_matrix_kind level_matrix_bands = {"bands",
-                                                     symmetric_create,
-                                                     symmetric_free,
-                                                     symmetric_vector,
-                                                     symmetric_vector_free,
-                                                     symmetric_fill,
-                                                     symmetric_inverse,
-                                                     symmetric_residual,
-                                                     symmetric_relax,
-                                                     symmetric_multiply,
-                                                     symmetric_stages_descend,
-                                                     symmetric_stages_ascend};

@@ -89,10 +89,9 @@ static void descend_chunk(const struct symmetric *S, int first, int last,
     }
 }
 
-int symmetric_stages_descend(const void *data, const float *b,
-                             struct level_smoothing w, float *y, float *r)
+int symmetric_descend(const struct symmetric *S, const float *b,
+                      struct level_smoothing w, float *y, float *r)
 {
-    const struct symmetric *const S = data;
     const int chunks = chunks_of(S);
 
 #pragma omp parallel for schedule(static) if (chunks > 1)
@@ -158,11 +157,10 @@ static void ascend_chunk(const struct ascent *a, int first, int last)
     }
 }
 
-int symmetric_stages_ascend(const void *data, const float *b,
-                            struct level_smoothing w, const int *parent,
-                            const float *coarse, float *x, float *y)
+int symmetric_ascend(const struct symmetric *S, const float *b,
+                     struct level_smoothing w, const int *parent,
+                     const float *coarse, float *x, float *y)
 {
-    const struct symmetric *const S = data;
     const struct ascent a = {S, b, w, parent, coarse, x, y};
     const int chunks = chunks_of(S), pad = S->pad;
 
