@@ -20,9 +20,9 @@ const char *const mesh_sides[6] = {"left", "right", "bottom",
 /* The edges of n cells from 0 to size [m]. Each cell is wider than the one
  * before it by the same factor, and the last is `grading` times as wide as the
  * first. */
-static double *edges_create(double size, int n, double grading)
+static double *edges_create(void *owner, double size, int n, double grading)
 {
-    double *const edge = alloc_doubles(n + 1);
+    double *const edge = owner_doubles(owner, n + 1);
     const double factor = n > 1 ? pow(grading, 1.0 / (n - 1)) : 1.0;
     double width = 1.0;
 
@@ -174,21 +174,17 @@ static void boundary_faces(struct mesh *m)
     assert(f == m->n_faces);
 }
 
-/* How many layers of inner faces n cells in a row have: those between
- * neighbours, and one across a period of more than one cell. */
-static int layers(const int n, int periodic)
-{
-    return periodic && n > 1 ? n : n - 1;
-}
-
+/* The inner faces are those between neighbours, and a layer across a period of
+ * more than one cell. */
 static void count_faces(struct mesh *m)
 {
     const struct box *const b = &m->box;
 
     for (int k = 0; k < 3; k++)
-        m->n_internal += m->n_cells / b->n[k] * layers(b->n[k], b->periodic[k]);
+        m->n_internal +=
+            m->n_cells / b->n[k] * (b->n[k] - !(b->periodic[k] && b->n[k] > 1));
     m->n_faces = m->n_internal;
-    m->patches = alloc_zeroed(6, sizeof *m->patches);
+    m->patches = owner_zeroed(m, 6, sizeof *m->patches);
     for (int k = 0; k < 3; k++)
         for (int side = 0; side < 2 && !b->periodic[k]; side++) {
             struct patch *const patch = &m->patches[m->n_patches++];
@@ -202,13 +198,13 @@ static void count_faces(struct mesh *m)
 
 struct mesh *mesh_outline_box(const struct box_spec *spec)
 {
-    struct mesh *const m = alloc_zeroed(1, sizeof *m);
+    struct mesh *const m = owner_create(sizeof *m);
 
     for (int k = 0; k < 3; k++) {
         m->box.n[k] = spec->cells[k];
         m->box.periodic[k] = spec->periodic[k];
         m->box.edge[k] =
-            edges_create(spec->size[k], spec->cells[k], spec->grading[k]);
+            edges_create(m, spec->size[k], spec->cells[k], spec->grading[k]);
         m->hi[k] = spec->size[k];
     }
     m->n_cells = spec->cells[0] * spec->cells[1] * spec->cells[2];

@@ -19,6 +19,20 @@ double mesh_box_faces(const struct box_spec *spec)
     return faces;
 }
 
+/* The slabs of direction k [m]. */
+static void slabs_of_box(const struct box *b, int k, double *widest,
+                         double *narrowest)
+{
+    const double *const e = b->edge[k];
+
+    *widest = 0.0;
+    *narrowest = INFINITY;
+    for (int i = 0; i < b->n[k]; i++) {
+        *widest = fmax(*widest, e[i + 1] - e[i]);
+        *narrowest = fmin(*narrowest, e[i + 1] - e[i]);
+    }
+}
+
 /* The smallest cell of a box is where the narrowest slabs of the three
  * directions cross, the largest where the widest do. */
 static void box_volumes(const struct box *b, double *min, double *max,
@@ -26,15 +40,11 @@ static void box_volumes(const struct box *b, double *min, double *max,
 {
     *min = *max = *mean = 1.0;
     for (int k = 0; k < 3; k++) {
-        const double *const e = b->edge[k];
-        double narrow = INFINITY, wide = 0.0;
-        for (int i = 0; i < b->n[k]; i++) {
-            narrow = fmin(narrow, e[i + 1] - e[i]);
-            wide = fmax(wide, e[i + 1] - e[i]);
-        }
+        double narrow, wide;
+        slabs_of_box(b, k, &wide, &narrow);
         *min *= narrow;
         *max *= wide;
-        *mean *= (e[b->n[k]] - e[0]) / b->n[k];
+        *mean *= (b->edge[k][b->n[k]] - b->edge[k][0]) / b->n[k];
     }
 }
 
@@ -221,30 +231,16 @@ struct mesh_quality mesh_quality(const struct mesh *m)
     return q;
 }
 
-/* The slabs of direction k [m]. A direction with a single cell has no links. */
-static void slabs_of_box(const struct box *b, int k, double *widest,
-                         double *narrowest)
-{
-    const double *const e = b->edge[k];
-
-    *widest = 0.0;
-    *narrowest = INFINITY;
-    for (int i = 0; i < b->n[k] && b->n[k] > 1; i++) {
-        *widest = fmax(*widest, e[i + 1] - e[i]);
-        *narrowest = fmin(*narrowest, e[i + 1] - e[i]);
-    }
-}
-
+/* A direction with a single cell has no links. */
 double mesh_widest_link(const struct mesh *m)
 {
-    double most = 0.0, narrowest;
+    double most = 0.0, widest, narrowest;
 
     for (int f = 0; f < m->n_internal && m->box.n[0] == 0; f++)
         most = fmax(most, vector_length(mesh_d(m, f)));
     for (int k = 0; k < 3 && m->box.n[0] > 0; k++) {
-        double widest;
         slabs_of_box(&m->box, k, &widest, &narrowest);
-        most = fmax(most, widest);
+        if (m->box.n[k] > 1) most = fmax(most, widest);
     }
     return most;
 }
@@ -259,7 +255,8 @@ static double longest_in_box(const struct box *b)
         slabs_of_box(b, k, &widest[k], &narrowest[k]);
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++)
-            if (j != k) most = fmax(most, widest[k] / narrowest[j]);
+            if (j != k && b->n[j] > 1 && b->n[k] > 1)
+                most = fmax(most, widest[k] / narrowest[j]);
     return most;
 }
 

@@ -8,43 +8,11 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/vector.h"
-
-static void shape_free(struct mesh_shape *s)
-{
-    if (s == NULL) return;
-    free(s->point);
-    free(s->start);
-    free(s->corner);
-    free(s->cell_start);
-    free(s->polygon);
-    free(s->turned);
-    free(s->boundary);
-    free(s);
-}
+#include "mesh/poly/poly.h"
 
 void mesh_free(struct mesh *m)
 {
-    if (m == NULL || m->reference_count-- > 0) return;
-    free(m->V);
-    free(m->centre);
-    free(m->owner);
-    free(m->neighbour);
-    free(m->S);
-    free(m->d);
-    free(m->S_at);
-    free(m->d_at);
-    free(m->w);
-    free(m->patches);
-    free(m->cell_start);
-    free(m->cell_face);
-    free(m->out);
-    free(m->face_centre);
-    free(m->periodic_index);
-    shape_free(m->shape);
-    if (m->search != NULL) m->search->free(m->search);
-    for (int k = 0; k < 3; k++)
-        free(m->box.edge[k]);
-    free(m);
+    if (m != NULL && m->reference_count-- == 0) owner_free(m);
 }
 
 struct mesh *mesh_retain(struct mesh *m)
@@ -97,7 +65,7 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z)
     double offset[3];
     int at[3];
 
-    if (m->search != NULL) return m->search->cell(m, point, offset);
+    if (m->bins != NULL) return locate_cell(m, point, offset);
     for (int k = 0; k < 3; k++) {
         const double lo = b->edge[k][0], hi = b->edge[k][b->n[k]];
         const double q = b->periodic[k] ? wrapped(point[k], lo, hi) : point[k];
@@ -110,7 +78,7 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z)
 int mesh_cell_and_offset(const struct mesh *m, const double x[3],
                          double offset[3])
 {
-    if (m->search != NULL) return m->search->cell(m, x, offset);
+    if (m->bins != NULL) return locate_cell(m, x, offset);
     const int c = mesh_cell_at(m, x[0], x[1], x[2]);
     for (int k = 0; k < 3 && c >= 0; k++) {
         const double period = mesh_period(m, k);
@@ -129,21 +97,21 @@ const struct patch *mesh_patch(const struct mesh *m, const char *name)
 
 void mesh_allocate(struct mesh *m)
 {
-    m->V = alloc_doubles(m->n_cells);
-    m->centre = alloc_doubles(3 * m->n_cells);
-    m->owner = alloc_ints(m->n_faces);
-    m->neighbour = alloc_ints(m->n_internal);
+    m->V = owner_doubles(m, m->n_cells);
+    m->centre = owner_doubles(m, 3 * m->n_cells);
+    m->owner = owner_ints(m, m->n_faces);
+    m->neighbour = owner_ints(m, m->n_internal);
     if (m->n_S > 0) {
-        m->S_at = alloc_ints(m->n_faces);
-        m->d_at = alloc_ints(m->n_faces);
+        m->S_at = owner_ints(m, m->n_faces);
+        m->d_at = owner_ints(m, m->n_faces);
     } else
         m->n_S = m->n_d = m->n_faces;
-    m->S = alloc_doubles(3 * m->n_S);
-    m->d = alloc_doubles(3 * m->n_d);
-    m->w = alloc_doubles(m->n_faces);
+    m->S = owner_doubles(m, 3 * m->n_S);
+    m->d = owner_doubles(m, 3 * m->n_d);
+    m->w = owner_doubles(m, m->n_faces);
     if (m->patches == NULL)
-        m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
-    m->cell_start = alloc_ints(m->n_cells + 1);
+        m->patches = owner_zeroed(m, (size_t)m->n_patches, sizeof *m->patches);
+    m->cell_start = owner_ints(m, m->n_cells + 1);
 }
 
 double *mesh_links(const struct mesh *m)
@@ -173,8 +141,8 @@ void mesh_collect_faces(struct mesh *m)
     }
     for (int c = 0; c < m->n_cells; c++)
         m->cell_start[c + 1] += m->cell_start[c];
-    m->cell_face = alloc_ints(m->cell_start[m->n_cells]);
-    m->out = alloc_zeroed((size_t)m->cell_start[m->n_cells], sizeof *m->out);
+    m->cell_face = owner_ints(m, m->cell_start[m->n_cells]);
+    m->out = owner_zeroed(m, (size_t)m->cell_start[m->n_cells], sizeof *m->out);
     for (int f = 0; f < m->n_faces; f++) {
         const int o = m->owner[f];
         m->out[m->cell_start[o] + fill[o]] = 1;

@@ -49,15 +49,6 @@ struct mesh_shape {
     int *boundary;       /* [-] the polygon of each boundary face */
 };
 
-struct mesh;
-
-/* How the cell of a point is found in a mesh that is not a box: the cell, or -1
- * outside, and the vector as in mesh_cell_and_offset. */
-struct mesh_search {
-    int (*cell)(const struct mesh *m, const double x[3], double offset[3]);
-    void (*free)(struct mesh_search *self);
-};
-
 struct mesh {
     int n_cells, n_faces, n_internal;
     double *V;      /* [m^3] cell volume */
@@ -88,7 +79,7 @@ struct mesh {
     /* The following are set for polyhedral meshes only; else NULL and 0. */
     double *face_centre; /* [m] of each face, 3; on the owner's side */
     struct mesh_shape *shape;
-    struct mesh_search *search;
+    struct bins *bins; /* with which the cell of a point is found (locate.c) */
     int n_periods;
     double period[3][3]; /* [m] shifts that lead from one end to the other */
     int *periodic_index; /* [-] n_internal, NULL without periods: k + 1 if the

@@ -26,7 +26,6 @@
 /* The cells that may contain a point: a grid of bins, and for each bin the
  * cells whose bounding boxes overlap it. */
 struct bins {
-    struct mesh_search search; /* the first member */
     int n[3];
     double inverse[3];   /* [1/m] of a bin's width */
     int *start, *member; /* [-] the cells of a bin, ascending */
@@ -38,12 +37,6 @@ struct bins {
     double tiny;  /* [m] a point that is less far beyond a face is inside */
     double slack; /* [m] gaps between warped faces are no wider */
 };
-
-/* The grid of bins in which cells are looked up. */
-static struct bins *bins_of(const struct mesh *m)
-{
-    return (struct bins *)m->search;
-}
 
 /* The point of a walk, and the best cell so far. */
 struct walk {
@@ -57,7 +50,7 @@ struct walk {
 /* How far the point is beyond face a of the cell's list [m]. */
 static double locate_beyond(const struct walk *w, int a)
 {
-    const double *const p = &bins_of(w->m)->plane[4 * a];
+    const double *const p = &w->m->bins->plane[4 * a];
     return p[0] * w->x[0] + p[1] * w->x[1] + p[2] * w->x[2] - p[3];
 }
 
@@ -66,7 +59,7 @@ static double locate_beyond(const struct walk *w, int a)
 static int way_out(const struct walk *w, int c, double *most)
 {
     const struct mesh *const m = w->m;
-    double any = bins_of(m)->tiny, inner = any;
+    double any = m->bins->tiny, inner = any;
     int way = -1;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
@@ -76,7 +69,7 @@ static int way_out(const struct walk *w, int c, double *most)
         inner = r;
         way = a;
     }
-    *most = any > bins_of(m)->tiny ? any : 0.0;
+    *most = any > m->bins->tiny ? any : 0.0;
     return way;
 }
 
@@ -136,7 +129,7 @@ static int locate_walk_from(struct walk *w, int c)
 /* The bin of a point, or -1. */
 static int bin_of(const struct mesh *m, const double x[3])
 {
-    const struct bins *const b = bins_of(m);
+    const struct bins *const b = m->bins;
     int at[3];
 
     for (int k = 0; k < 3; k++) {
@@ -152,7 +145,7 @@ static int bin_of(const struct mesh *m, const double x[3])
 static int search_bin(struct walk *w, const double x[3])
 {
     const struct mesh *const m = w->m;
-    const struct bins *const b = bins_of(m);
+    const struct bins *const b = m->bins;
     int images = 1;
 
     for (int i = 0; i < m->n_periods; i++)
@@ -189,13 +182,6 @@ int locate_from(const struct mesh *m, int begin, const double x[3],
     return w.best;
 }
 
-/* The cell to begin with, or -1. */
-static int begin_at(const struct mesh *m, const double x[3])
-{
-    const int bin = bin_of(m, x);
-    return bin < 0 ? -1 : bins_of(m)->begin[bin];
-}
-
 /* Moves the point by whole periods into or next to the mesh. */
 static void fold(const struct mesh *m, const double x[3], double y[3])
 {
@@ -208,14 +194,15 @@ static void fold(const struct mesh *m, const double x[3], double y[3])
         y[k] = m->n_periods > 0 ? o[k] + 0.5 * (m->lo[k] + m->hi[k]) : x[k];
 }
 
-/* mesh_search.cell: the point is moved by whole periods first, and the walk
- * begins in the cell that belongs to its bin. */
-static int cell(const struct mesh *m, const double x[3], double offset[3])
+/* The point is moved by whole periods first, and the walk begins in the cell
+ * that belongs to its bin. */
+int locate_cell(const struct mesh *m, const double x[3], double offset[3])
 {
     double y[3];
 
     fold(m, x, y);
-    return locate_from(m, begin_at(m, y), y, offset);
+    const int bin = bin_of(m, y);
+    return locate_from(m, bin < 0 ? -1 : m->bins->begin[bin], y, offset);
 }
 
 /* --- bins ----------------------------------------------------------------- */
@@ -241,7 +228,7 @@ static void size_bins(const struct mesh *m, struct bins *b)
 static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
 {
     const struct mesh_shape *const s = m->shape;
-    const struct bins *const b = bins_of(m);
+    const struct bins *const b = m->bins;
 
     for (int k = 0; k < 3; k++) {
         double lo = INFINITY, hi = -INFINITY;
@@ -262,7 +249,7 @@ static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
 /* Counts the cells of each bin, or lists them. */
 static void fill_bins(const struct mesh *m, int *used)
 {
-    const struct bins *const b = bins_of(m);
+    const struct bins *const b = m->bins;
 
     for (int c = 0; c < m->n_cells; c++) {
         int first[3], last[3];
@@ -301,7 +288,7 @@ static void set_plane(const struct mesh *m, int a)
             ? m->periodic_index[f]
             : 0;
     const double *const S = mesh_S(m, f), area = vector_length(S);
-    double *const p = &bins_of(m)->plane[4 * a];
+    double *const p = &m->bins->plane[4 * a];
 
     for (int k = 0; k < 3; k++) {
         double x = m->face_centre[3 * f + k];
@@ -317,7 +304,7 @@ static void set_plane(const struct mesh *m, int a)
  * nearest to that of the bin. */
 static void choose_begins(const struct mesh *m)
 {
-    struct bins *const b = bins_of(m);
+    struct bins *const b = m->bins;
 
     for (int bin = 0; bin < b->n[0] * b->n[1] * b->n[2]; bin++) {
         const int at[3] = {bin % b->n[0], bin / b->n[0] % b->n[1],
@@ -338,39 +325,26 @@ static void choose_begins(const struct mesh *m)
     }
 }
 
-static void locate_release(struct mesh_search *search)
-{
-    struct bins *const b = (struct bins *)search;
-
-    free(b->start);
-    free(b->member);
-    free(b->begin);
-    free(b->plane);
-    free(b);
-}
-
 void locate_create(struct mesh *m, double slack)
 {
-    struct bins *const b = alloc_zeroed(1, sizeof *b);
+    struct bins *const b = m->bins = owner_zeroed(m, 1, sizeof *b);
 
-    b->search = (struct mesh_search){cell, locate_release};
-    m->search = &b->search;
     b->slack = slack;
     size_bins(m, b);
     const int bins = b->n[0] * b->n[1] * b->n[2];
     int *const used = alloc_ints(bins);
-    b->start = alloc_ints(bins + 1);
+    b->start = owner_ints(m, bins + 1);
     fill_bins(m, used);
     for (int i = 0; i < bins; i++) {
         b->start[i + 1] = b->start[i] + used[i];
         used[i] = 0;
     }
-    b->member = alloc_ints(b->start[bins]);
+    b->member = owner_ints(m, b->start[bins]);
     fill_bins(m, used);
     free(used);
-    b->begin = alloc_ints(bins);
+    b->begin = owner_ints(m, bins);
     choose_begins(m);
-    b->plane = alloc_doubles(4 * m->cell_start[m->n_cells]);
+    b->plane = owner_doubles(m, 4 * m->cell_start[m->n_cells]);
     for (int a = 0; a < m->cell_start[m->n_cells]; a++)
         set_plane(m, a);
     b->tiny = rounding(m);

@@ -140,20 +140,14 @@ static void set_outer(struct mesh *m, const struct poly_raw *r, int to, int f)
     }
 }
 
-/* A cell that is its own neighbour across a period has no face there, because
- * the flux through it would enter the same cell. */
-static int joins(const struct poly_raw *r, int f, int far)
-{
-    return r->owner[f] != r->owner[far];
-}
-
 /* An inner face of the mesh: two faces of the files, or one of them twice. */
 struct join {
     int f, far, crossing;
 };
 
 /* Lists the inner faces of the files and the cyclic pairs; returns their
- * number. With NULL it only counts. */
+ * number. With NULL it only counts. A cell that is its own neighbour across a
+ * period has no face there: the flux through it would enter the same cell. */
 static int list_inner(const struct poly_raw *r, struct join *list)
 {
     int n = 0;
@@ -167,7 +161,7 @@ static int list_inner(const struct poly_raw *r, struct join *list)
         for (int j = 0; j < part->n; j++) {
             const struct join one = {part->first + j, other->first + j,
                                      part->periodic_index};
-            if (!joins(r, one.f, one.far)) continue;
+            if (r->owner[one.f] == r->owner[one.far]) continue;
             if (list != NULL) list[n] = one;
             n++;
         }
@@ -175,38 +169,26 @@ static int list_inner(const struct poly_raw *r, struct join *list)
     return n;
 }
 
-/* The difference of the numbers of the cells of an inner face, and the lower
- * number. */
-static void poly_place_of(const struct poly_raw *r, const struct join *one,
-                          int *distance, int *least)
-{
-    const int a = r->number[r->owner[one->f]];
-    const int b = r->number[one->far == one->f ? r->neighbour[one->f]
-                                               : r->owner[one->far]];
-
-    *distance = abs(b - a);
-    *least = a < b ? a : b;
-}
-
 static void set_inner_faces(struct mesh *m, const struct poly_raw *r)
 {
     const int n = m->n_internal;
     struct join *const list = alloc_zeroed((size_t)n, sizeof *list);
-    int *const least = alloc_ints(n), *const distance = alloc_ints(n);
+    int *const a = alloc_ints(n), *const b = alloc_ints(n), in_rows;
 
     list_inner(r, list);
-    for (int i = 0; i < n; i++)
-        poly_place_of(r, &list[i], &distance[i], &least[i]);
-
-    int *const order = poly_face_order(n, m->n_cells, least, distance);
-
+    for (int i = 0; i < n; i++) {
+        const int f = list[i].f, far = list[i].far;
+        a[i] = r->number[r->owner[f]];
+        b[i] = r->number[far == f ? r->neighbour[f] : r->owner[far]];
+    }
+    int *const order = poly_face_order(n, m->n_cells, a, b, &in_rows);
     for (int i = 0; i < n; i++) {
         const struct join *const one = &list[order[i]];
         set_inner(m, r, i, one->f, one->far, one->crossing);
     }
     free(list);
-    free(least);
-    free(distance);
+    free(a);
+    free(b);
     free(order);
 }
 
@@ -264,13 +246,13 @@ static void poly_fill(struct mesh *m, struct poly_raw *r)
     m->n_faces = m->n_internal + r->n_faces - r->n_inner - joined;
     poly_number_cells(r);
     mesh_allocate(m);
-    m->face_centre = alloc_doubles(3 * m->n_faces);
-    if (m->n_periods > 0) m->periodic_index = alloc_ints(m->n_internal);
+    m->face_centre = owner_doubles(m, 3 * m->n_faces);
+    if (m->n_periods > 0) m->periodic_index = owner_ints(m, m->n_internal);
     set_cells(m, r);
     set_inner_faces(m, r);
     set_bounds(m, r);
     const double warp = poly_raw_warp(r);
-    m->shape = poly_shape_create(r);
+    m->shape = poly_shape_create(m, r);
     set_patches(m, r);
     mesh_collect_faces(m);
     locate_create(m, 2.0 * warp);
@@ -312,7 +294,7 @@ static int poly_check_parts(const struct poly_raw *r, const char *dir)
 
 struct mesh *poly_build(struct poly_raw *r, const char *dir)
 {
-    struct mesh *m = alloc_zeroed(1, sizeof *m);
+    struct mesh *m = owner_create(sizeof *m);
 
     if (!poly_check_parts(r, dir) && !poly_raw_measure(r, dir) &&
         !find_periods(m, r, dir)) {
@@ -381,43 +363,41 @@ int poly_patches(const char *dir, struct inputs **files,
 /* The corners of a mesh, kept for files, pictures and walls. */
 
 /* Lists the polygons of each cell, in the order of the files. */
-static void list_polygons(const struct poly_raw *r, struct mesh_shape *s)
+static void list_polygons(struct mesh *m, const struct poly_raw *r,
+                          struct mesh_shape *s)
 {
     int *const used = alloc_ints(r->n_cells);
 
-    s->cell_start = alloc_ints(r->n_cells + 1);
-    for (int pass = 0; pass < 2; pass++) {
-        for (int f = 0; f < r->n_faces; f++)
-            for (int side = 0; side < 1 + (f < r->n_inner); side++) {
-                const int c =
-                    r->number[side == 0 ? r->owner[f] : r->neighbour[f]];
-                if (pass == 0) {
-                    s->cell_start[c + 1]++;
-                    continue;
-                }
-                s->turned[s->cell_start[c] + used[c]] = side == 0 ? 1 : -1;
-                s->polygon[s->cell_start[c] + used[c]++] = f;
-            }
-        if (pass == 1) break;
-        for (int c = 0; c < r->n_cells; c++)
-            s->cell_start[c + 1] += s->cell_start[c];
-        s->polygon = alloc_ints(s->cell_start[r->n_cells]);
-        s->turned = alloc_ints(s->cell_start[r->n_cells]);
+    s->cell_start = owner_ints(m, r->n_cells + 1);
+    s->polygon = owner_ints(m, r->n_faces + r->n_inner);
+    s->turned = owner_ints(m, r->n_faces + r->n_inner);
+    for (int f = 0; f < r->n_faces; f++) {
+        s->cell_start[r->number[r->owner[f]] + 1]++;
+        if (f < r->n_inner) s->cell_start[r->number[r->neighbour[f]] + 1]++;
     }
+    for (int c = 0; c < r->n_cells; c++)
+        s->cell_start[c + 1] += s->cell_start[c];
+    for (int f = 0; f < r->n_faces; f++)
+        for (int side = 0; side < 1 + (f < r->n_inner); side++) {
+            const int c = r->number[side == 0 ? r->owner[f] : r->neighbour[f]];
+            const int at = s->cell_start[c] + used[c]++;
+            s->turned[at] = side == 0 ? 1 : -1;
+            s->polygon[at] = f;
+        }
     free(used);
 }
 
-struct mesh_shape *poly_shape_create(struct poly_raw *r)
+struct mesh_shape *poly_shape_create(struct mesh *m, struct poly_raw *r)
 {
-    struct mesh_shape *const s = alloc_zeroed(1, sizeof *s);
+    struct mesh_shape *const s = owner_zeroed(m, 1, sizeof *s);
 
     s->n_points = r->n_points;
     s->n_polygons = r->n_faces;
-    list_polygons(r, s);
-    s->boundary = poly_boundary_order(r);
-    s->point = r->point;
-    s->start = r->start;
-    s->corner = r->corner;
+    list_polygons(m, r, s);
+    s->boundary = owner_take(m, poly_boundary_order(r));
+    s->point = owner_take(m, r->point);
+    s->start = owner_take(m, r->start);
+    s->corner = owner_take(m, r->corner);
     r->point = NULL;
     r->start = r->corner = NULL;
     return s;

@@ -39,9 +39,12 @@ struct mesh *mesh_create_sheared(const struct box_spec *spec,
 
 /* The search for the cell of a point in a polyhedral mesh. */
 
-/* Creates m->search; everything else of the mesh must be set. No corner is
+/* Creates m->bins; everything else of the mesh must be set. No corner is
  * farther from the plane of its face than slack [m]. */
 void locate_create(struct mesh *m, double slack);
+
+/* As mesh_cell_and_offset. */
+int locate_cell(const struct mesh *m, const double x[3], double offset[3]);
 
 /* The cell that contains x [m], or -1 outside, by a walk from cell to cell that
  * begins in the cell `begin`: each step crosses the face that the point is
@@ -147,7 +150,7 @@ void poly_raw_release(struct poly_raw *r);
 /* Creates the mesh; NULL after one message. The points and corners of the raw
  * mesh move to the new one; the raw mesh must still be released. */
 struct mesh *poly_build(struct poly_raw *r, const char *dir);
-struct mesh_shape *poly_shape_create(struct poly_raw *r);
+struct mesh_shape *poly_shape_create(struct mesh *m, struct poly_raw *r);
 
 /* The numbering of a mesh from files.
  *
@@ -163,9 +166,11 @@ struct mesh_shape *poly_shape_create(struct poly_raw *r);
  * first cell, whichever gives neighbouring cells closer numbers. */
 void poly_number_cells(struct poly_raw *r);
 
-/* The order of n inner faces, from the lower number of their cells and the
- * difference of both; the caller frees it. */
-int *poly_face_order(int n, int n_cells, const int *least, const int *distance);
+/* The order of n inner faces between the cells a and b, by the difference of
+ * both numbers, or by the lower one where in_rows becomes 0; the caller frees
+ * it. */
+int *poly_face_order(int n, int n_cells, const int *a, const int *b,
+                     int *in_rows);
 
 /* The boundary faces without the cyclic ones, patch after patch, in the order
  * of the cells; the caller frees the list. */

@@ -32,43 +32,54 @@ static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
 
 /* Numbers the cells as Cuthill and McKee do, breadth-first from one cell; if
  * cells remain, it starts again from the first of these. */
-static void number_in_waves(struct poly_raw *r)
+static int *number_in_waves(const struct poly_raw *r)
 {
     int *const start = alloc_ints(r->n_cells + 1);
     int *const beside = alloc_ints(2 * r->n_inner);
     int *const queue = alloc_ints(r->n_cells);
+    int *const number = alloc_ints(r->n_cells);
     int n = 0, done = 0;
 
     neighbours_of(r, start, beside);
-    r->number = alloc_ints(r->n_cells);
     for (int c = 0; c < r->n_cells; c++)
-        r->number[c] = -1;
+        number[c] = -1;
     for (int first = 0; first < r->n_cells; first++) {
-        if (r->number[first] >= 0) continue;
+        if (number[first] >= 0) continue;
         queue[n] = first;
-        r->number[first] = n++;
+        number[first] = n++;
         for (; done < n; done++)
             for (int e = start[queue[done]]; e < start[queue[done] + 1]; e++) {
                 const int c = beside[e];
-                if (r->number[c] >= 0) continue;
+                if (number[c] >= 0) continue;
                 queue[n] = c;
-                r->number[c] = n++;
+                number[c] = n++;
             }
     }
     free(start);
     free(beside);
     free(queue);
+    return number;
 }
 
 /* The sum over the inner faces of the differences of the numbers of their
  * cells. */
-static double poly_order_spread(const struct poly_raw *r)
+static double poly_order_spread(const struct poly_raw *r, const int *number)
 {
     double sum = 0.0;
 
     for (int f = 0; f < r->n_inner; f++)
-        sum += abs(r->number[r->neighbour[f]] - r->number[r->owner[f]]);
+        sum += abs(number[r->neighbour[f]] - number[r->owner[f]]);
     return sum;
+}
+
+/* 0, 1, ... n - 1. */
+static int *in_order(int n)
+{
+    int *const order = alloc_ints(n);
+
+    for (int i = 0; i < n; i++)
+        order[i] = i;
+    return order;
 }
 
 /* Sorts the numbers in `order` by their keys 0 .. n_keys - 1; those with equal
@@ -90,117 +101,96 @@ static void sort_by(const int *key, int n_keys, int n, int *order)
 
 enum { ROW = 8 }; /* least average number of faces in a row */
 
-/* The order of the faces by the difference of the numbers of their cells, and
- * where it is equal, by the lower number; or NULL, where too few faces in this
- * order form rows. */
-static int *order_in_rows(int n, int n_cells, const int *least,
-                          const int *distance)
+/* By the difference, and where it is equal, by the lower number; but not where
+ * too few faces in this order form rows. */
+int *poly_face_order(int n, int n_cells, const int *a, const int *b,
+                     int *in_rows)
 {
-    int *const order = alloc_ints(n);
-    int rows = 0;
+    int *const least = alloc_ints(n), *const distance = alloc_ints(n);
+    int *order = in_order(n), rows = 0;
 
-    for (int i = 0; i < n; i++)
-        order[i] = i;
+    for (int i = 0; i < n; i++) {
+        least[i] = a[i] < b[i] ? a[i] : b[i];
+        distance[i] = abs(b[i] - a[i]);
+    }
     sort_by(least, n_cells, n, order);
     sort_by(distance, n_cells, n, order);
     for (int i = 0; i < n; i++)
         rows += i == 0 || distance[order[i]] != distance[order[i - 1]] ||
                 least[order[i]] != least[order[i - 1]] + 1;
-    if ((long)rows * ROW <= n) return order;
-    free(order);
-    return NULL;
-}
-
-static void number_as_filed(struct poly_raw *r)
-{
-    r->number = alloc_ints(r->n_cells);
-    for (int c = 0; c < r->n_cells; c++)
-        r->number[c] = c;
-}
-
-static int has_rows(const struct poly_raw *r)
-{
-    int *const least = alloc_ints(r->n_inner);
-    int *const distance = alloc_ints(r->n_inner);
-
-    for (int f = 0; f < r->n_inner; f++) {
-        const int a = r->number[r->owner[f]], b = r->number[r->neighbour[f]];
-        least[f] = a < b ? a : b;
-        distance[f] = abs(b - a);
+    *in_rows = (long)rows * ROW <= n;
+    if (!*in_rows) {
+        free(order);
+        order = in_order(n);
+        sort_by(least, n_cells, n, order);
     }
-    int *const order = order_in_rows(r->n_inner, r->n_cells, least, distance);
-    const int found = order != NULL;
     free(least);
     free(distance);
-    free(order);
+    return order;
+}
+
+static int has_rows(const struct poly_raw *r, const int *number)
+{
+    int *const a = alloc_ints(r->n_inner), *const b = alloc_ints(r->n_inner);
+    int found;
+
+    for (int f = 0; f < r->n_inner; f++) {
+        a[f] = number[r->owner[f]];
+        b[f] = number[r->neighbour[f]];
+    }
+    free(poly_face_order(r->n_inner, r->n_cells, a, b, &found));
+    free(a);
+    free(b);
     return found;
 }
 
 /* Numbers the cells by their three integers, with consecutive numbers along the
- * longest direction; 0 if they have none. */
-static int number_in_rows(struct poly_raw *r)
+ * longest direction; NULL if they have none. */
+static int *number_in_rows(const struct poly_raw *r)
 {
     int extent[3], by[3] = {0, 1, 2};
     int *const at = poly_rows_find(r, extent);
 
-    if (at == NULL) return 0;
-    int *const order = alloc_ints(r->n_cells), *const key =
-                                                   alloc_ints(r->n_cells);
+    if (at == NULL) return NULL;
+    int *const order = in_order(r->n_cells), *const key =
+                                                 alloc_ints(r->n_cells);
+    int *const number = alloc_ints(r->n_cells);
     for (int i = 0; i < 3; i++) /* longest first, else as they come */
         for (int j = i; j > 0 && extent[by[j]] > extent[by[j - 1]]; j--) {
             const int k = by[j];
             by[j] = by[j - 1];
             by[j - 1] = k;
         }
-    for (int c = 0; c < r->n_cells; c++)
-        order[c] = c;
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < r->n_cells; c++)
             key[c] = at[3 * c + by[i]];
         sort_by(key, extent[by[i]], r->n_cells, order);
     }
-    r->number = alloc_ints(r->n_cells);
     for (int i = 0; i < r->n_cells; i++)
-        r->number[order[i]] = i;
+        number[order[i]] = i;
     free(at);
     free(order);
     free(key);
-    return 1;
-}
-
-/* Replaces the present numbering by this one. */
-static void poly_order_take(struct poly_raw *r, int *number)
-{
-    free(r->number);
-    r->number = number;
+    return number;
 }
 
 /* Keeps the numbering that gives neighbours the closer numbers; if both are
- * equal, the first. */
+ * equal, that of the files. */
 void poly_number_cells(struct poly_raw *r)
 {
-    number_as_filed(r);
+    int *const filed = in_order(r->n_cells), *other = number_in_rows(r);
+    const double far = poly_order_spread(r, filed);
+    const int rows = has_rows(r, filed);
+    int better = other != NULL && has_rows(r, other) &&
+                 (!rows || poly_order_spread(r, other) < far);
 
-    int *const as_filed = r->number;
-    const double far = poly_order_spread(r);
-    const int rows = has_rows(r);
-
-    r->number = NULL;
-    if (number_in_rows(r)) {
-        const int better = has_rows(r) && (!rows || poly_order_spread(r) < far);
-        if (better) {
-            free(as_filed);
-            return;
-        }
+    if (!better && !rows) {
+        free(other);
+        other = number_in_waves(r);
+        better = poly_order_spread(r, other) < far;
     }
-    poly_order_take(r, as_filed);
-    if (rows) return;
-    r->number = NULL;
-    number_in_waves(r);
-    if (poly_order_spread(r) < far)
-        free(as_filed);
-    else
-        poly_order_take(r, as_filed);
+    r->number = better ? other : filed;
+    free(better ? filed : other);
 }
 
 /* If cells have several faces in a patch, the first faces of all cells come
@@ -240,18 +230,6 @@ int *poly_boundary_order(const struct poly_raw *r)
     }
     free(key);
     free(met);
-    return order;
-}
-
-int *poly_face_order(int n, int n_cells, const int *least, const int *distance)
-{
-    int *order = order_in_rows(n, n_cells, least, distance);
-
-    if (order != NULL) return order;
-    order = alloc_ints(n);
-    for (int i = 0; i < n; i++)
-        order[i] = i;
-    sort_by(least, n_cells, n, order);
     return order;
 }
 

@@ -57,11 +57,9 @@ static void add_corners(struct poly_raw *r, struct poly_file *p, int f, int n,
     if (p->failed) return;
     r->start[f + 1] = r->start[f] + n;
     if (r->start[f + 1] > *room) {
-        int *const more = alloc_ints(2 * r->start[f + 1]);
-        memcpy(more, r->corner, (size_t)r->start[f] * sizeof *more);
-        free(r->corner);
-        r->corner = more;
         *room = 2 * r->start[f + 1];
+        r->corner =
+            alloc_grown(r->corner, r->start[f], *room, sizeof *r->corner);
     }
     for (int i = r->start[f]; i < r->start[f + 1] && !p->failed; i++) {
         r->corner[i] = poly_file_int(p);
