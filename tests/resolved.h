@@ -62,7 +62,6 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
                                      .virtual_mass = o->virtual_mass,
                                      .dem_steps =
                                          o->dem_steps > 0 ? o->dem_steps : 1,
-                                     .others = &block_contacts,
                                      .dem = &dem};
 
     for (int k = 0; k < 3; k++) {

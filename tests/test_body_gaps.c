@@ -137,20 +137,20 @@ FACT_FOR_EACH(parts_by_rows_are_those_by_faces, 8)
 
     scatter(mark, m->n_cells, _i);
     join_by_faces(m, mark, least);
-    const struct fluid_parts p = fluid_parts_find(&m->box, mark);
-    for (int e = 0; e < p.runs; e++) {
-        if (p.run[e].root != e) continue;
-        const int cells = fluid_parts_cells(&p, e, part);
+    struct fluid_parts *const p = fluid_parts_find(&m->box, mark);
+    for (int e = 0; e < p->runs; e++) {
+        if (p->run[e].root != e) continue;
+        const int cells = fluid_parts_cells(p, e, part);
         for (int c = 0; c < cells; c++) {
-            ck_assert_int_eq(least[part[c]], p.run[e].first);
-            ck_assert_int_eq(p.run[fluid_parts_run(&p, part[c])].root, e);
+            ck_assert_int_eq(least[part[c]], p->run[e].first);
+            ck_assert_int_eq(p->run[fluid_parts_run(p, part[c])].root, e);
         }
         n += cells;
     }
     for (int c = 0; c < m->n_cells; c++)
         n += mark[c] != 0;
     ck_assert_int_eq(n, m->n_cells);
-    fluid_parts_free(&p);
+    owner_free(p);
     mesh_free(m);
     free(mark);
 }

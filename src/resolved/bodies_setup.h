@@ -39,17 +39,6 @@ struct squeeze_film {
     double reach; /* [m] squeeze_film_cells; 0: no such force */
 };
 
-/* How bodies touch that are not all spheres (blocks/block_contacts.h). */
-struct body_contacts {
-    /* The forces of a time dt [s] change the velocities of what touches. The
-     * deepest overlap over a width [-]. */
-    double (*act)(struct solid_bodies *b, double dt);
-    /* Those of the films in their gaps. */
-    void (*film)(struct solid_bodies *b, double dt);
-    /* 1 if contacts keep bodies i and j apart, of which one moves. */
-    int (*touch)(const struct solid_bodies *b, int i, int j);
-};
-
 struct solid_bodies_options {
     const struct body_method *method; /* NULL: friction by distance */
     double virtual_mass;              /* [-] C_v */
@@ -58,7 +47,6 @@ struct solid_bodies_options {
     int dem_steps;      /* [-] particle steps in a step of the fluid */
     const struct dem_options *dem; /* borrowed; NULL: all bodies rest */
     struct squeeze_film lubrication;
-    const struct body_contacts *others; /* NULL: only spheres touch */
 };
 
 /* The lists in the order in which their bodies are numbered. */

@@ -5,6 +5,7 @@
 #include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/body_numbers.h"
+#include "resolved/shapes/block_contacts.h"
 
 #include <math.h>
 #include <string.h>
@@ -196,7 +197,7 @@ static int body_motion_drift(struct solid_bodies *b, double dt)
 }
 
 /* The velocities of those on springs after a step [s], the spring first: as
- * symplectic Euler does it. Their contacts are those of options.others. */
+ * symplectic Euler does it. Their contacts are those of blocks. */
 static void pull_springs(struct solid_bodies *b, double step)
 {
     const struct dem_options *const o = &b->contacts;
@@ -247,8 +248,8 @@ static int body_motion_run_steps(struct solid_bodies *b, int n, double step)
     b->dem_report.contacts = 0;
     for (int k = 0; k < n && !failed; k++) {
         if (b->lubrication.reach > 0.0) squeeze_film_act(b, step);
-        if (b->blocks > 0 && b->options.others != NULL) {
-            const double depth = b->options.others->act(b, step);
+        if (b->blocks > 0) {
+            const double depth = block_contacts_act(b, step);
             b->dem_report.max_overlap = fmax(b->dem_report.max_overlap, depth);
         }
         failed = move_once(b, step);
@@ -302,8 +303,9 @@ int body_motion_advance(struct solid_bodies *b, double dt)
     return body_motion_run(b, n, dt / n);
 }
 
-void body_motion_add_momentum(const struct solid_bodies *b, double total[3])
+void body_motion_add_momentum(const void *bodies, double total[3])
 {
+    const struct solid_bodies *const b = bodies;
     const struct particles *const ps = b->ps;
 
     for (int i = 0; i < ps->n; i++) {
@@ -350,12 +352,6 @@ static void body_turn_freely(struct solid_bodies *b, int i, double dt)
         b->w_old[3 * i + k] += turned[k] - w[k];
         *spin[k] = turned[k];
     }
-}
-
-void body_turn_begin(struct solid_bodies *b)
-{
-    for (int i = 0; i < b->ps->n; i++)
-        b->turn[4 * i] = 1.0;
 }
 
 void body_turn_load(struct solid_bodies *b)

@@ -41,16 +41,13 @@ int body_motion_moves_along(const struct solid_bodies *b, int i, int k);
 /* Adds rho_p V U - rho V U_old + C_v rho V Delta U_f + C_c rho V Delta U_c,
  * with U_old the velocity that the fluid inside has got already [N s] (24.13).
  */
-void body_motion_add_momentum(const struct solid_bodies *b, double total[3]);
+void body_motion_add_momentum(const void *bodies, double total[3]);
 
 /* The orientation of bodies that are no spheres, and their moments of inertia.
  *
  * The unit quaternion q maps the frame of the body to that of the box, and
  * dq/dt = (1/2) omega q. In the frame of the box the moments of inertia over
  * the mass are G = Q G_0 Q^T. */
-
-/* The bodies are as they were given: Q is 1. */
-void body_turn_begin(struct solid_bodies *b);
 
 /* All outlines that spin, by a time dt [s]; loads their Q from b->turn. */
 void body_turn_advance(struct solid_bodies *b, double dt);

@@ -29,11 +29,12 @@ int closed_gap_of(const struct solid_bodies *b, int c)
     return abs(b->body_of[c]) - 1 - b->ps->n;
 }
 
-static const struct patch *closed_gap_patch(const struct mesh *m, int f)
+/* The patch of a boundary face. */
+static int body_seal_patch(const struct mesh *m, int f)
 {
-    const struct patch *p = m->patches;
+    int p = 0;
 
-    while (f >= p->first + p->n)
+    while (f >= m->patches[p].first + m->patches[p].n)
         p++;
     return p;
 }
@@ -52,12 +53,11 @@ static int beyond(const struct closing *by, int c, int f)
     const struct fluid *const fl = by->fl;
     const struct mesh *const m = fl->mesh;
 
-    if (f >= m->n_internal) {
-        const struct patch *const p = closed_gap_patch(m, f);
-        return fl->options.boundaries[p - m->patches].kind < BOUNDARY_INLET
+    if (f >= m->n_internal)
+        return fl->options.boundaries[body_seal_patch(m, f)].kind <
+                       BOUNDARY_INLET
                    ? WALL
                    : NONE;
-    }
     const int of = b->body_of[m->owner[f] == c ? m->neighbour[f] : m->owner[f]];
     if (of == 0 || (of > b->ps->n && !by->corners)) return NONE;
     return (of - 1) % b->ps->n;
@@ -179,10 +179,10 @@ void closed_gap_velocity(const struct fluid *fl, int c, double s, double u[3])
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         if (f < m->n_internal) continue;
-        const struct patch *const p = closed_gap_patch(m, f);
-        const struct boundary *const at =
-            &fl->options.boundaries[p - m->patches];
-        const double *const wall = boundary_wall_velocity(at, f - p->first);
+        const int p = body_seal_patch(m, f);
+        const struct boundary *const at = &fl->options.boundaries[p];
+        const double *const wall =
+            boundary_wall_velocity(at, f - m->patches[p].first);
         const double half = vector_length(mesh_d(m, f));
         for (int k = 0; k < 3 && at->kind == BOUNDARY_NO_SLIP; k++)
             u[k] = (s * wall[k] + half * u[k]) / (s + half);
@@ -241,16 +241,6 @@ static double height_at(const struct search *s, int i, int c, int f, double out)
     return body_shape_distance(&s->b->shape[i], r);
 }
 
-static const struct boundary *boundary_at(const struct search *s, int f)
-{
-    const struct patch *const patch = s->fl->mesh->patches;
-    int p = 0;
-
-    while (f >= patch[p].first + patch[p].n)
-        p++;
-    return &s->fl->options.boundaries[p];
-}
-
 /* The gap between a cell in body i, and the other side of a face. */
 static void look_into_gap(const struct search *s, int i, int c, int f,
                           double out, struct body_seal *found)
@@ -260,7 +250,8 @@ static void look_into_gap(const struct search *s, int i, int c, int f,
     const int next = wall || m->owner[f] != c ? m->owner[f] : m->neighbour[f];
     const int j = wall ? -1 : abs(s->b->body_of[next]) - 1;
 
-    if (wall ? boundary_at(s, f)->kind >= BOUNDARY_INLET
+    if (wall ? s->fl->options.boundaries[body_seal_patch(m, f)].kind >=
+                   BOUNDARY_INLET
              : j < 0 || j == i || j >= s->b->ps->n)
         return;
     struct body_seal_gap *const widest =
@@ -278,12 +269,11 @@ static void look_at_body(const struct search *s, int c, struct body_seal *found)
     const struct mesh *const m = s->fl->mesh;
     const int i = (abs(s->b->body_of[c]) - 1) % s->b->ps->n;
 
-    if (!box_meets_other(&m->box, s->b->amid[c], s->b->body_of, c)) return;
-    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-        const int f = m->cell_face[a];
-        if (closed_gap_of(s->b, c) < 0)
-            look_into_gap(s, i, c, f, m->out[a], found);
-    }
+    if (closed_gap_of(s->b, c) >= 0 ||
+        !box_meets_other(&m->box, s->b->amid[c], s->b->body_of, c))
+        return;
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+        look_into_gap(s, i, c, m->cell_face[a], m->out[a], found);
 }
 
 static void take_wider(struct body_seal_gap *widest,
@@ -444,11 +434,11 @@ void body_seal_find(struct solid_bodies *b, const struct fluid *fl)
 #pragma omp parallel for schedule(static)
     for (int c = 0; c < fl->mesh->n_cells; c++)
         of[c] = of[c] > n ? of[c] - n : of[c] > 0 ? of[c] : 0;
-    const struct fluid_parts p = fluid_parts_find(&fl->mesh->box, of);
-    find_openings(&s, &p);
-    for (int e = 0; e < p.runs; e++)
-        if (p.run[e].root == e) judge(&s, &p, e);
-    fluid_parts_free(&p);
+    struct fluid_parts *const p = fluid_parts_find(&fl->mesh->box, of);
+    find_openings(&s, p);
+    for (int e = 0; e < p->runs; e++)
+        if (p->run[e].root == e) judge(&s, p, e);
+    owner_free(p);
     b->seal.inlet |= b->seal.covered == 1.0;
     free(s.here);
 }

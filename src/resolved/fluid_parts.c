@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/fluid_parts.h"
 
-#include <stdlib.h>
-
 #include "base/alloc.h"
 
 static int runs_of_row(const int *mark, int first, int end, struct run *to)
@@ -18,23 +16,25 @@ static int runs_of_row(const int *mark, int first, int end, struct run *to)
     return n;
 }
 
-static struct fluid_parts find_runs(const struct box *box, const int *mark)
+static struct fluid_parts *find_runs(const struct box *box, const int *mark)
 {
     const int width = box->n[0], rows = box->n[1] * box->n[2];
-    struct fluid_parts p = {.box = box, .row = alloc_ints(rows + 1)};
+    struct fluid_parts *const p = owner_create(sizeof *p);
 
+    p->box = box;
+    p->row = owner_ints(p, rows + 1);
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < rows; k++)
-        p.row[k + 1] = runs_of_row(mark, k * width, (k + 1) * width, NULL);
+        p->row[k + 1] = runs_of_row(mark, k * width, (k + 1) * width, NULL);
     for (int k = 0; k < rows; k++)
-        p.row[k + 1] += p.row[k];
-    p.runs = p.row[rows];
-    p.run = alloc_zeroed((size_t)p.runs + 1, sizeof *p.run);
+        p->row[k + 1] += p->row[k];
+    p->runs = p->row[rows];
+    p->run = owner_zeroed(p, (size_t)p->runs + 1, sizeof *p->run);
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < rows; k++)
-        runs_of_row(mark, k * width, (k + 1) * width, &p.run[p.row[k]]);
-    for (int e = 0; e < p.runs; e++)
-        p.run[e].root = e;
+        runs_of_row(mark, k * width, (k + 1) * width, &p->run[p->row[k]]);
+    for (int e = 0; e < p->runs; e++)
+        p->run[e].root = e;
     return p;
 }
 
@@ -92,25 +92,20 @@ static void join_runs(const struct fluid_parts *p)
     }
 }
 
-struct fluid_parts fluid_parts_find(const struct box *box, const int *mark)
+struct fluid_parts *fluid_parts_find(const struct box *box, const int *mark)
 {
-    const struct fluid_parts p = find_runs(box, mark);
+    struct fluid_parts *const p = find_runs(box, mark);
 
-    join_runs(&p);
-    for (int e = p.runs - 1; e > 0; e--) {
-        struct run *const run = &p.run[e], *const root = &p.run[root_of(&p, e)];
-        run->root = (int)(root - p.run);
+    join_runs(p);
+    for (int e = p->runs - 1; e > 0; e--) {
+        struct run *const run = &p->run[e], *const root =
+                                                &p->run[root_of(p, e)];
+        run->root = (int)(root - p->run);
         if (root == run) continue;
         run->next = root->next;
         root->next = e;
     }
     return p;
-}
-
-void fluid_parts_free(const struct fluid_parts *p)
-{
-    free(p->run);
-    free(p->row);
 }
 
 int fluid_parts_run(const struct fluid_parts *p, int c)

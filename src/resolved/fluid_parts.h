@@ -25,8 +25,7 @@ struct fluid_parts {
 };
 
 /* The parts of a box; a cell has no mark where mark[c] is 0. */
-struct fluid_parts fluid_parts_find(const struct box *box, const int *mark);
-void fluid_parts_free(const struct fluid_parts *p);
+struct fluid_parts *fluid_parts_find(const struct box *box, const int *mark);
 
 /* The run that cell c, which has no mark, is in. */
 int fluid_parts_run(const struct fluid_parts *p, int c);

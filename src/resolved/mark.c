@@ -192,18 +192,14 @@ static int mark_is_gap(const struct solid_bodies *b, const struct mesh *m,
     return 0;
 }
 
-static int mark_touch(const struct solid_bodies *b, int i, int j)
-{
-    return b->options.others != NULL && b->options.others->touch(b, i, j);
-}
-
-/* Bodies that have no contacts may overlap, but not where a spring moves one.
- */
+/* Bodies that have no balls have no contacts and may overlap, but not where a
+ * spring moves one. */
 static void look_for_spring(struct solid_bodies *b, int i, int j)
 {
     if (j >= 0 && j != i &&
         (b->motion[i] == BODY_SPRING || b->motion[j] == BODY_SPRING))
-        b->met |= !mark_touch(b, i, j);
+        b->met |= body_shape_balls(&b->shape[i]) == 0 &&
+                  body_shape_balls(&b->shape[j]) == 0;
 }
 
 /* While links are made, body_of is 1 + the body around a cell, else 0; negative

@@ -60,15 +60,16 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     return b;
 }
 
-void solid_bodies_free(struct solid_bodies *b)
+void solid_bodies_free(void *bodies)
 {
+    struct solid_bodies *const b = bodies;
+
     if (b == NULL) return;
-    if (b->among != NULL) b->free_among(b);
+    among_grains_free(b->among);
     dem_free(b->dem);
     for (int i = 0; i < b->ps->n; i++)
         body_outline_free(b->shape[i].outline);
     particles_free(b->ps);
-    owner_free(b->exit);
     free(b->link);
     owner_free(b);
 }
@@ -98,8 +99,11 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 
     b->shape[i] = *shape;
     b->motion[i] = motion;
-    if (shape->kind == BODY_OUTLINE && b->turn == NULL)
+    if (shape->kind == BODY_OUTLINE && b->turn == NULL) {
         b->turn = owner_doubles(b, 4 * b->ps->capacity);
+        for (int k = 0; k < b->ps->capacity; k++)
+            b->turn[4 * k] = 1.0;
+    }
     b->volume[i] = V;
     b->C_v[i] = b->C_spin[i] = b->options.virtual_mass;
     b->mass[i] = b->ps->m[i];
@@ -145,7 +149,6 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     fl->immersed = &b->hooks;
     systems_own_residual(fl); /* the end of a step may solve for a pressure */
     b->mu = fl->options.mu;
-    if (b->turn != NULL) body_turn_begin(b);
     for (int i = 0; i < b->ps->n; i++) {
         const struct particles *const ps = b->ps;
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
@@ -157,7 +160,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
-    b->exit = body_exit_create(b, fl);
+    b->exit = owner_join(b, body_exit_create(b, fl));
     look_for_walls(b, fl);
     for (int c = 0; c < b->cells; c++)
         b->amid[c] = box_is_amid(&fl->mesh->box, c) ? 1 : 0;
@@ -172,8 +175,9 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     return b->dem == NULL;
 }
 
-static void solid_bodies_state(struct solid_bodies *b, struct state *s)
+static void solid_bodies_state(void *bodies, struct state *s)
 {
+    struct solid_bodies *const b = bodies;
     const int n = b->ps->n;
 
     state_begin(s, "bodies");
@@ -192,7 +196,7 @@ static void solid_bodies_state(struct solid_bodies *b, struct state *s)
     if (b->by_fraction)
         state_reals(s, "force_per_mass", "m/s^2", b->hold_u, b->cells, 3);
     if (b->exit != NULL) body_exit_state(b, s);
-    if (b->among != NULL) b->visit_among(b, s);
+    if (b->among != NULL) among_grains_state(b, s);
     state_end(s);
     if (s->loading) b->dt_marked = 0.0; /* the links are made anew */
 }
@@ -229,23 +233,8 @@ static const char *bodies_effect_trouble(const void *memory)
                : NULL;
 }
 
-static void bodies_effect_momentum(const void *memory, double total[3])
-{
-    body_motion_add_momentum(memory, total);
-}
-
-static void bodies_effect_state(void *memory, struct state *s)
-{
-    solid_bodies_state(memory, s);
-}
-
-static void bodies_effect_free(void *memory)
-{
-    solid_bodies_free(memory);
-}
-
 static const struct effect_mover mover = {.move = bodies_effect_move,
-                                          .momentum = bodies_effect_momentum};
+                                          .momentum = body_motion_add_momentum};
 
 const struct effect bodies_effect = {
     .name = "bodies",
@@ -254,8 +243,8 @@ const struct effect bodies_effect = {
     .function = "add_friction",
     .mover = &mover,
     .failure = bodies_effect_trouble,
-    .state = bodies_effect_state,
-    .free = bodies_effect_free,
+    .state = solid_bodies_state,
+    .free = solid_bodies_free,
 };
 
 /* --- among ---------------------------------------------------------------- */
@@ -266,34 +255,18 @@ static void momentum(const void *memory, double total[3])
     among_grains_add_momentum(memory, total);
 }
 
-static void before_particles(void *memory, struct simulation *sim)
-{
-    among_grains_set_forces(memory, sim->dt);
-}
-
-static int among_effect_along(void *memory, struct simulation *sim, int steps)
-{
-    return among_grains_run(memory, sim, steps);
-}
-
-static void after_particles(void *memory, struct simulation *sim)
-{
-    (void)sim;
-    among_grains_end(memory);
-}
-
 static const struct effect_mover among_mover = {
-    .move_particles = among_effect_along, .momentum = momentum};
+    .move_particles = among_grains_run, .momentum = momentum};
 
 const struct effect among_effect = {
     .name = "bodies",
     .what = "bodies with the flow around them resolved, among particles",
     .equations = "EW18 1-4, LS section 5.5",
     .function = "among_grains_run",
-    .before_particles = before_particles,
+    .before_particles = among_grains_set_forces,
     .mover = &among_mover,
     .failure = bodies_effect_trouble,
-    .after_particles = after_particles,
-    .state = bodies_effect_state,
-    .free = bodies_effect_free,
+    .after_particles = among_grains_end,
+    .state = solid_bodies_state,
+    .free = solid_bodies_free,
 };

@@ -40,7 +40,7 @@ struct solid_bodies {
     int met; /* [-] 1: two overlap that have no contacts (mark.c) */
     struct body_seal seal; /* of the cells as they are marked */
     double deepest;        /* [-] overlap so far, over a diameter or width */
-    int touching;    /* [-] contacts of options.others, a ball or point each */
+    int touching;          /* [-] contacts of blocks, a ball or point each */
     double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
@@ -61,8 +61,6 @@ struct solid_bodies {
     int *start, *end, capacity;
     struct body_exit *exit;     /* NULL: none can leave (body_motion.h) */
     struct among_grains *among; /* NULL: there are no other particles */
-    void (*free_among)(struct solid_bodies *b);
-    void (*visit_among)(struct solid_bodies *b, struct state *s);
     double dt_marked; /* [s] step that the links were made for; 0: none */
     int cells, *cell, n_cells; /* [-] all; those with a link, each once */
     int held;            /* [-] how many those were, after a restart too */
@@ -76,14 +74,14 @@ extern const double solid_bodies_immovable; /* [kg] mass of what is held */
 /* n bodies at most; cells of the mesh; density of the fluid [kg/m^3]. */
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o);
-void solid_bodies_free(struct solid_bodies *b);
+void solid_bodies_free(void *bodies);
 /* One more at rest at x [m], of this density [kg/m^3]. Returns its number. */
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,
                      enum body_motion motion);
 /* Springs [N/m] hold body i where it is now, where they are 0 without a way. */
 void solid_bodies_set_spring(struct solid_bodies *b, int i, const double k[3]);
-/* 1: a sphere on a spring, whose contacts are those of options.others. */
+/* 1: a sphere on a spring, whose contacts are those of blocks. */
 int solid_bodies_hung(const struct solid_bodies *b, int i);
 /* All are there and hold the borrowed fluid, which rests. Non-zero if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);

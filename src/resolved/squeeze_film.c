@@ -6,6 +6,7 @@
 
 #include "base/vector.h"
 #include "dem/box_domain.h"
+#include "resolved/shapes/block_contacts.h"
 
 const double squeeze_film_cells = 0.75;
 
@@ -66,8 +67,7 @@ static void act_between(struct solid_bodies *b, const struct box_domain *box,
     const double r = vector_length(n), z = r - R_i - R_j;
 
     if (z <= 0.0 || z >= b->lubrication.reach) return;
-    for (int k = 0; k < 3; k++)
-        n[k] /= r;
+    vector_unit(n, n);
     const double m_i = squeeze_film_mass_of(ps, i),
                  m_j = squeeze_film_mass_of(ps, j);
     const double m = 1.0 / (1.0 / m_i + 1.0 / m_j), g = vector_dot(v, n);
@@ -116,6 +116,5 @@ void squeeze_film_act(struct solid_bodies *b, double dt)
         if (is_sphere(b, i) && b->motion[i] == BODY_FREE)
             act_at_walls(b, &box, i, dt);
     }
-    if (b->blocks > 0 && b->options.others != NULL)
-        b->options.others->film(b, dt);
+    if (b->blocks > 0) block_contacts_film(b, dt);
 }

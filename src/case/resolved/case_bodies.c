@@ -18,7 +18,6 @@
 #include "dem/surfaces/triangles.h"
 #include "resolved/solid_bodies.h"
 #include "resolved/among/among_grains.h"
-#include "resolved/shapes/block_contacts.h"
 #include "resolved/body_numbers.h"
 #include "resolved/shapes/shapes.h"
 #include "resolved/body_motion.h"
@@ -387,8 +386,7 @@ struct solid_bodies *case_bodies_create(const struct settings *s)
                                      .dem_steps = contact.dem_steps,
                                      .max_overlap = s->bodies.max_overlap,
                                      .dem = &dem,
-                                     .lubrication = gaps(s),
-                                     .others = &block_contacts};
+                                     .lubrication = gaps(s)};
     const int *const cells = s->mesh.box.cells;
 
     memcpy(o.gravity, s->effects.gravity, sizeof o.gravity);

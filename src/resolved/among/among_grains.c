@@ -37,8 +37,9 @@ struct mirror {
 struct mirrors {
     struct averaging_wall wall; /* first, because the averaging gives it back */
     const struct mesh *mesh;    /* borrowed */
+    const struct solid_bodies *b;
     struct mirror *list;
-    int n, capacity, stuck;
+    int n, room, stuck;
     char *closed;     /* [-] of each cell: 1 in a body */
     double *extended; /* a field, continued; 8 a cell at most */
     int width;        /* [-] numbers a cell that there is room for */
@@ -87,22 +88,16 @@ static const double *extend(struct averaging_wall *self, int m,
     return all->extended;
 }
 
-static struct mirrors *mirrors_create(const struct mesh *mesh)
+static struct mirrors *mirrors_create(const struct solid_bodies *b,
+                                      const struct mesh *mesh)
 {
-    struct mirrors *const m = owner_create(sizeof *m);
+    struct mirrors *const m = owner_zeroed(b->among, 1, sizeof *m);
 
     m->wall = (struct averaging_wall){.move_out = move_out, .extend = extend};
     m->mesh = mesh;
-    m->closed = owner_zeroed(m, (size_t)mesh->n_cells, 1);
+    m->b = b;
+    m->closed = owner_zeroed(b->among, (size_t)mesh->n_cells, 1);
     return m;
-}
-
-static void mirrors_free(struct mirrors *m)
-{
-    if (m == NULL) return;
-    free(m->list);
-    free(m->extended);
-    owner_free(m);
 }
 
 int mirrors_stuck(const struct mirrors *m)
@@ -171,53 +166,34 @@ static void add_mirror(struct mirrors *all, int c,
     all->stuck++;
 }
 
-static void mirrors_make_room(struct mirrors *all)
-{
-    if (all->n < all->capacity) return;
-    const int room = 2 * all->n + 1024;
-    struct mirror *const more = alloc_zeroed((size_t)room, sizeof *more);
-
-    if (all->n > 0) memcpy(more, all->list, (size_t)all->n * sizeof *more);
-    free(all->list);
-    all->list = more;
-    all->capacity = room;
-}
-
-struct closing {
-    struct mirrors *all;
-    const struct solid_bodies *b;
-};
-
 static void close_cell(void *by, int i, int c, const double r[3], double s)
 {
     (void)i, (void)r;
-    if (s <= 0.0) ((struct closing *)by)->all->closed[c] = 1;
+    if (s <= 0.0) ((struct mirrors *)by)->closed[c] = 1;
 }
 
 /* A closed cell gets one mirror, of the first body around it. */
 static void mirror_cell(void *by, int i, int c, const double r[3], double s)
 {
-    struct mirrors *const all = ((struct closing *)by)->all;
-    const struct solid_bodies *const b = ((struct closing *)by)->b;
+    struct mirrors *const all = by;
+    const struct solid_bodies *const b = all->b;
     const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
 
     if (s > 0.0 || all->closed[c] != 1) return;
-    mirrors_make_room(all);
+    all->list = alloc_room(all->list, all->n, &all->room, sizeof *all->list);
     all->closed[c] = 2;
     add_mirror(all, c, &b->shape[i], x, r, s);
 }
 
 /* The bodies have moved. */
-static void mirrors_update(struct mirrors *m, const struct solid_bodies *b)
+static void mirrors_update(struct mirrors *m)
 {
-    struct closing by = {m, b};
-
     memset(m->closed, 0, (size_t)m->mesh->n_cells);
     m->n = m->stuck = 0;
-    for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, m->mesh, i, 0.0, close_cell, &by);
-    for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, m->mesh, i, HUGE_VAL, mirror_cell, &by);
+    for (int i = 0; i < m->b->ps->n; i++)
+        body_cells_each(m->b, m->mesh, i, 0.0, close_cell, m);
+    for (int i = 0; i < m->b->ps->n; i++)
+        body_cells_each(m->b, m->mesh, i, HUGE_VAL, mirror_cell, m);
 }
 
 /* --- among grains --------------------------------------------------------- */
@@ -256,17 +232,16 @@ static void among_grains_place(struct solid_bodies *b, int i)
         p->rotation[k][k] = 1.0;
 }
 
-static void among_grains_release(struct solid_bodies *b)
+void among_grains_free(struct among_grains *g)
 {
-    struct among_grains *const g = b->among;
-
-    for (int i = 0; i < b->ps->n; i++)
-        body_surface_release(&g->surface[i]);
-    mirrors_free(g->mirrors);
+    if (g != NULL && g->mirrors != NULL) {
+        free(g->mirrors->list);
+        free(g->mirrors->extended);
+    }
     owner_free(g);
 }
 
-static void among_grains_visit(struct solid_bodies *b, struct state *s)
+void among_grains_state(struct solid_bodies *b, struct state *s)
 {
     struct among_grains *const g = b->among;
     const int n = b->ps->n;
@@ -278,7 +253,7 @@ static void among_grains_visit(struct solid_bodies *b, struct state *s)
     if (!s->loading || s->failed) return;
     for (int i = 0; i < n; i++)
         take_pose(b, i, g->carrier[i].t);
-    if (g->mirrors != NULL) mirrors_update(g->mirrors, b);
+    if (g->mirrors != NULL) mirrors_update(g->mirrors);
 }
 
 void among_grains_create(struct solid_bodies *b, int first)
@@ -286,8 +261,6 @@ void among_grains_create(struct solid_bodies *b, int first)
     const size_t n = (size_t)b->ps->n;
     struct among_grains *const g = b->among = owner_create(sizeof *g);
 
-    b->free_among = among_grains_release;
-    b->visit_among = among_grains_visit;
     g->first = first;
     g->carrier = owner_zeroed(g, n, sizeof *g->carrier);
     g->surface = owner_zeroed(g, n, sizeof *g->surface);
@@ -297,7 +270,7 @@ void among_grains_create(struct solid_bodies *b, int first)
     g->held = owner_doubles(g, 3 * b->ps->n);
     for (int i = 0; i < b->ps->n; i++) {
         among_grains_place(b, i);
-        g->surface[i] = body_surface(b, i);
+        g->surface[i] = body_surface(g, b, i);
         g->surface[i].motion.carrier = &g->carrier[i];
     }
 }
@@ -310,17 +283,18 @@ void among_grains_begin(struct solid_bodies *b, struct simulation *sim)
     for (int i = 0; i < b->ps->n; i++)
         take_pose(b, i, 0.0);
     if (sim->averaging == NULL) return;
-    g->mirrors = mirrors_create(sim->mesh);
+    g->mirrors = mirrors_create(b, sim->mesh);
     averaging_set_wall(sim->averaging, &g->mirrors->wall);
-    mirrors_update(g->mirrors, b);
+    mirrors_update(g->mirrors);
 }
 
-void among_grains_set_forces(struct solid_bodies *b, double dt)
+void among_grains_set_forces(void *bodies, struct simulation *sim)
 {
+    struct solid_bodies *const b = bodies;
     struct particles *const ps = b->ps;
     struct among_grains *const g = b->among;
 
-    body_motion_set_forces(b, dt);
+    body_motion_set_forces(b, sim->dt);
     for (int i = 0; i < ps->n; i++) {
         const double e[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
         memcpy(&g->held[3 * i], e, sizeof e);
@@ -379,8 +353,9 @@ static void add_report(struct dem_report *all, const struct dem_report *one)
     all->max_overlap = fmax(one->max_overlap, before.max_overlap);
 }
 
-int among_grains_run(struct solid_bodies *b, struct simulation *sim, int steps)
+int among_grains_run(void *bodies, struct simulation *sim, int steps)
 {
+    struct solid_bodies *const b = bodies;
     const double step = sim->dt / sim->dem_steps;
     struct dem_report all = {0};
     int failed = 0;
@@ -403,11 +378,14 @@ int among_grains_run(struct solid_bodies *b, struct simulation *sim, int steps)
     return failed;
 }
 
-void among_grains_end(struct solid_bodies *b)
+void among_grains_end(void *bodies, struct simulation *sim)
 {
+    struct solid_bodies *const b = bodies;
+
+    (void)sim;
     if (b->moves) b->dt_marked = 0.0;
     if (b->moves && b->among->mirrors != NULL)
-        mirrors_update(b->among->mirrors, b);
+        mirrors_update(b->among->mirrors);
 }
 
 /* The last kick of a run gives the share `first` of it to the next run

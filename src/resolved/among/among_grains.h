@@ -49,9 +49,8 @@ struct surroundings surroundings_of(struct surroundings_filter *f, int i);
 /* The surface of a body as particles touch it. */
 
 /* Of body i where it is: a sphere, a cylinder without ends where it reaches
- * through the box, else triangles. */
-struct surface body_surface(const struct solid_bodies *b, int i);
-void body_surface_release(struct surface *s);
+ * through the box, else triangles, which belong to the owner (base/alloc.h). */
+struct surface body_surface(void *owner, const struct solid_bodies *b, int i);
 
 /* --- among grains --------------------------------------------------------- */
 
@@ -75,11 +74,13 @@ void among_grains_create(struct solid_bodies *b, int first);
 /* The particles, the fluid and the averaging are there. */
 void among_grains_begin(struct solid_bodies *b, struct simulation *sim);
 
-/* The hooks of the effect: before the particles move, while they do, and
- * afterwards. */
-void among_grains_set_forces(struct solid_bodies *b, double dt);
-int among_grains_run(struct solid_bodies *b, struct simulation *sim, int steps);
-void among_grains_end(struct solid_bodies *b);
+/* The hooks of the effect, with its memory, the bodies: before the particles
+ * move, while they do, and afterwards. */
+void among_grains_set_forces(void *bodies, struct simulation *sim);
+int among_grains_run(void *bodies, struct simulation *sim, int steps);
+void among_grains_end(void *bodies, struct simulation *sim);
+void among_grains_state(struct solid_bodies *b, struct state *s);
+void among_grains_free(struct among_grains *g);
 
 /* Adds what the last kick of the particles has not yet got of their loads
  * [N s]. */

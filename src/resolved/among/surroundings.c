@@ -18,27 +18,19 @@
 
 /* --- body surface --------------------------------------------------------- */
 
-static struct triangles *triangles_of_block(const double centre[3],
-                                            const struct body_shape *shape)
+static struct triangles *triangles_of_body(void *owner,
+                                           const struct body_shape *shape,
+                                           const double centre[3])
 {
-    const int n = block_triangles_count(shape);
+    const struct body_outline *const o = shape->outline;
+    const int n = o != NULL ? o->n_triangles : block_triangles_count(shape);
     double(*const t)[3][3] = alloc_zeroed((size_t)n, sizeof *t);
 
-    block_triangles_put(shape, centre, t);
-    struct triangles *const made = triangles_create(n, t);
-    free(t);
-    return made;
-}
-
-static struct triangles *triangles_of_outline(const double centre[3],
-                                              const struct body_outline *o)
-{
-    double(*const t)[3][3] = alloc_zeroed((size_t)o->n_triangles, sizeof *t);
-
-    for (int c = 0; c < 9 * o->n_triangles; c++)
+    for (int c = 0; c < 9 * n && o != NULL; c++)
         t[c / 9][c / 3 % 3][c % 3] =
             centre[c % 3] + o->corner[c / 9][c / 3 % 3][c % 3];
-    struct triangles *const made = triangles_create(o->n_triangles, t);
+    if (o == NULL) block_triangles_put(shape, centre, t);
+    struct triangles *const made = owner_join(owner, triangles_create(n, t));
     free(t);
     return made;
 }
@@ -55,7 +47,7 @@ static int reaches_through(const struct solid_bodies *b,
     return shape->half[1] >= across;
 }
 
-struct surface body_surface(const struct solid_bodies *b, int i)
+struct surface body_surface(void *owner, const struct solid_bodies *b, int i)
 {
     const struct body_shape *const shape = &b->shape[i];
     struct surface s = {.name = "a body", .shape = &surface_stl};
@@ -66,21 +58,11 @@ struct surface body_surface(const struct solid_bodies *b, int i)
     memcpy(s.normal, shape->axis, sizeof s.normal);
     if (shape->kind == BODY_SPHERE)
         s.shape = &surface_sphere;
-    else if (shape->kind == BODY_OUTLINE)
-        s.triangles = triangles_of_outline(x, shape->outline);
     else if (shape->kind == BODY_CYLINDER && reaches_through(b, shape))
         s.shape = &surface_cylinder;
     else
-        s.triangles = triangles_of_block(x, shape);
+        s.triangles = triangles_of_body(owner, shape, x);
     return s;
-}
-
-void body_surface_release(struct surface *s)
-{
-    struct triangles *own;
-
-    memcpy(&own, &s->triangles, sizeof own);
-    owner_free(own);
 }
 
 /* --- surroundings --------------------------------------------------------- */

@@ -276,13 +276,6 @@ static double body_gaps_each(struct solid_bodies *b, double reach, double dt,
     return most;
 }
 
-/* 1 if contacts keep bodies i and j apart, of which one moves. */
-static int body_gaps_touch(const struct solid_bodies *b, int i, int j)
-{
-    return body_shape_balls(&b->shape[i]) > 0 ||
-           body_shape_balls(&b->shape[j]) > 0;
-}
-
 /* How deep the deepest ball of i is in j [m]; 0 where it may be: a tenth of its
  * radius, or a twentieth of the width of a surface. */
 static double too_deep(const struct solid_bodies *b,
@@ -392,10 +385,7 @@ static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
     return 0.0;
 }
 
-static void act_by_films(struct solid_bodies *b, double dt)
+void block_contacts_film(struct solid_bodies *b, double dt)
 {
     body_gaps_each(b, b->lubrication.reach, dt, act_in_gap);
 }
-
-const struct body_contacts block_contacts = {
-    .act = block_contacts_act, .film = act_by_films, .touch = body_gaps_touch};

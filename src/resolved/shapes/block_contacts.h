@@ -43,10 +43,11 @@ double body_gaps_deepest(const struct solid_bodies *b, int pair[2]);
  *
  * and friction mu F against the slip [LS 4.8], without a spring of its own. */
 
-extern const struct body_contacts block_contacts;
-
 /* Changes the velocities of what touches and can move, by the forces of a time
  * dt [s]. Returns the deepest overlap over the diameter of a ball [-]. */
 double block_contacts_act(struct solid_bodies *b, double dt);
+
+/* The same by the films in their gaps. */
+void block_contacts_film(struct solid_bodies *b, double dt);
 
 #endif

@@ -119,14 +119,11 @@ static const double on_edge = 1e-9;
 static const double *normal_at(const struct closed_surface *s, int t,
                                const double q[3])
 {
-    const double(*const x)[3] = (const double(*)[3])s->corner[t];
-    double ab[3], ac[3], area[3];
+    double(*const x)[3] = s->corner[t], ab[3], ac[3], area[3];
     int on = 0,
         off = 0; /* corners with a weight: the last; how many have none */
 
-    vector_between(x[1], x[0], ab);
-    vector_between(x[2], x[0], ac);
-    vector_cross(ab, ac, area);
+    sides_of(x, ab, ac, area);
     for (int k = 0; k < 3; k++) {
         double from[3], to[3], part[3];
         vector_between(x[(k + 1) % 3], q, from);

@@ -36,19 +36,6 @@ static void plant(struct clump *c)
     c->tree = triangle_tree_create(c, c->outline.n_balls, c->corner);
 }
 
-/* Square of the distance along the first n axes of y from a box. */
-static double clump_apart(int n, const double *y, const double lo[3],
-                          const double hi[3])
-{
-    double square = 0.0;
-
-    for (int k = 0; k < n; k++) {
-        const double out = fmax(fmax(lo[k] - y[k], y[k] - hi[k]), 0.0);
-        square += out * out;
-    }
-    return square;
-}
-
 /* --- distance ------------------------------------------------------------- */
 
 struct near {
@@ -69,7 +56,7 @@ static double from_ball(const struct clump *c, int i, const double y[3])
 static double nearness(void *by, const double lo[3], const double hi[3])
 {
     const struct near *const s = by;
-    const double far = sqrt(clump_apart(3, s->y, lo, hi));
+    const double far = sqrt(box_apart(3, s->y, lo, hi));
     return far - s->c->widest < s->least ? far : HUGE_VAL;
 }
 
@@ -105,7 +92,7 @@ static double meets(void *by, const double lo[3], const double hi[3])
 {
     const struct meeting *const s = by;
     const struct body_ball *const b = &s->c->outline.ball[s->i];
-    const double far = sqrt(clump_apart(3, b->at, lo, hi));
+    const double far = sqrt(box_apart(3, b->at, lo, hi));
     return !s->any && far < b->R + s->c->widest ? far : HUGE_VAL;
 }
 
@@ -176,7 +163,7 @@ static double half_way(const struct column *s, const double lo[3],
                        const double hi[3])
 {
     const double R = s->c->widest;
-    return sqrt(fmax(R * R - clump_apart(2, s->x, lo, hi), 0.0));
+    return sqrt(fmax(R * R - box_apart(2, s->x, lo, hi), 0.0));
 }
 
 /* Where the column is in sphere i; 0: nowhere. */

@@ -108,9 +108,7 @@ static int most_in_plane(const struct body_outline *o, const struct cloud *all)
         vector_between(o->corner[t][1], o->corner[t][0], a);
         vector_between(o->corner[t][2], o->corner[t][0], b);
         vector_cross(a, b, n);
-        const double size = vector_length(n);
-        for (int k = 0; k < 3; k++)
-            n[k] /= size;
+        vector_unit(n, n);
         const int count = in_plane(all, n, flat * o->width);
         most = count > most ? count : most;
     }

@@ -3,6 +3,8 @@
 #ifndef RESOLVED_SHAPES_SHAPES_H
 #define RESOLVED_SHAPES_SHAPES_H
 
+#include <math.h>
+
 #include "resolved/body_shape.h"
 
 /* Boxes and cylinders that turn.
@@ -75,6 +77,19 @@ void contact_points_between(struct body_outline *o, int k);
  * passed over with all that is in it. */
 
 struct triangle_tree;
+
+/* Square of the distance of y from a box along the first n axes; 0 inside. */
+static inline double box_apart(int n, const double *y, const double lo[3],
+                               const double hi[3])
+{
+    double square = 0.0;
+
+    for (int k = 0; k < n; k++) {
+        const double out = fmax(fmax(lo[k] - y[k], y[k] - hi[k]), 0.0);
+        square += out * out;
+    }
+    return square;
+}
 
 /* It belongs to the owner (base/alloc.h); the corners [m] are borrowed. */
 struct triangle_tree *triangle_tree_create(void *owner, int n,

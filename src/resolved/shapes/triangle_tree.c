@@ -112,18 +112,6 @@ static void triangle_tree_compare(const struct triangle_tree *t, int i,
     memcpy(s->q, q, sizeof q);
 }
 
-/* Square of the distance from a box; 0 inside. */
-static double triangle_tree_apart(const struct branch *b, const double y[3])
-{
-    double square = 0.0;
-
-    for (int k = 0; k < 3; k++) {
-        const double out = fmax(fmax(b->lo[k] - y[k], y[k] - b->hi[k]), 0.0);
-        square += out * out;
-    }
-    return square;
-}
-
 static void descend(const struct triangle_tree *t, int i, struct search *s)
 {
     const struct branch *const b = &t->branch[i];
@@ -133,8 +121,10 @@ static void descend(const struct triangle_tree *t, int i, struct search *s)
             triangle_tree_compare(t, t->order[b->first + j].number, s);
         return;
     }
-    const double one = triangle_tree_apart(&t->branch[i + 1], s->y),
-                 two = triangle_tree_apart(&t->branch[b->next], s->y);
+    const struct branch *const p = &t->branch[i + 1], *const q =
+                                                          &t->branch[b->next];
+    const double one = box_apart(3, s->y, p->lo, p->hi),
+                 two = box_apart(3, s->y, q->lo, q->hi);
     const int sooner = one <= two ? i + 1 : b->next,
               later = one <= two ? b->next : i + 1;
     if (fmin(one, two) < s->square) descend(t, sooner, s);
