@@ -13,7 +13,8 @@ resume=
 # shellcheck disable=SC2086 # no word, or one
 grep -qs '"exit_reason": "done"' $dir/summary.json ||
     winnow run cases/seepage.cfg -o $dir -j 1 --quiet $resume \
-        -s particles.grains.stiffness=5 -s particles.step=1.6e-6 -s output.picture=false
+        -s particles.grains.stiffness=5 -s particles.step=1.6e-6 \
+        -s particles.expected_overlap=0.15 -s output.picture=false
 /usr/bin/python3 figures/30/30-classes.py circles $dir >$dir/circles.txt
 gnuplot figures/30/30-moments.gp
 # XS11 Fig. 9: the share of the mass of smaller grains.
