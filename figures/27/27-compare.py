@@ -10,13 +10,14 @@ shape, what is chance; and whether what was measured can be true.
     27-compare.py sides TABLE              which way round the bed goes, every 2 s
     27-compare.py vary TABLE               what one choice after the other moves
     27-compare.py forms END TABLE...       offsets on mesh C up to END, with errors
-    27-compare.py mean NAME FIELD HEIGHT TABLE   over seeds, 1 to 4 s: x [mm], mean, its error
+    27-compare.py mean NAME,... FIELD HEIGHT TABLE...   of runs, 2 to 16 s: x [mm], mean, its error
 
 Means are from FROM [s], 1 if not given. In the columns: the root mean square of the
 difference at the measured places; offset, its mean; shape, what is left of it; even, the
 root mean square for the mean of the profile and its mirror image; mirror, half the
-difference of the two sides; blocks, the error of the mean by blocks of 2 s from 2 s on. sediFoam is without its points in the outermost 3.5 mm, where it is interpolated
-to a wall at which there are no spheres; like ours it is constant beyond the last point.
+difference of the two sides; blocks, the error of the mean by blocks of 2 s from 2 s on. sediFoam
+is without its points in the outermost 3.5 mm, where it is interpolated to a wall at which
+there are no spheres; like ours it is constant beyond the last point.
 """
 import math
 import re
@@ -239,8 +240,10 @@ def seeds_of(table):
     return groups
 
 
-def mean_of_seeds(name, field, height, table):
-    lines = [r.mean(field, float(height), 1.0, min(4.0, r.end)) for r in seeds_of(table)[name]]
+def mean_of_seeds(names, field, height, *tables):
+    """Means from 2 to 16 s of these runs."""
+    lines = [r.mean(field, float(height), 2.0, 16.0) for table in tables for r in runs(table)
+             if r.name in names.split(",")]
     for column in zip(*lines):
         values, n = [y for _, y in column], len(column)
         mean = sum(values) / n
@@ -289,7 +292,8 @@ def forms(end, *tables):
     seen, last = references(), float(end)
     first = width = 1 if last <= 6 else 2
     print(f"# mesh C, means from {first} to {end} s: offset of eps_f at 16.4 and 31.2 mm, each +- its standard error")
-    print(f"# by blocks of {width} s; rms there; mirror error of eps_f at 31.2 mm and of us_y at 25 mm [m/s]")
+    print(f"# by blocks of {width} s; rms there; us_y in the middle at 25 mm [m/s]; mirror error of")
+    print("# eps_f at 31.2 mm and of us_y at 25 mm [m/s]")
     for r in (r for table in tables for r in runs(table)):
         if r.end < last or r.cells != "18,50,4":
             continue
@@ -302,7 +306,8 @@ def forms(end, *tables):
             row += [mean, math.sqrt(sum((x - mean)**2 for x in blocks) / n / (n - 1))]
         lines = [r.mean("eps_f", h, first, last) for h in (16.4, 31.2)]
         row += [parts(line, seen["measured", "eps_f", h])[0] for line, h in zip(lines, (16.4, 31.2))]
-        row += [mirror(lines[1]), mirror(r.mean("us_y", 25.0, first, last))]
+        rise = r.mean("us_y", 25.0, first, last)
+        row += [at(rise, WIDTH / 2), mirror(lines[1]), mirror(rise)]
         print(f"{r.name:10s}  {row[0]:+.3f} +- {row[1]:.3f}  {row[2]:+.3f} +- {row[3]:.3f}  "
               + " ".join(f"{x:.3f}" for x in row[4:]))
 

@@ -15,8 +15,8 @@ wide(k) = sprintf("< awk '$1 == \"at\" && $2 == \"C\" && $3 == \"diffusion\" && 
 seen(who, k) = sprintf("< awk '$1 == \"%s\" && $2 == \"%s\" && $3 == %s && \
     ($1 == \"measured\" || ($4 > 0.0035 && $4 < 0.0405)) { print 1000 * $4, $5 }' \
     figures/data/mueller-2009.txt", who, word(fields, k), word(heights, k))
-seeds(name, k) = sprintf("< python3 figures/27/27-compare.py mean %s %s %s figures/27/27-vary.txt", \
-    name, word(fields, k), word(heights, k))
+seeds(names, k) = sprintf("< python3 figures/27/27-compare.py mean %s %s %s \
+    figures/27/27-forms.txt figures/27/27-mueller.txt", names, word(fields, k), word(heights, k))
 do for [figure in "mueller forms"] {
 set output "figures/27/27-" . figure . ".svg"
 set multiplot
@@ -37,8 +37,8 @@ do for [k = 1:4] {
     if (figure eq "forms") {
         plot seen("measured", k) with points pointtype 6 pointsize 0.6 \
                  linecolor "#333333" title "measured", \
-             seeds("seed", k) with yerrorlines linetype 1 pointsize 0.5 title "shared form", \
-             seeds("whole", k) with yerrorlines linetype 2 dashtype 1 pointsize 0.5 title "as printed"
+             seeds("C-0.9-1,C-0.9-2,shared-2d+3", k) with yerrorlines linetype 1 pointsize 0.5 title "shared form", \
+             seeds("whole-2d,whole-2d+2,whole-2d+3", k) with yerrorlines linetype 2 dashtype 1 pointsize 0.5 title "as printed"
         continue
     }
     plot seen("measured", k) with points pointtype 6 pointsize 0.6 \

@@ -82,6 +82,8 @@ forms() {
     run whole-2d+2 0.9 2 2.4e-3 18,50,4 "${1:-18.0}" -s "$whole"
     run whole-4d 0.9 1 4.8e-3 18,50,4 "${1:-18.0}" -s "$whole"
     run shared-4d 0.9 1 4.8e-3 18,50,4 "${1:-18.0}"
+    run whole-2d+3 0.9 3 2.4e-3 18,50,4 "${1:-18.0}" -s "$whole"
+    run shared-2d+3 0.9 3 2.4e-3 18,50,4 "${1:-18.0}"
 }
 
 # Parcels of 8 and of 27, with cells and averages as wide as they ask for; three seeds.
