@@ -72,6 +72,8 @@ static inline void split_jump(const struct fluid *fl, int f, int o, int n,
 
     jump->owner_part[f] = (1.0 - s) * j;
     jump->neighbour_part[f] = s * j;
+    jump->pressure_jump[f] =
+        face_jump_above_owner(fl, f, o) + s * j / piso_gamma(fl, n);
 }
 
 FACE_KERNEL split_by_cell_velocities(int f, int o, int n, const void *with)

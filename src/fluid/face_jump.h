@@ -9,31 +9,26 @@
 /* Exists only with particles. */
 struct face_jump {
     /* The pressure jump by inertia where eps jumps has a part in the cell on
-     * either side of the face [Pa]. */
+     * either side of the face [Pa]. These two and upwind_bias are not needed
+     * any more when the velocity is predicted (systems.c). */
     double *owner_part, *neighbour_part;
-    double *upwind_bias;  /* [-] of momentum's owner_weight; NULL without */
-    double *inertia;      /* [N] force of the jumps on each cell, 3 each */
-    double *smooth_force; /* [N/m^3] force of convection and viscosity on a
-                             cell without the jumps, 3 each; NULL if no face
-                             uses it */
+    double *pressure_jump; /* [Pa] by both, of p from owner to neighbour */
+    double *upwind_bias;   /* [-] of momentum's owner_weight */
+    double *inertia;       /* [N] force of the jumps on each cell, 3 each */
+    double *smooth_force;  /* [N/m^3] force of convection and viscosity on a
+                              cell without the jumps, 3 each; NULL if no face
+                              uses it */
     /* gradient.c: p_f minus the linear mean is pressure_offset [Pa], by drag
      * and inertia, minus pressure_per_flux [Pa s/m^3] times the flux. */
     double *pressure_offset, *pressure_per_flux;
 };
 
 /* p_f minus the pressure on the owner's side of face f [Pa], that is the
- * owner's part of the jump; and the jump of p from owner to neighbour. */
+ * owner's part of the jump. */
 static inline double face_jump_above_owner(const struct fluid *fl, int f,
                                            int owner)
 {
     return fl->jump->owner_part[f] / piso_gamma(fl, owner);
-}
-
-static inline double face_jump_of_pressure(const struct fluid *fl, int f,
-                                           int owner, int neighbour)
-{
-    return face_jump_above_owner(fl, f, owner) +
-           fl->jump->neighbour_part[f] / piso_gamma(fl, neighbour);
 }
 
 /* Computes the jumps; once a step. For nondissipative schemes,

@@ -42,8 +42,7 @@ FACE_KERNEL face_offset(int f, int o, int n, const void *with)
 
     jump->pressure_offset[f] =
         reach * (drag_explicit_part(fl, o, f) - drag_explicit_part(fl, n, f)) +
-        face_jump_above_owner(fl, f, o) -
-        (1.0 - w) * face_jump_of_pressure(fl, f, o, n);
+        face_jump_above_owner(fl, f, o) - (1.0 - w) * jump->pressure_jump[f];
     jump->pressure_per_flux[f] =
         reach * (drag_implicit_part(fl, o) - drag_implicit_part(fl, n));
 }

@@ -105,7 +105,7 @@ FACE_KERNEL inner_jump(int f, int o, int n, const void *with)
         w * pressure->per_force[n] * vector_dot(&jump->inertia[3 * n], S);
 
     pressure->explicit_flux[f] +=
-        pressure->conductance[f] * face_jump_of_pressure(fl, f, o, n) -
+        pressure->conductance[f] * jump->pressure_jump[f] -
         pressure->m_face[f] * slope;
 }
 

@@ -41,8 +41,7 @@ static int two_steps(const struct fluid_options *o)
 
 /* All arrays, with their numbers and whether the flow needs them. `room` has
  * three a cell or one a face, whichever is more; `work` too, and one a boundary
- * face beyond. Weights are needed where a force at a face follows the
- * convecting velocity, an own flux where the last step's does not convect
+ * face beyond. An own flux is needed where the last step's does not convect
  * momentum. */
 static void allocate_arrays(struct fluid *fl)
 {
@@ -53,7 +52,6 @@ static void allocate_arrays(struct fluid *fl)
     const int work = (3 * cells > inner ? 3 * cells : inner) + faces - inner;
     const int coupled = o->coupled, biased = piso_nondissipative(fl);
     const int slip = systems_has(fl, BOUNDARY_SLIP), two = two_steps(o);
-    const int weights = coupled || fl->deferred != NULL;
     const struct {
         double **at;
         int n, needed;
@@ -75,19 +73,16 @@ static void allocate_arrays(struct fluid *fl)
         {&fl->momentum->diag3, 3 * cells, slip},
         {&fl->momentum->b, 3 * cells, 1},
         {&fl->momentum->H, 3 * cells, 1},
-        {&fl->momentum->owner_weight, inner, weights},
         {&fl->pressure->source, cells, coupled},
-        {&fl->pressure->per_force, 3 * cells, 1},
+        {&fl->pressure->per_force, room, 1},
         {&fl->pressure->m_face, room, 1},
         {&fl->pressure->conductance, room, 1},
         {&fl->pressure->explicit_flux, room, 1},
         {&fl->pressure->work, work, 1},
-        {&fl->jump->owner_part, inner, coupled},
-        {&fl->jump->neighbour_part, inner, coupled},
+        {&fl->jump->pressure_jump, inner, coupled},
         {&fl->jump->pressure_offset, inner, coupled},
         {&fl->jump->pressure_per_flux, inner, coupled},
         {&fl->jump->inertia, 3 * cells, coupled},
-        {&fl->jump->upwind_bias, inner, biased},
         {&fl->jump->smooth_force, 3 * cells, biased && o->pressure_shared},
         {&fl->levels->ddt, cells, 1},
         {&fl->levels->old_time_source, 3 * cells, 1},
@@ -230,7 +225,10 @@ void systems_own_residual(struct fluid *fl)
  * residual, from the last solution of a step until the next step has begun; the
  * vectors of conjugate gradients, of which the third begins as the right-hand
  * side; and the pressures of the inner faces, until they have become a
- * gradient. Those of the boundary faces lie behind, and stay. */
+ * gradient. Those of the boundary faces lie behind, and stay. While the
+ * momentum equation is made, the others have the weights of its faces, where a
+ * force at a face follows the convecting velocity, and the parts of its jump.
+ */
 static void create_solvers(struct fluid *fl)
 {
     struct pressure_system *const p = fl->pressure;
@@ -246,6 +244,11 @@ static void create_solvers(struct fluid *fl)
     double *const space[] = {p->per_force, p->m_face, p->conductance, work,
                              p->explicit_flux};
     fl->momentum->bicgstab = owner_join(fl, bicgstab_work_lent(n, space));
+    if (fl->options.coupled || fl->deferred != NULL)
+        fl->momentum->owner_weight = p->m_face;
+    fl->jump->owner_part = p->conductance;
+    fl->jump->neighbour_part = p->explicit_flux;
+    fl->jump->upwind_bias = p->per_force;
     if (fl->options.outer_correctors > 0 || fl->options.shared != NULL)
         systems_own_residual(fl);
 }

@@ -34,8 +34,9 @@ struct momentum_system {
                        the last residual; [N] before it is known */
     double *defect; /* [m^3/s] d(eps V)/dt + sum phi of the convecting
                        flux: the residual of continuity */
-    double *owner_weight; /* [-] weight of the owner in the face velocity; NULL
- where it is needed for a block of faces only */
+    double *owner_weight; /* [-] weight of the owner in the face velocity, until
+                             it is predicted; NULL where it is needed for a
+                             block of faces only */
     struct bicgstab_work *bicgstab;
 };
 
