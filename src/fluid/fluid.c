@@ -129,14 +129,15 @@ double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch)
 static void cells_state(struct fluid *fl, struct state *s)
 {
     const int n = fl->mesh->n_cells;
+    const int old = fl->options.coupled ? n : 0; /* else they are in eps */
 
     state_reals(s, "u", "m/s", fl->u, n, 3);
     state_reals(s, "u_older", "m/s", fl->u_older, n, 3);
     state_reals(s, "p", "Pa", fl->p, n, 1);
     state_reals(s, "grad_p", "Pa/m", fl->grad_p, n, 3);
     state_reals(s, "eps", "-", fl->eps, n, 1);
-    state_reals(s, "eps_n", "-", fl->eps_n, n, 1);
-    state_reals(s, "eps_nm1", "-", fl->eps_nm1, n, 1);
+    state_reals(s, "eps_n", "-", fl->eps_n, old, 1);
+    state_reals(s, "eps_nm1", "-", fl->eps_nm1, old, 1);
     state_reals(s, "F", "N/m^3", fl->F, n, 3);
     state_reals(s, "K", "kg/(m^3 s)", fl->K, n, 1);
     state_reals(s, "eps_us", "m/s", fl->eps_us, n, 3);

@@ -15,7 +15,7 @@ static const char insert[] = "particles.insert";
 /* [byte] The largest memory that was measured in runs, with the copy of the
  * state that a checkpoint is. A particle took 1256 in a bed that falls from a
  * lattice and 1724 in one that had settled. A cell of a box took 146 without a
- * fluid, 898 to 1147 with a fluid alone, 1409 to 1603 with particles in it; of
+ * fluid, 882 to 1131 with a fluid alone, 1409 to 1603 with particles in it; of
  * a mesh that has corners of its own 997, 1706 to 1878 and 2110 to 2653. */
 static const double per_particle = 1480.0;
 static const double per_cell[2][3] = {{150.0, 1080.0, 1500.0},
