@@ -171,15 +171,6 @@ static int move_others(struct simulation *sim)
     return failed;
 }
 
-/* Counts the step, sets the time [s] and calls the effects that act after a
- * step. */
-static void finish_step(struct simulation *sim)
-{
-    sim->steps++;
-    sim->t = (double)sim->steps * sim->dt;
-    effects_call(sim, EFFECTS_AFTER_STEP);
-}
-
 /* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
 int coupling_step(struct simulation *sim)
 {
@@ -215,7 +206,11 @@ int coupling_step(struct simulation *sim)
         if (!failed) effects_measure_scale(sim);
     }
     if (!failed) failed = move_others(sim);
-    if (!failed) finish_step(sim);
+    if (!failed) {
+        sim->steps++;
+        sim->t = (double)sim->steps * sim->dt;
+        effects_call(sim, EFFECTS_AFTER_STEP);
+    }
     clock_add(&sim->seconds.exchange, &clock);
     return processes_largest(sim, failed);
 }
@@ -327,16 +322,8 @@ static void effects_state(struct simulation *sim, struct state *s)
     state_end(s);
 }
 
-/* The particles are visited first: their number gives that of other rows. */
-static void visit_fields(struct simulation *sim, struct state *s)
-{
-    if (sim->particles != NULL) particles_state(sim->particles, s);
-    if (sim->dem != NULL) dem_state(sim->dem, s);
-    if (sim->fluid != NULL) fluid_state(sim->fluid, s);
-    coupling_state(sim, s);
-}
-
-/* The state of the averaging follows from that of the particles. */
+/* The particles are visited first: their number gives that of other rows. The
+ * state of the averaging follows from theirs. */
 int simulation_state(struct simulation *sim, struct state *s)
 {
     state_real(s, "t", "s", &sim->t);
@@ -346,10 +333,14 @@ int simulation_state(struct simulation *sim, struct state *s)
                                                       sim->dt) <= 0.5 * sim->dt,
                  "a number of steps that is not that of its time");
     seconds_state(&sim->seconds, s);
-    if (sim->processes != NULL)
+    if (sim->processes != NULL) {
         sim->processes->state(sim->processes, s);
-    else
-        visit_fields(sim, s);
+    } else {
+        if (sim->particles != NULL) particles_state(sim->particles, s);
+        if (sim->dem != NULL) dem_state(sim->dem, s);
+        if (sim->fluid != NULL) fluid_state(sim->fluid, s);
+        coupling_state(sim, s);
+    }
     effects_state(sim, s);
     if (s->loading && !s->failed && sim->averaging != NULL)
         s->failed = averaging_bind(sim->averaging) != 0;

@@ -168,16 +168,6 @@ void dem_clock(struct dem *dem, long steps)
     dem->motion_on = 1;
 }
 
-static void deepest_state(struct dem_overlap *deep, struct state *s)
-{
-    state_begin(s, "deepest_overlap");
-    state_real(s, "depth", "-", &deep->depth);
-    state_whole(s, "id", "-", &deep->id);
-    state_whole(s, "other", "-", &deep->other);
-    state_reals(s, "at", "m", deep->at, 3, 1);
-    state_end(s);
-}
-
 /* Each is one of the case; they are loaded before. */
 static int dem_materials_exist(const struct dem *dem)
 {
@@ -191,7 +181,7 @@ static int dem_materials_exist(const struct dem *dem)
 
 void dem_state(struct dem *dem, struct state *s)
 {
-    struct energy *const e = dem->energy;
+    struct dem_overlap *const deep = &dem->deepest;
 
     state_begin(s, "dem");
     state_demand(s, dem_materials_exist(dem),
@@ -199,8 +189,13 @@ void dem_state(struct dem *dem, struct state *s)
     state_long(s, "motion_steps", "-", &dem->motion_steps);
     state_whole(s, "motion_on", "-", &dem->motion_on);
     state_real(s, "max_overlap", "-", &dem->max_overlap);
-    deepest_state(&dem->deepest, s);
-    if (e != NULL) energy_state(e, s);
+    state_begin(s, "deepest_overlap");
+    state_real(s, "depth", "-", &deep->depth);
+    state_whole(s, "id", "-", &deep->id);
+    state_whole(s, "other", "-", &deep->other);
+    state_reals(s, "at", "m", deep->at, 3, 1);
+    state_end(s);
+    if (dem->energy != NULL) energy_state(dem->energy, s);
     dem->method->visit(dem, s);
     state_end(s);
 }

@@ -288,23 +288,17 @@ void chunk_restore_history(struct chunk *s, const struct contact_history *k,
     }
 }
 
-static int chunk_touching(const struct chunk *s, const struct rows *b)
-{
-    const struct chunk_contacts *const c = &s->contacts;
-    int n = 0;
-
-    for (int q = 0; q < c->n_pairs + c->n_walls; q++)
-        n += (q < c->n_pairs ? rows_pair_gap(b, c->owner[q], c->partner[q])
-                             : rows_wall_gap(&b->box, &b->place[c->owner[q]],
-                                             c->partner[q])) < 0.0;
-    return n;
-}
-
 void chunk_measure(struct chunk *s, const struct rows *b)
 {
+    const struct chunk_contacts *const c = &s->contacts;
     struct chunk_measures *const m = &s->measures;
 
-    *m = (struct chunk_measures){.contacts = chunk_touching(s, b)};
+    *m = (struct chunk_measures){.contacts = 0};
+    for (int q = 0; q < c->n_pairs + c->n_walls; q++)
+        m->contacts +=
+            (q < c->n_pairs ? rows_pair_gap(b, c->owner[q], c->partner[q])
+                            : rows_wall_gap(&b->box, &b->place[c->owner[q]],
+                                            c->partner[q])) < 0.0;
     for (int i = s->begin; i < s->end; i++) {
         const struct row_motion *const own = &b->motion[i];
         const double v2 = vector_dot(own->v, own->v);

@@ -142,27 +142,20 @@ static void add_to_attractions(struct chunk *own, double sign)
             own->part[q][ENERGY_ATTRACTIONS].F[k] += sign * own->load[q].F[k];
 }
 
-static void chunk_step_add_attractions(const struct rows *b, struct chunk *own,
-                                       const struct step_parameters *by)
-{
-    const int counted = by->budget && by->n_attractions > 0;
-
-    if (counted) add_to_attractions(own, -1.0);
-    for (int k = 0; k < by->n_attractions; k++)
-        add_attraction(own, b, &by->attractions[k]);
-    if (counted) add_to_attractions(own, 1.0);
-}
-
 /* Adds the loads of surfaces and attractions on a chunk. */
 static void load_others(struct neighbours *nb, int s,
                         const struct step_parameters *by)
 {
     struct chunk *const own = &nb->chunks[s];
+    const int counted = by->budget && by->n_attractions > 0;
 
     if (nb->surfaces != NULL)
         surfaces_add_loads(nb->surfaces, s, own, nb->rows, by->constants,
                            by->dt);
-    chunk_step_add_attractions(nb->rows, own, by);
+    if (counted) add_to_attractions(own, -1.0);
+    for (int k = 0; k < by->n_attractions; k++)
+        add_attraction(own, nb->rows, &by->attractions[k]);
+    if (counted) add_to_attractions(own, 1.0);
 }
 
 /* Computes loads, then motion, block by block. Blocks wait if other chunks may

@@ -187,18 +187,13 @@ static void fast_report(struct dem *dem, long rebuilds, struct dem_report *r)
     find_deepest(dem);
 }
 
-static int team_size(const struct neighbours *nb)
-{
-    const int most = omp_get_max_threads();
-    return most < nb->n_chunks ? most : nb->n_chunks;
-}
-
 static void fast_run(struct dem *dem, int steps, struct dem_report *r)
 {
     struct fast *const fast = fast_of(dem);
     struct neighbours *const nb = fast->neighbours;
     const long before = nb->rebuilds;
-    const int team = team_size(nb);
+    const int most = omp_get_max_threads();
+    const int team = most < nb->n_chunks ? most : nb->n_chunks;
 
     if (nb->stale) {
         nb->skin = skin_of(&dem->options, dem_mean_diameter(nb->ps));
