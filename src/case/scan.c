@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/file.h"
+#include "base/text.h"
 
 /* Of a word or a number. */
 static int is_of_word(char c)
@@ -61,9 +62,11 @@ void scan_mixed(char *text)
             open = text;
             whole = real = 0;
         } else if (isdigit((unsigned char)*text) || *text == '.') {
-            const int is_whole = (int)strcspn(text, ".eE") >= n;
-            whole |= is_whole;
-            real |= !is_whole;
+            int is_real = 0;
+            for (int i = 0; i < n; i++)
+                is_real |= strchr(".eE", text[i]) != NULL;
+            whole |= !is_real;
+            real |= is_real;
         } else if (*text == ']' && open != NULL && whole && real) {
             *open = '(';
             *text = ')';
@@ -115,14 +118,16 @@ static int digits_check(const char *file, const char *text)
 
 /* --- files ---------------------------------------------------------------- */
 
-/* libconfig says itself what is wrong with deeper ones. */
-enum { DEEPEST = 10, PATH = 4096 };
+/* libconfig says itself what is wrong with deeper ones. Ten in each of so deep
+ * ones would be more than there is time for. */
+enum { DEEPEST = 10, MOST_INCLUDED = 1000, PATH = 4096 };
 
 /* Where the files are kept that are read, and the folder of those that are
  * included. */
 struct scan {
     struct inputs **files;
     const char *folder;
+    int n; /* [-] of all so far */
 };
 
 /* Where a file was named, for messages. */
@@ -177,11 +182,11 @@ static int included(const char *line, char name[PATH])
            closing == '"';
 }
 
-static int include_check(const struct scan *s, const char *file,
-                         struct place at, int depth);
+static int include_check(struct scan *s, const char *file, struct place at,
+                         int depth);
 
 /* Looks at the files that a text includes. */
-static int check_text(const struct scan *s, const char *text, const char *file,
+static int check_text(struct scan *s, const char *text, const char *file,
                       int depth)
 {
     const char *const folder = s->folder;
@@ -204,10 +209,13 @@ static int check_text(const struct scan *s, const char *text, const char *file,
     return code;
 }
 
-static int include_check(const struct scan *s, const char *file,
-                         struct place at, int depth)
+static int include_check(struct scan *s, const char *file, struct place at,
+                         int depth)
 {
     if (depth > DEEPEST) return 0;
+    if (s->n++ > MOST_INCLUDED)
+        return 2 * text_wrong(at.file, at.line,
+                              "more than %d files are included", MOST_INCLUDED);
     const struct input *const in = input_kept(s->files, file);
     if (in->text == NULL) return unreadable(&at, file, in->why);
     int code = is_no_text(file, in->text, in->length);
@@ -217,7 +225,7 @@ static int include_check(const struct scan *s, const char *file,
 
 int scan_file(struct inputs **files, const char *file, const char *folder)
 {
-    const struct scan s = {files, folder};
+    struct scan s = {files, folder, 0};
 
     return include_check(&s, file, (struct place){NULL, 0}, 0);
 }
