@@ -95,9 +95,6 @@ static int read_option(const struct command *c, int argc, char **argv, int *i,
         return wrong_option(c, option);
     if (value == NULL && *i + 1 < argc) value = argv[++*i];
     if (value == NULL) return main_wrong(c, option, " needs a value");
-    if (option[1] == 'o' && value[0] == '\0')
-        return main_wrong(c, "-o needs the name of a folder, not an empty one",
-                          "");
     if (option[1] == 'o')
         l->dir = value;
     else if (option[1] == 's')
@@ -145,6 +142,10 @@ static int main_wrong_word(int argc, char **argv)
             strncmp(argv[i], "-s", 2) == 0 || strcmp(argv[i - 1], "-s") == 0;
         for (char *c = argv[i]; sets && *c != '\0'; c++)
             if (strchr("\t\r\n", *c) != NULL) *c = ' ';
+        if (argv[i][0] == '\0') {
+            fprintf(stderr, "winnow: word %d is empty\n", i);
+            return 2;
+        }
         if (text_control(argv[i]) == NULL) continue;
         text_blank(argv[i]);
         fprintf(stderr,

@@ -55,6 +55,8 @@ static const char *advice(const char *complaint)
     if (strstr(complaint, "syntax error") != NULL)
         return "; is a ; or a brace missing here or just before? A value is "
                "a number alone, as 1.2e-3, or a text in quotes";
+    if (strstr(complaint, "memory exhausted") != NULL)
+        return ": groups or lists within one another are too deep";
     if (strstr(complaint, "duplicate") != NULL)
         return "; a group has each name once";
     return "";
@@ -242,8 +244,9 @@ void source_value(const config_setting_t *s, char text[SOURCE_TEXT])
         append_scalar(text, s);
         return;
     }
+    source_append(text, "[");
     for (int i = 0; i < config_setting_length(s) && i < 4; i++) {
-        source_append(text, i == 0 ? "[" : ", ");
+        source_append(text, i == 0 ? "" : ", ");
         append_pair(text, source_element(s, i));
     }
     source_append(text, config_setting_length(s) > 4 ? ", ...]" : "]");
