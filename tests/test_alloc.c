@@ -83,14 +83,16 @@ FACT(arrays_and_parts_are_released_with_their_owner)
 FACT(a_negative_number_of_entries_ends_the_program_with_code_4)
 {
     char said[CAPTURE_TEXT];
+    void *const owner = owner_create(8);
     struct capture capture = capture_begin(2);
     const pid_t child = fork();
     int status = 0;
 
-    if (child == 0) owner_doubles(owner_create(8), -1);
+    if (child == 0) owner_doubles(owner, -1);
     if (child == 0) _exit(0);
     waitpid(child, &status, 0);
     capture_end(&capture, said);
+    owner_free(owner);
     ck_assert(WIFEXITED(status) && WEXITSTATUS(status) == 4);
     ck_assert_ptr_nonnull(strstr(said, "an array of more than"));
 }
