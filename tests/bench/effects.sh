@@ -61,7 +61,11 @@ run() { # effect, cells, overrides...
 for round in $(seq "$rounds"); do
     effects | while read -r name group more; do
         set --
-        [ "$name" = none ] || set -- -s "effects.$name=$group"
+        case $name in
+        none) ;;
+        whole_drag) set -- -s "effects={gravity=[0.0,-9.81,0.0];$name=$group;}" ;;
+        *) set -- -s "effects.$name=$group" ;;
+        esac
         for key in $more; do set -- "$@" -s "$key"; done
         for cells in '[8,32,1]' '[16,64,1]'; do
             echo "$round $(run "$name" "$cells" "$@")"
