@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/alloc.h"
 #include "averaging/averaging.h"
 #include "fluid/fluid.h"
 

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/alloc.h"
 #include "fluid/fluid.h"
 
 static const double nu = 0.1, end = 0.1; /* [m^2/s], [s] */
